@@ -12,7 +12,7 @@ from sympy import evaluate, pi, symbols
 
 from book.assembly import report, stamps
 from book.extension import theorems as book_theorems
-from book.extension.cards import coq
+from book.extension.cards import OPEN, coq
 from book.extension.dependencies import rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
@@ -94,7 +94,9 @@ def test_claims_stand_below_their_clauses_as_mathematics(build_page):
     claims = [claim for clause in THEOREMS["kink_loci"].clauses for claim in clause.claims]
     assert [table["aria-label"] for table in shown] == [f"Claim {claim.name}" for claim in claims]
     for table, claim in zip(shown, claims, strict=True):
-        assert [row.get_text() for row in table.select("dd")] == [rf"\({row.tex}\)" for row in rows_of(claim)]
+        printed = [row.get_text() for row in table.parent.select("dd")]  # what it shows, and folded, from what
+        assert sorted(printed) == sorted(rf"\({row.tex}\)" for row in rows_of(claim))
+        assert [row.get_text() for row in table.select("dt")] == ["shows"] and len(table.select("dd")) <= OPEN
 
 
 def test_a_printed_claim_is_the_object_as_written():
@@ -198,10 +200,10 @@ def test_evidence_in_words():
 
 
 def test_the_legend_says_which_checkers_were_asked(build_page, monkeypatch):
-    page, warnings = build_page(":::{grades}\n:::")
+    page, warnings = build_page(":::{grades}\n:asked:\n:::")
     assert not warnings and "Coq has accepted its files, as they are, on the same machine" in page
     monkeypatch.setattr(report, "asked", lambda: dict.fromkeys(ASKED, False))
-    page, _ = build_page(":::{grades}\n:::")
+    page, _ = build_page(":::{grades}\n:asked:\n:::")
     assert "accepted on another day is recorded, not re-checked here" in page and "second checker did not" in page
 
 

@@ -84,6 +84,8 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(page):
     )
     assert set(marks) == CERTIFIED
     assert tab.locator(".check-mark.check-rejected").count() == 0
+    for id, words in {"attached_shadow": "✓ refutation accepted here", "angle_of_the_bump": "✓ accepted here"}.items():
+        assert tab.locator(f"[data-claim={id}] .check-mark").inner_text().strip() == words
 
 
 def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):

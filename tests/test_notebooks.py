@@ -21,12 +21,12 @@ import yaml
 
 from book.assembly.results import look_up
 from book.editions.pages import parsed
-from book.extension.notebooks import FOLDER
+from book.extension.notebooks import FOLDER, repeated
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.printed import FUNCTIONS, SCENE, function, refreshed
-from renderer import kernels
+from renderer import kernels, render
 from renderer.generate.kernels import function_of
 from renderer.scene.methods import central
 from renderer.scene.scene import Scene
@@ -206,6 +206,17 @@ def test_third_cell_sweeps(ran):
     assert rows[5, 0] < 1e-8
     assert 3.5 < np.log10(line_of(text, "beside a crease")[0] / line_of(text, "elsewhere on A")[0]) < 4
     assert scope["v"].min() > 0 and scope["v"].max() < 1
+    # What it draws is what it compares, and the middle of the three pictures is the renderer's.
+    assert scope["three"].shape == (256, 3 * 256, 3)
+    assert np.abs(scope["three"][:, 256:512] - render(Scene(), 256, 256).rgb).max() < 1e-11
+    turned = 8 * scope["u"]
+    assert np.abs(turned - np.rint(turned)).min() > 1e-6  # so no rounding decides a crease
+
+
+def test_what_repeats_is_folded_and_nothing_else():
+    first, second = "a = 1\n\ndef f():\n    pass\n\nb = 2", "c = 3\n\ndef f():\n    pass\n\nb = 2\n\na = 2"
+    assert repeated([first]) == [[(6, False, ["f"])]]
+    assert repeated([first, second])[1] == [(2, False, []), (5, True, ["f"]), (1, False, [])]
 
 
 def test_fourth_cell_counts_and_times(ran):
@@ -240,6 +251,9 @@ def test_seventh_cell_goes_wrong(ran):
     text, scope = ran(7)
     lost = [line_of(text, f"ε = 1e-{decade}")[-1] for decade in ("08", "10", "12", "14")]
     assert lost == sorted(lost)
+    assert re.findall(r"δ = (\S+) .*(flagged|no flag)", text) == [
+        ("-1e-02", "no flag"), ("-1e-06", "flagged"), ("+0e+00", "flagged"), ("+1e-06", "flagged"),
+    ]  # fmt: skip
     beside = line_of(text, "δ = +1e-06  central")
     assert f"{beside[1]:.2f}" == f"{look_up(BOOK, 'crease', 'exact_beside'):.2f}"
     assert abs(beside[0] / beside[1]) < 0.02
@@ -251,10 +265,13 @@ def test_seventh_cell_goes_wrong(ran):
 
 
 def test_eighth_cell_meets_the_wall(ran):
-    text, _ = ran(8)
+    text, scope = ran(8)
     rows = np.array([line_of(text, f"{texels}²") for texels in (64, 256, 1024)])
     angles = [int(angle) for angle in re.findall(r"to N'.*?(\d+)°", text)]
-    assert 10 < rows[1, 0] / rows[2, 0] < 20  # a quarter of the texel
+    factors = [numbers(line)[-1] for line in text.splitlines() if "times less than before" in line]
+    assert factors == pytest.approx([a / b for a, b in pairwise(rows[:, 0])], abs=0.1)
+    assert 8 < factors[0] < factors[1] < 16  # on their way to 16, for a quarter of the texel
+    assert scope["down"].max() <= 0.5  # the outline is above the floor
     assert (rows[:, 2] < rows[:, 0] / 10).all()
     assert rows[2, 3] > 100
     assert angles[0] > 90 > angles[1] > 5 and len(angles) == 2
@@ -333,8 +350,8 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path)
         assert not [o for o in outputs if o["output_type"] == "error" or o.get("name") == "stderr"]
         text = "".join("".join(output["text"]) for output in outputs if output["output_type"] == "stream")
         assert text.count(ALONE) == 1
-        timed = re.compile(r"ns a point: .*\nthe difference takes .*\n")  # the page times nothing
-        assert len(timed.findall(text)) == (name == "cell4")
+        timed = re.compile(r"(?:ns a point: |the difference takes |a frame at ).*\n")  # the page times nothing
+        assert len(timed.findall(text)) == {"cell3": 2, "cell4": 4}.get(name, 0)
         printed.append(compared(timed.sub("", text)))
     blocks = parsed((site / "s5.html").read_text(encoding="utf-8")).select("div.cell_output pre")
     assert all(printed) and "".join(printed) == "".join(compared(block.get_text()) for block in blocks)
@@ -391,7 +408,9 @@ def test_copied_cell_is_complete_though_its_scene_is_folded(visit):
     page.evaluate("document.body.prepend(Object.assign(document.createElement('textarea'), { id: 'pasted' }))")
     inputs, sources = page.locator("div.cell_input"), code_of(notebooks()[WHOLE])
     assert inputs.count() == page.locator("div.cell_input button.copybtn").count() == len(sources)
-    assert page.locator("div.cell_input details:not([open])").count() == 2
+    shown = [cell.inner_text().count("\n") for cell in inputs.all()]
+    assert shown[2] < sources[2].count("\n") / 2  # of the third cell two thirds are as before, and folded
+    assert page.locator("div.cell_input .new-lines").first.is_visible()
     for number, source in enumerate(sources):
         inputs.nth(number).locator("button.copybtn").click()
         page.locator("#pasted").fill("")

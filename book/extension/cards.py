@@ -22,10 +22,13 @@ from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.points import point
 from book.extension.printed_claims import rows
-from book.extension.theorems import GRADES, Here, certificate, kind, module_and_line, script
+from book.extension.theorems import GRADES, WORDS, Here, certificate, kind, module_and_line, script
+from proofs.engine.theorem import Theorem
 from verify import formal
 from verify.survey import AXIOMS
 
+OPEN = 3  # of the lines that a claim shows; the others are folded
+BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
 
@@ -54,7 +57,21 @@ def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
         source=f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}",
         downloads=downloads,
         partly=formal.PARTLY.get(id),
+        word=WORDS.get(kind(book.proofs.entries[id]["shown"])),
     )
+
+
+def behind(theorem: Theorem, entry: dict, variants: str) -> str:
+    """What a card's second fold holds, in words."""
+    parts = [
+        ("edges", entry.get("side_conditions")),
+        (variants, entry.get("mutants")),
+        ("Coq's word", entry["formal"]),
+        ("what it rests on", True),
+    ]
+    held = [words for words, there in parts if there]
+    said = " and ".join(filter(None, [", ".join(held[:-1]), held[-1]]))
+    return said[0].upper() + said[1:]
 
 
 def coq(name: str, statement: str) -> Markup:
@@ -91,4 +108,5 @@ def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
 
 
 TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, beside=beside)
+TEMPLATES.globals.update(BEFORE=BEFORE, OPEN=OPEN, behind=behind)
 TEMPLATES.globals.update(killed=killed, kind=kind, point=point, rows=rows)

@@ -2,7 +2,7 @@
 
 :::{all-theorems}
 :::
-:::{grades}           the legend of the badges, with the number of theorems that have each
+:::{grades}           the legend of the badges, with the number of theorems that have each; `:asked:` adds who was asked
 :::
 :::{argued-clauses}   the words that no claim says, each with its reason
 :::
@@ -14,6 +14,7 @@ from collections import Counter
 from pathlib import Path
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import report
@@ -21,15 +22,17 @@ from book.assembly.contents import page_files, page_title
 from book.extension.cards import card
 from book.extension.checker import check_all
 from book.extension.elements import directive, filled, section
-from book.extension.theorems import CLAIMS_PAGE, GRADES, Here, kind
+from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, kind
 
 ORDER = list(GRADES)
 
 
-@directive("grades")
+@directive("grades", asked=directives.flag)
 def grades_legend(here: SphinxDirective) -> list[nodes.Node]:
     counts = Counter(kind(entry["shown"]) for entry in Here(here.env).proofs.entries.values())
-    return [filled("grades", counts=counts, grades=[grade for grade in ORDER if counts[grade]], asked=report.asked())]
+    asked = report.asked() if "asked" in here.options else {}
+    grades = [grade for grade in ORDER if counts[grade]]
+    return [filled("grades", id="" if asked else LEGEND[1], counts=counts, grades=grades, asked=asked)]
 
 
 @directive("check-all")

@@ -5,6 +5,10 @@
 
 :::{docstring} proofs/engine/certificate.py
 :::
+
+:::{printed-lines} bumped_normal
+:lines: m_x m_length          the lines of a function of renderer/kernels.py that define these names
+:::
 """
 
 import ast
@@ -14,6 +18,7 @@ from functools import cache
 from pathlib import Path, PurePosixPath
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
@@ -22,7 +27,7 @@ from book.assembly import report, stamps
 from book.extension.elements import directive, on, role
 from book.extension.theorems import certificate, proofs_of, script
 
-DOWNLOADS = "_downloads/theorems"
+DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
 FOLDERS = ("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py")
 LISTED = (
     *FOLDERS,
@@ -121,3 +126,24 @@ def source_link(here: SphinxRole) -> list[nodes.Node]:
 def docstring(here: SphinxDirective) -> list[nodes.Node]:
     text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
     return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
+
+
+def printed(name: str, wanted: list[str]) -> str:
+    """Return the lines of a function of the printed kernels that define the wanted names, in their order.
+
+    Raises ValueError on a function or a name that is not there.
+    """
+    text = source_file(KERNELS).read_text(encoding="utf-8")
+    functions = {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    if name not in functions:
+        raise ValueError(f"{KERNELS} has no function {name!r}")
+    lines = {ast.unparse(line).split(" = ")[0]: ast.get_source_segment(text, line) for line in functions[name].body}
+    if missing := [each for each in wanted if each not in lines]:
+        raise ValueError(f"{name!r} defines no {', '.join(missing)}; it defines {', '.join(lines)}")
+    return "\n".join([f"# {KERNELS}, {name}", *(lines[each] for each in wanted)])
+
+
+@directive("printed-lines", arguments=1, lines=directives.unchanged_required)
+def printed_lines(here: SphinxDirective) -> list[nodes.Node]:
+    text = printed(here.arguments[0], here.options["lines"].split())
+    return [nodes.literal_block(text, text, language="python", classes=["printed-lines"])]

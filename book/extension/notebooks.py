@@ -9,8 +9,12 @@ open a notebook from a branch, `repository.branch`, to which the workflow that p
 
 import base64
 import re
+from collections.abc import Iterable
 from functools import partial
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
+from typing import NamedTuple
 
 import yaml
 from docutils import nodes
@@ -23,7 +27,14 @@ from book.notebooks import WHOLE
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
 PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\s;]+", re.MULTILINE)  # what the cells import
-SUMMARY = "<summary># The scene of §2, line for line as in Cell 1</summary>"
+CODE = (
+    'cell_input docutils container">\n<div class="highlight-ipython3 notranslate">'
+    '<div class="highlight"><pre><span></span>'
+)
+INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
+PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
+DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
+FEWEST = 3  # lines that are worth a fold
 
 
 def addresses(settings: dict, name: str) -> dict[str, str]:
@@ -73,18 +84,51 @@ def offer_notebooks(page: Page) -> None:
 
 
 @on_page
-def fold_scenes(page: Page) -> None:
-    """Fold the lines that a cell shares with the first one: the scene, which is the same."""
-    from book.notebooks.laboratory import PAGE
-    from book.notebooks.printed import SCENE
+def fold_what_repeats(page: Page) -> None:
+    """Fold the lines that a cell shares with earlier ones, and mark those that are new in it."""
+    from book.notebooks.laboratory import PAGE, cells
 
     if page.name == PAGE.stem and _has_cells(page):
-        length = SCENE.findall(PAGE.read_text(encoding="utf-8"))[0].rstrip().count("\n")
-        scene = re.compile(rf'<span class="c1"># The scene of §2(?:[^\n]*\n){{{length}}}[^\n]*\n')
-        body = page.context["body"]
-        first = scene.search(body).end()
-        folded = scene.sub(rf"<details>{SUMMARY}\g<0></details>", body[first:])
-        page.context["body"] = body[:first] + folded
+        runs = iter(repeated([part.text for cell in cells() for part in cell.parts if part.is_code]))
+        page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(runs)), page.context["body"])
+
+
+class Run(NamedTuple):
+    """Lines of a cell that follow each other: all in earlier cells too, or all new; and the functions they define."""
+
+    lines: int
+    repeats: bool
+    functions: list[str]
+
+
+def repeated(sources: Iterable[str]) -> list[list[Run]]:
+    """Return the Runs of every source. A paragraph repeats if an earlier source has it, word for word."""
+    known: set[str] = set()
+    found = []
+    for source in sources:
+        paragraphs = PARAGRAPH.findall(source)
+        marked = [(paragraph.strip() in known, paragraph) for paragraph in paragraphs]
+        known |= {paragraph.strip() for paragraph in paragraphs}
+        of_source = []
+        for repeats, some in groupby(marked, itemgetter(0)):
+            text = "".join(paragraph for _, paragraph in some)
+            of_source.append(Run(len(text.splitlines()), repeats, DEFINED.findall(text)))
+        found.append(of_source)
+    return found
+
+
+def _folded(code: str, runs: list[Run]) -> str:
+    """Return a cell's lines as HTML; where none is from another cell, nothing is marked."""
+    lines, pieces = code.splitlines(keepends=True), []
+    if not any(run.repeats for run in runs):
+        return code
+    for run in runs:
+        piece, lines = "".join(lines[: run.lines]), lines[run.lines :]
+        said = f": {', '.join(run.functions)}" if run.functions else ""
+        summary = f"<summary># As before{said} ({run.lines} lines)</summary>"
+        folds = run.repeats and run.lines >= FEWEST
+        pieces.append(f"<details>{summary}{piece}</details>" if folds else f'<span class="new-lines">{piece}</span>')
+    return "".join(pieces + lines)
 
 
 def _has_cells(page: Page) -> bool:

@@ -18,6 +18,8 @@ from renderer.generate.statements import statements
 from verify import formal
 
 CLAIMS_PAGE = "findings"
+LEGEND = ("s1", "badges")  # the page and the id of what says what the badges mean
+WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
 THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": ("■", "F", "each claim, as it is printed, is accepted by Coq's kernel; also proved, or measured"),
@@ -109,6 +111,10 @@ class Here:
 
     def card(self, id: str) -> str:
         return f"{self.page(self.proofs.places[id])}#theorem-{id}"
+
+    def legend(self) -> str:
+        """The address of what the badges mean."""
+        return f"{self.page(LEGEND[0])}#{LEGEND[1]}"
 
     def name(self, id: str) -> str:
         """What a link to a theorem says."""

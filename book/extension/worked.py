@@ -14,6 +14,7 @@ from book.extension.elements import directive, filled
 from book.extension.figures import OPTIONS
 from book.extension.ideas import idea
 from book.idea_kernels import PIXEL, lines_at
+from proofs.formulas.half_turns import ordinary
 from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
 
@@ -21,6 +22,8 @@ SIZE, COLUMN, ROW = 256, 104, 92  # the picture, and the pixel whose values stan
 A = "_on_a"
 EVERY = ("_x", "_y", "_z")
 LINES = (
+    ("1. Where: the pixel's point, and the surface there", "", None),
+    ("the point of the picture", "x y", None),
     ("the distance from the axis", "rho_raw", ()),
     ("negative if A is missed", "discriminant_a", ()),
     ("where the ray meets A", "t_a", ()),
@@ -30,33 +33,39 @@ LINES = (
     ("", "sin_phi", ("hit_scale",)),
     ("the chart, in half-turns", "u_closed", ()),
     ("", "v", ()),
+    ("2. The bump: two slopes tilt the normal", "", None),
     ("the slopes", "h_u", ()),
     ("", "h_v", ()),
     ("tangent vector: x, y, z", "g*_on_a", ()),
     ("the normal, tilted", "m*_on_a", ()),
     ("its length", "m_length_on_a", ()),
-    ("the light's normal", "bumped*_on_a", ("m_scale_on_a",)),
+    ("the perturbed normal", "bumped*_on_a", ("m_scale_on_a",)),
+    ("3. The light: what the tilted normal catches", "", None),
     ("towards the first light", "towards*_0", ("to_light_x_0", "light_scale_0")),
-    ("cosine that scatters", "mu_0", ()),
-    ("cosine of the highlight", "specular_base_0", ()),
+    ("the cosine of the diffuse light", "mu_0", ()),
+    ("the cosine of the highlight", "specular_base_0", ()),
     ("1 if it is hidden", "occluded_0", None),
     ("red, with the first light", "lit_red_0", ("diffuse_0", "shine_0", "specular_0")),
     ("the second light's cosine", "mu_1", ()),
     ("1 if it is hidden", "occluded_1", None),
     ("red, green, blue, clipped", "rgb_*", None),
 )
-"""What is said of a line, its name (* for three of them), what is written out in its formula (None: it has none)."""
+"""What is said of a line, its name (* for three of them), what is written out in its formula (None: it has none).
+
+Without a name it is the head of a step.
+"""
 TEX = {s.name: tex for s, tex in TEX_NAMES.items()} | {
     "rho_raw": r"\rho", "discriminant_a": "d_A", "discriminant_b": "d_B", "root_a": r"\sqrt{d_A}",
     "root_b": r"\sqrt{d_B}",
     "t_a": "t_A", "t_b": "t_B", "tangent_squared": r"(e^2 - R^2)", "toward_b": "b", "distance": "(e - C_z)",
     "u_closed": "u",
-    "m_length": "|M|", "specular_base": "b", "specular": "b^p", "halfway_length": "|k|",
+    "m_length": "|M|", "specular_base": "b", "specular": "b^p", "halfway_length": r"|\omega + \hat v|",
     "light_distance": r"|L - P|", "red_before": r"\text{ambient}", "lit_red": r"\text{red}",
     "cos_u": "c_1", "sin_u": "s_1", "cos_v": "c_2", "sin_v": "s_2", "kd": "k_d", "ks": "k_s",
-    "light_red": "I", "albedo_red": "a", "beta": r"\beta",
+    "halfway_x": r"(\omega + \hat v)_x", "halfway_y": r"(\omega + \hat v)_y", "halfway_z": r"(\omega + \hat v)_z",
+    "light_red": r"\text{colour}", "albedo_red": r"\text{albedo}", "beta": r"\beta",
     **{f"{name}_{axis}": f"{tex} {axis}}}" for axis in "xyz" for name, tex in
-       (("g", "g_{"), ("m", "M_{"), ("e_theta", r"e_{\theta"), ("e_phi", r"e_{\varphi"), ("halfway", "k_{"))},
+       (("g", "g_{"), ("m", "M_{"), ("e_theta", r"e_{\theta"), ("e_phi", r"e_{\varphi"))},
 }  # fmt: skip
 
 
@@ -70,7 +79,7 @@ def formula(name: str, written_out: tuple[str, ...]) -> str:
     """A line of the program as TeX: of cases, the first."""
     lines = {symbol.name: symbol for symbol, _ in PIXEL.definitions}
     found = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
-    found = found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr)
+    found = ordinary(found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
     names = {symbol: tex_of(symbol) for symbol in found.free_symbols | {lines[name]}}
     return f"{names[lines[name]]} = {latex(found, symbol_names=names)}"
 
@@ -91,14 +100,17 @@ def values(scene: Scene) -> dict[str, float]:
 
 
 def worked_lines() -> list[dict]:
-    known, rows = values(Scene()), [{"words": "the point of the picture", "formula": [], "names": ["x", "y"]}]
+    known, rows = values(Scene()), []
     for words, name, written_out in LINES:
+        if not name:
+            rows.append({"step": words, "formula": [], "names": []})
+            continue
         names = [name.replace("*", part) for part in (("_red", "_green", "_blue") if name == "rgb_*" else EVERY)]
-        names = [n.replace("__", "_") for n in names] if "*" in name else [name]
+        names = [n.replace("__", "_") for n in names] if "*" in name else name.split()
         shown = [] if written_out is None else [nodes.math("", formula(names[0], written_out))]
-        rows.append({"words": words, "formula": shown, "names": names})
+        rows.append({"step": "", "words": words, "formula": shown, "names": names})
     for row in rows:
-        row["on_a"] = row["names"][0].endswith(A) or row["names"][0] in ON_A
+        row["on_a"] = any(name.endswith(A) or name in ON_A for name in row["names"])
         row["outputs"] = [(name, said(known[name])) for name in row["names"]]
     return rows
 

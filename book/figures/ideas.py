@@ -46,7 +46,7 @@ def slope_is_texture() -> Drawing:
     top.plot(POINT, at_h, "o", color=blue, markersize=7)
     middle = pixel_axes(fig, 0, 130, 590, 70, xlim=(-0.01, 1.01), ylim=(-12, 58))
     curve(middle, [0, 1], [0, 0], "ink", linewidth=1.2)
-    _draw_normals(middle, (np.arange(32) + 0.5) / 32, 24, color=palette()["muted"], width=1)
+    _draw_normals(middle, (np.arange(16) + 0.5) / 16, 30, color=palette()["muted"], width=1)
     _draw_normals(middle, POINT, 42, color=blue, width=3)
     between = (u[1:] + u[:-1]) / 2
     light = along_circle(between)[-1]

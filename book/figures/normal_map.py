@@ -7,6 +7,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DOTTED, SOLID, curve, decades, label_curve, plot, slope_triangle
 from renderer import Scene, central, exact
+from renderer.picture.differences import rms
 from verify.accuracy.frontiers import normal_map
 from verify.accuracy.frontiers.wall import order
 
@@ -42,7 +43,8 @@ def map_of_normals() -> Drawing:
         decades(ax, 1, 1, xlim=(25, 2500), ylim=(1e-5, 1), title=field, xlabel="texels across")
         numbers[field] = {name: values[normal_map.TEXELS.index(AT)] for name, values in errors.items()}
         numbers[field] |= {"order": order(errors["symbolic"], normal_map.TEXELS), "without": _apart(field)}
-    sine = _errors("sine")
+    sine, by_beta = _errors("sine"), normal_map.derivative_errors("sine", AT)
+    numbers |= {"by_beta_rms": rms(by_beta), "by_beta_largest": by_beta.max()}
     numbers["same_at_the_best_step"] = _same_bytes(Scene(field="sine"))
     numbers["largest_of_ridges"] = _errors("ridges")["largest"].min()
     numbers["from_texels"] = AT * np.sqrt(numbers["sine"]["symbolic"] / _apart("sine"))

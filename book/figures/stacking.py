@@ -29,4 +29,5 @@ def stacked_pictures() -> Drawing:
             numbers[f"{field}_{name}"] = {"rms": both.rms, "share": both.of_the_bound, "flips": both.flips}
             shares.append(both.of_the_bound)
             flips.append(both.flips)
+    numbers["mirror_apart"], numbers["mirrored"] = stacking.mirrors_apart(Scene())
     return Drawing(fig, numbers | {"largest_share": max(shares), "flips": sum(flips)})

@@ -33,7 +33,8 @@ def u_curve() -> Drawing:
     label_line_end(ax, 1e-7, at_middle, "truncation, in\nexact arithmetic", "bound", "left")
     slope_triangle(ax, 3e-4, 1e-7, 2)
     branch = (steps < 3e-2) & (steps > 1e-4)
-    best = measured.argmin()
+    best, predicted = measured.argmin(), best_of(SCENE.ku, UNIT).step
+    near = (steps > predicted / 3) & (steps < 3 * predicted)
     cited = (1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
     at = {f"error_{eps:.0e}": error for eps, error in zip(cited, np.abs(parts(CASE, cited)["total"]), strict=True)}
     third = slope_bound(SCENE.ku) ** 3
@@ -41,12 +42,13 @@ def u_curve() -> Drawing:
         "u": SMOOTH_POINT[0],
         "v": SMOOTH_POINT[1],
         "least": measured[best],
+        "near_best": np.median(measured[near]),
         "best_eps": steps[best],
         "slope": fitted_slope(steps[branch], measured[branch]),
         "exact": float(in_balls(gradient(HEIGHT_FIELDS[SCENE.field]), CASE.inputs)[CASE.component].item()),
         "third_derivative": third,
         "third_derivative_half": slope_bound(SCENE.ku / 2) ** 3,
-        "predicted_eps": best_of(SCENE.ku, UNIT).step,
+        "predicted_eps": predicted,
     }
     data = {"step": steps, "error": measured, "truncation": truncation}
     return Drawing(fig, numbers | at, data)

@@ -1,5 +1,7 @@
 """What stacks on a bump: a mean over points of a lamp, or over points of a pixel, of the two pipelines' difference.
 
+A lobe of reflected directions does not: its rays are made from N', and what they meet depends on the bump.
+
 A bump moves no boundary, so each sample's chambers are the same for both pipelines, and |ΔI| ≤ L|β||Δg| in each
 (theorem difference_bound). A mean keeps the bound (theorem mean_keeps_the_bound).
 """
@@ -10,13 +12,15 @@ from typing import NamedTuple
 import numpy as np
 
 from proofs.formulas.colour_bounds import light_bound
-from renderer import Light, Scene, central, exact, render
+from renderer import Light, Scene, central, exact, kernels, render
 from renderer.generate.kernels import function_of
 from renderer.operations import UNIT
 from renderer.picture.differences import Interval, enclosed_distance
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A
+FAR = 1e3  # along a ray, beyond everything
+NOTHING, ITSELF, BALL, DARK, LIGHT = range(5)
 _bound = function_of(light_bound(0))
 
 
@@ -84,3 +88,25 @@ def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: 
         open_ |= undecided.any(axis=(1, 3))
     within = mean[3] + 4 * (lamp**2 + pixel**2) * UNIT  # of numbers up to 1, their mean's own roundings
     return Stacked(mean[0], mean[1], mean[2], within, np.array(on_a.all(axis=(1, 3))), open_, flips)
+
+
+def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
+    """Return what the eye's ray, mirrored at N', meets from each pixel of A: NOTHING, ITSELF, BALL, DARK or LIGHT.
+
+    `planes` are a frame's `planes_on_a`. ITSELF is where the mirrored ray goes into the smooth sphere.
+    """
+    angles, gradient = planes[:4], planes[4:]
+    point = np.array(kernels.point_on_a(*angles, scene.radius))
+    bumped = np.array(kernels.bumped_normal(*angles, *gradient, scene.beta))
+    to_eye = np.array([[0.0], [0.0], [scene.eye]]) - point
+    ray = 2 * (bumped * to_eye).sum(axis=0) * bumped - to_eye
+    x, y, _ = point - ray * point[2] / np.where(ray[2] < 0, ray[2], 1)
+    found = np.where(ray[2] < 0, np.where(kernels.checker(x, y) > 0, DARK, LIGHT), NOTHING)
+    on_ball = kernels.shadow(*point, *(point + FAR * ray), *scene.ball_center, scene.ball_radius) > 0
+    return np.where((ray * point).sum(axis=0) < 0, ITSELF, np.where(on_ball, BALL, found))
+
+
+def mirrors_apart(scene: Scene, side: int = SIDE, eps: float = EPS) -> tuple[int, int]:
+    """Return of how many pixels of A the mirrored rays of the two pipelines meet something else, and A's pixels."""
+    one, other = (mirrored(scene, render(scene, side, side, way).planes_on_a) for way in (central(eps), exact()))
+    return int(np.count_nonzero(one != other)), one.size

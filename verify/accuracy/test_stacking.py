@@ -53,3 +53,12 @@ def test_a_lamp_is_spread_about_its_light():
     points = np.array([point.position for point in stacking.lamp_points(light, 4)])
     np.testing.assert_allclose(points.mean(axis=0), light.position)
     np.testing.assert_allclose(np.ptp(points, axis=0) / stacking.HALF, (1.5, 1.5, 0))
+
+
+def test_mirrored_rays_part_with_the_pipelines_and_not_without_a_bump():
+    """So a lobe of reflected directions is no mean of this kind."""
+    apart, pixels = stacking.mirrors_apart(Scene(), SIDE)
+    assert 0.02 < apart / pixels < 0.12
+    assert stacking.mirrors_apart(Scene(beta=0.0), SIDE) == (0, pixels)
+    met = stacking.mirrored(Scene(), render(Scene(), SIDE, SIDE).planes_on_a)
+    assert set(met) == {stacking.NOTHING, stacking.ITSELF, stacking.BALL, stacking.DARK, stacking.LIGHT}

@@ -10,7 +10,7 @@ import numpy as np
 from sympy import S
 
 from proofs.engine.program import Program
-from proofs.formulas.bump import bumped, g, m, perturbed
+from proofs.formulas.bump import bumped, g, m, normal_by_beta, perturbed
 from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
@@ -22,6 +22,9 @@ from verify.evaluate.arrays import in_float64
 in_frame = dict(zip((*normal, *g), (S.Zero, S.Zero, S.One, h_u, h_v, S.Zero), strict=True))
 bumped_in_frame = instance(perturbed, "in_frame", given=in_frame)
 """(h_u, h_v, β) → N' in the tangent frame: there N = (0, 0, 1) and g = (h_u, h_v, 0)."""
+
+by_beta_in_frame = instance(normal_by_beta, "by_beta_in_frame", given=in_frame)
+"""(h_u, h_v, β) → ∂N'/∂β there."""
 
 unit_length = Program("unit_length", m, perturbed.definitions[len(m) :], bumped)
 """M → M/|M|: the last lines of N'."""
@@ -82,6 +85,18 @@ def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict
         rows.append([*(rms(apart(*pair)) for pair in pairs), apart(one, right).max(), np.mean(stored[0] == stored[1])])
     names = "symbolic", "numeric", "between", "bytes", "largest", "same"
     return dict(zip(names, np.transpose(rows), strict=True))
+
+
+def derivative_errors(field: str, texels: int) -> np.ndarray:
+    """Return how far ∂N'/∂β is off, (n,), over the sample, if g is what a fetched normal says: (N'_x, N'_y)/βN'_z."""
+    scene, points = Scene(field=field), sample()
+    x, y, z = fetched(baked(scene, texels, exact()), *points)
+
+    def by_beta(slopes):
+        given = dict(zip(("h_u", "h_v"), slopes, strict=True)) | {"beta": scene.beta}
+        return np.array(list(in_float64(by_beta_in_frame, given).values()))
+
+    return apart(by_beta((x / (scene.beta * z), y / (scene.beta * z))), by_beta(gradient_at(scene, *points, exact())))
 
 
 def without_a_map(field: str, eps: float = EPS) -> float:

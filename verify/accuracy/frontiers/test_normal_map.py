@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, exact
+from renderer.picture.differences import rms
 from verify.accuracy.frontiers import normal_map
 from verify.accuracy.frontiers.wall import order
 
@@ -25,6 +26,13 @@ def test_a_creased_map_is_not():
     found = normal_map.errors("ridges", SIZES)
     assert order(found["symbolic"], SIZES, last=3) == pytest.approx(0.5, abs=0.1)
     assert (found["largest"] > 1.9).all()  # of at most 2: the normal of the other side
+
+
+def test_the_derivative_in_beta_is_lost_between_the_centres():
+    """It is an identity in g, but a map keeps no g: what its normals say of g is the filter's."""
+    coarse, fine = (normal_map.derivative_errors("sine", texels) for texels in SIZES[1:])
+    assert rms(coarse) / rms(fine) == pytest.approx(4, rel=0.2)
+    assert fine.max() > 0.01
 
 
 @pytest.mark.parametrize("texels", [33, 64])

@@ -1,0 +1,138 @@
+"""Small pictures beside the words that they are of: a crease enlarged, the four experiments, the pitfalls."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import panels
+from book.figures.chapter_scene import averaged, numeric, symbolic
+from renderer import Scene, central, exact, gradient_at, kernels, render
+from renderer.picture.frame import Frame
+from renderer.picture.views import difference_logarithmic, image_view, slope_view
+from verify.accuracy.frontiers import wall
+
+FINE_SIDE = 600  # a raster whose pixels' centres lie on the diagonals, as creases do
+SMALL, LOW, HIGH = 200, -12, 0
+CREASE_STEPS, SWEEP = (1e-2, 3e-3, 1e-3), (1e-1, 1e-3, 1e-6, 1e-16)
+BETAS = (0.35, 0.1, 0.02, 0.0)
+TEXELS = 65
+
+
+def step_name(eps: float) -> str:
+    """Return a step as a title says it: ε = 0.003, or ε = 10⁻⁶ where it is a power of ten."""
+    power = round(np.log10(eps))
+    return rf"$\varepsilon = 10^{{{power}}}$" if np.isclose(eps, 10.0**power) else rf"$\varepsilon = {eps:g}$"
+
+
+def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
+    """Return a picture whose every pixel is a square of `times` pixels."""
+    return picture.repeat(times, axis=0).repeat(times, axis=1)
+
+
+def cropped(scene: Scene, crop: tuple[int, int, int, int], *methods) -> list[Frame]:
+    """Return the crop of the raster of FINE_SIDE, (left, top, width, height), by each method."""
+    return [render(scene, FINE_SIDE, FINE_SIDE, method, crop=crop, bounds=True) for method in methods]
+
+
+def three_of(scene: Scene, crop: tuple[int, int, int, int], eps: float, times: int) -> tuple[Figure, tuple[Frame, ...]]:
+    """Return a crop by a difference, exactly, and their difference, every pixel enlarged; and the two frames."""
+    one, other = cropped(scene, crop, central(eps), exact())
+    pictures = image_view(one), image_view(other), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
+    titles = ("numeric", "symbolic", "difference")
+    return panels([enlarged(each, times) for each in pictures], titles, (LOW, HIGH)), (one, other)
+
+
+@figure
+def crease_close_up() -> Drawing:
+    """A diagonal crease of ridges, enlarged: by differences of three steps, and exactly."""
+    frames = cropped(Scene(), (176, 330, 48, 48), *map(central, CREASE_STEPS), exact())
+    pictures = [enlarged(image_view(frame), 4) for frame in frames]
+    fig = panels(pictures, [*map(step_name, CREASE_STEPS), "symbolic"])
+    zero = (frames[-1].planes_on_a[4:] == 0).all(axis=0).sum()
+    return Drawing(fig, {"side": FINE_SIDE, "zero": zero}, shown=tuple(frames))
+
+
+@figure
+def sweep_of_sine() -> Drawing:
+    """The difference of the pipelines' pictures of sine, at four steps."""
+    right = symbolic("sine", SMALL)
+    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in SWEEP]
+    pictures = [difference_logarithmic(frame.rgb - right.rgb, -16, HIGH) for frame in frames]
+    return Drawing(panels(pictures, [*map(step_name, SWEEP)], (-16, HIGH)), shown=(*frames, right))
+
+
+@figure
+def pole_of_rings() -> Drawing:
+    """The pole of rings, enlarged."""
+    fig, shown = three_of(Scene(field="rings"), (268, 223, 64, 64), 1e-2, 4)
+    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+
+
+@figure
+def flattening() -> Drawing:
+    """Ridges for four amplitudes, down to none."""
+    frames = [render(Scene(beta=beta), 2 * SMALL, 2 * SMALL, exact(), bounds=True) for beta in BETAS]
+    titles = [rf"$\beta = {beta:g}$" for beta in BETAS]
+    return Drawing(panels([averaged(image_view(frame), 2) for frame in frames], titles), shown=tuple(frames))
+
+
+@figure
+def pitfall_step() -> Drawing:
+    """The difference of the pipelines on sine, at the best step and at one that is far smaller."""
+    right, steps = symbolic("sine", SMALL), (1e-6, 1e-13)
+    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
+    pictures = [difference_logarithmic(frame.rgb - right.rgb, LOW, HIGH) for frame in frames]
+    return Drawing(panels(pictures, [*map(step_name, steps)], (LOW, HIGH)), shown=(*frames, right))
+
+
+@figure
+def pitfall_crease() -> Drawing:
+    """A crease of ridges, by a difference, exactly, and their difference."""
+    fig, shown = three_of(Scene(), (207, 303, 44, 44), 1e-2, 4)
+    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+
+
+@figure
+def pitfall_seam() -> Drawing:
+    """Sine with an odd wave number at the seam, which is the ray to the left."""
+    fig, shown = three_of(Scene(field="sine", ku=7), (120, 232, 44, 44), 1e-2, 4)
+    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+
+
+@figure
+def pitfall_rim() -> Drawing:
+    """The rim of A, twice enlarged: bumps on its face and none in its outline."""
+    (frame,) = cropped(Scene(), (50, 190, 160, 110), exact())
+    return Drawing(panels([enlarged(image_view(frame), 2)]), shown=(frame,))
+
+
+@figure
+def pitfall_table() -> Drawing:
+    """The slope h_u of ridges on a piece of the chart: by its formula, from a table, and the difference."""
+    v, u = np.mgrid[0:192, 0:192] / 192 * 0.25 + 0.06
+    found = wall.slope("ridges", TEXELS, "bilinear", (u.ravel(), v.ravel())).reshape(u.shape)
+    right = gradient_at(Scene(), u, v, exact())[0]
+    grey = [np.repeat(np.uint8(np.clip(127 + 5 * each, 0, 255))[..., None], 3, axis=2) for each in (right, found)]
+    pictures = [*grey, difference_logarithmic(found - right, -2, 2)]
+    fig = panels(pictures, ("the formula's slope", f"from {TEXELS}² heights", "difference"))
+    return Drawing(fig, {"texels": TEXELS}, {"formula": right, "table": found})
+
+
+@figure
+def light_backwards() -> Drawing:
+    """Sphere A of ridges from above: its colour, its perturbed normal as a colour, and its slope."""
+    side = 3 * 264
+    frame = render(Scene(ball=False), side, side, exact(), bounds=True)
+    planes, normals = frame.planes_on_a, np.zeros((side, side, 3))
+    normals[frame.stage.on_a] = np.transpose(kernels.bumped_normal(*planes, frame.scene.beta))
+    as_colour = np.where(frame.stage.on_a[..., None], np.rint(127.5 * (normals + 1)), 0).astype(np.uint8)
+    pictures = [averaged(each) for each in (image_view(frame), as_colour, slope_view(frame))]
+    return Drawing(panels(pictures, ("colour", "normal", "slope")), {"steepest": frame.slope.max()}, shown=(frame,))
+
+
+@figure
+def chart_on_a() -> Drawing:
+    """The coordinates u and v on sphere A, from above, in grey."""
+    frame = render(Scene(ball=False), SMALL, SMALL, exact(), bounds=True)
+    greys = [np.nan_to_num(255 * frame.surface_data[name]).astype(np.uint8)[..., None] for name in "uv"]
+    return Drawing(panels([grey.repeat(3, axis=2) for grey in greys], ("$u$", "$v$")), shown=(frame,))
