@@ -59,16 +59,6 @@ def rename(page: Page, names: Names) -> None:
         style.string = re.sub(r"#([\w-]+)", lambda match: "#" + escaped.get(match[1], match[1]), style.string or "")
 
 
-DATA_LINK = re.compile(r'"([\w./-]*\.html(?:#[^"\s]*)?)"')
-
-
-def relink_data(part: Tag, page: str, names: Names) -> None:
-    """Do the same to links in data that stands in the page for its scripts."""
-    for script in part.find_all("script", type="application/json"):
-        text = script.string or ""
-        script.string = DATA_LINK.sub(lambda match: f'"{names.fragment(page, match[1]) or match[1]}"', text)
-
-
 def relink(part: Tag, page: str, names: Names, file_link: Callable[[Tag, str], None]) -> None:
     """Make a part's links lead to places in the file; file_link(link, path) is asked about other files of the site."""
     for link in part.find_all("a", href=True):

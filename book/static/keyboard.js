@@ -1,11 +1,11 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
 // is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
-// and a table that is too wide becomes a list. A claim's formulas are typeset when it is opened.
+// and a table that is too wide becomes a list. A formula that is copied is its TeX.
 // The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, mjx-container[display], .math, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
+    "figure .pixels, div.math, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
@@ -13,7 +13,7 @@
   function name_of(element) {
     const number = element.closest("figure")?.querySelector(".caption-number")?.textContent.trim();
     return (
-      number || (element.matches(".graph") ? "Graph" : element.matches("mjx-container, .math") ? "Formula" : "Text")
+      number || (element.matches(".graph") ? "Graph" : element.matches(".math") ? "Formula" : "Text")
     );
   }
 
@@ -72,9 +72,6 @@
       page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
       page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
-    const rows = page.querySelectorAll("[open] > .claim .unset");
-    for (const row of rows) row.className = "math";
-    if (rows[0]) window.MathJax?.typesetPromise?.([...rows]);
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
     page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
   }
@@ -85,7 +82,7 @@
     if (!page) return;
     const scrolled = (/** @type {Event} */ { target }) => target instanceof Element && fade(target);
     page.addEventListener("scroll", scrolled, { capture: true, passive: true });
-    // Typesetting, a window's new width and an opened fold all change the page's size.
+    // A window's new width and an opened fold all change the page's size.
     new ResizeObserver(() => mend(page)).observe(page);
   }
 
@@ -94,6 +91,18 @@
     place?.closest(".ledger-list > li")?.querySelector("details")?.setAttribute("open", "");
   }
 
+  /** @param {ClipboardEvent} event */
+  function copy(event) {
+    const chosen = getSelection();
+    const copied = chosen?.rangeCount && chosen.getRangeAt(0).cloneContents();
+    const formulas = copied ? copied.querySelectorAll("math:has(annotation)") : [];
+    for (const formula of formulas) formula.replaceWith(`$${find_element(formula, "annotation").textContent}$`);
+    if (!copied || !formulas.length) return;
+    event.clipboardData?.setData("text/plain", copied.textContent);
+    event.preventDefault();
+  }
+
   addEventListener("hashchange", open_claim);
+  document.addEventListener("copy", copy);
   when_ready(watch);
 })();
