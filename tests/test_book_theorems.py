@@ -75,8 +75,8 @@ def statement_in(page):
     shown = BeautifulSoup(page, "html.parser").select_one(".statement")
     for title in shown.select(".theorem-title"):
         title.decompose()
-    for formula in shown.select(".math"):
-        formula.replace_with(f"${formula.get_text()[2:-2]}$")
+    for formula in shown.select("math"):
+        formula.replace_with(f"${formula.annotation.get_text()}$")
     return shown.get_text().strip()
 
 
@@ -94,7 +94,7 @@ def test_claims_stand_below_their_clauses_as_mathematics(build_page):
     claims = [claim for clause in THEOREMS["kink_loci"].clauses for claim in clause.claims]
     assert [table["aria-label"] for table in shown] == [f"Claim {claim.name}" for claim in claims]
     for table, claim in zip(shown, claims, strict=True):
-        assert [row.get_text() for row in table.select("dd")] == [rf"\({row.tex}\)" for row in rows_of(claim)]
+        assert [row.annotation.get_text() for row in table.select("dd")] == [row.tex for row in rows_of(claim)]
 
 
 def test_a_printed_claim_is_the_object_as_written():

@@ -90,7 +90,11 @@ async function put_on_paper(names) {
       const block = formula.closest("li, dd, td, th, p, figcaption, .theorem, div, section") ?? document.body;
       const { paddingLeft, paddingRight } = getComputedStyle(block);
       const room = block.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
-      return { formula, share: room / width_of(find_element(formula, "semantics")), size: parseFloat(getComputedStyle(formula).fontSize) };
+      return {
+        formula,
+        share: room / width_of(find_element(formula, "semantics")),
+        size: parseFloat(getComputedStyle(formula).fontSize)
+      };
     });
     const tables = select_all("table").map((table) => ({
       table,

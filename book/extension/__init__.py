@@ -20,7 +20,7 @@ an edited page             builds no other (page_cache.py)
 screen readers             lists and tables that they understand (accessibility.py)
 a sentence found           shown by the search, with its section (search.py)
 formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py, font.py)
-the theme                  its style sheets without what no page uses, its scripts where they are used (styles.py, scripts.py)
+the theme                  its style sheets without what no page uses (styles.py), what a page may load (scripts.py)
 the simulator              compiled into the site (assets.py)
 """
 

@@ -12,6 +12,7 @@ from sphinx.config import Config
 from book import idea_kernels, simulator_module
 from book.extension.elements import on
 
+
 @on("builder-inited")
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""

@@ -1,7 +1,7 @@
 """Formulas as MathML, typeset by the packaged MathJax when the book is built: no page loads it.
 
-What runs it is the Node that Playwright's wheel brings, so that a machine needs none of its own. What a formula has become
-is kept with what Sphinx knows of the pages: an edited page typesets its new formulas alone.
+What runs it is the Node that Playwright's wheel brings, so that a machine needs none of its own. What a formula has
+become is kept with what Sphinx knows of the pages: an edited page typesets its new formulas alone.
 """
 
 import json

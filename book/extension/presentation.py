@@ -47,7 +47,7 @@ def simplify(element: Element) -> None:
 
 
 def unwrapped(element: Element) -> Element:
-    """The one child of a row, or of a style that its space does not need; TeX has no space around an operator in braces."""
+    """The one child of a row, or of a style that a space does not need; braces take an operator's spaces away."""
     if len(element) != 1 or not (element.tag == "mrow" or (element.tag == "mstyle" and element[0].tag == "mspace")):
         return element
     if element[0].tag == "mo" and element.get(CLASS) == "ORD":
@@ -93,7 +93,7 @@ def is_bracket(element: Element | None) -> bool:
 
 
 def align(table: Element) -> None:
-    """Say of each cell what MathML Core no longer lets its table say: where its text stands, and how far from others."""
+    """Say of each cell what MathML Core lets no table say: where its text stands, and how far from others."""
     sides, gaps = table.get("columnalign", "center").split(), table.get("columnspacing", "0.8em").split()
     gap = table.get("rowspacing", "0.5ex").split()[0]
     for row in table:

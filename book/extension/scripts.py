@@ -9,6 +9,7 @@ NEEDED_BY = {
     "clipboard": "highlight",
     "copybutton": "highlight",
     "toggle": 'class="toggle',
+    "sphinx-book-theme.js": "\0",  # frame.js does what it does
     "design-tabs": "sd-tab-set",
     "sphinx-design": "sd-",
     "mystnb": 'class="cell',
@@ -17,7 +18,8 @@ NEEDED_BY = {
 # The browser holds the page to it: nothing is sent or fetched, scripts and pictures are the book's own.
 POLICY = (
     "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
-    "img-src 'self' data: blob:; font-src 'self'; worker-src blob:; connect-src 'none'; form-action 'self'; base-uri 'none'"
+    "img-src 'self' data: blob:; font-src 'self'; worker-src blob:; connect-src 'none'; form-action 'self'; "
+    "base-uri 'none'"
 )
 
 

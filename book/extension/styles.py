@@ -11,13 +11,14 @@ from book.extension.elements import on
 # Strings and addresses are read whole: they may hold braces.
 TOKENS = re.compile(r""""(?:\\.|[^"])*"|'(?:\\.|[^'])*'|url\((?:[^)'"]*)\)|/\*.*?\*/|[{};]|[^{};"'/u]+|.""", re.DOTALL)
 GROUPS = ("@media", "@supports", "@container", "@layer")
+COMMA = re.compile(r",(?![^(]*\))")  # between selectors, and not within one's parentheses
 NAMED = re.compile(r"[.#]((?:[\w-]|\\.)+)")
 NESTED = re.compile(r":[\w-]+\([^()]*\)")
 OF_PAGES = re.compile(r'\s(?:class|id)="([^"]*)"')
 WORD = re.compile(r"[\w-]+")
 THEME = re.compile(r"""\[data-theme=["']?(dark|light)["']?\]""")
 DATA = re.compile("search|compiled")  # scripts that are numbers and words
-UNUSED = ("vendor/**/*.*", "scripts/fontawesome*", "**/*.map", "**/*.LICENSE.txt", "copybutton_funcs.js")
+UNUSED = ("vendor/**/*.*", "scripts/*.*", "**/*.map", "*webpack-macros.html", "copybutton_funcs.js")
 
 
 def rules(css: str) -> Iterator[tuple[str, str]]:
@@ -44,7 +45,7 @@ def pruned(css: str, names: set[str]) -> str:
         if head.startswith(GROUPS):
             body = pruned(body, names)
         elif not head.startswith("@"):
-            head = ",".join(part for part in head.split(",") if is_used(part, names)) if "(" not in head else head
+            head = ",".join(part for part in COMMA.split(head) if is_used(part, names))
         if not body and head.startswith("@") and not head.startswith(GROUPS):
             kept.append(f"{head};")
         elif head and body and "Font Awesome" not in body:
@@ -73,6 +74,9 @@ def prune(app: Sphinx, error: Exception | None) -> None:
     if error or app.builder.name != "html":
         return
     site, names = Path(app.outdir), set()
+    for unused in UNUSED:
+        for path in site.glob(f"_static/{unused}"):
+            path.unlink()
     for path in site.rglob("*.html"):
         for text in OF_PAGES.findall(path.read_text(encoding="utf-8")):
             names.update(text.split())
@@ -81,6 +85,3 @@ def prune(app: Sphinx, error: Exception | None) -> None:
             names.update(WORD.findall(path.read_text(encoding="utf-8")))
     for path in site.rglob("*.css"):
         path.write_text(pruned(path.read_text(encoding="utf-8"), names), encoding="utf-8")
-    for unused in UNUSED:
-        for path in site.glob(f"_static/{unused}"):
-            path.unlink()

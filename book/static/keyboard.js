@@ -1,20 +1,17 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
 // is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
 // and a table that is too wide becomes a list. A formula that is copied is its TeX.
-// The theme does so for code and tables; here are figures, formulas, theorems and graphs.
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, div.math, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
+    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
   /** What a screen reader says on arriving: the figure's number, or what kind of thing it is. @param {Element} element */
   function name_of(element) {
     const number = element.closest("figure")?.querySelector(".caption-number")?.textContent.trim();
-    return (
-      number || (element.matches(".graph") ? "Graph" : element.matches(".math") ? "Formula" : "Text")
-    );
+    return number || (element.matches(".graph") ? "Graph" : element.matches(".math") ? "Formula" : "Text");
   }
 
   /** Letters that lean out of a formula are not more of it. @param {Element} element */
@@ -73,7 +70,7 @@
       page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
-    page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
+    page.querySelectorAll(SCROLLS).forEach(fade);
   }
 
   function watch() {
