@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book test verify formal figures single pdf release-notes release same-bytes bench evidence clean
+.PHONY: help environment book watch test verify formal figures single pdf release-notes release same-bytes bench evidence clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
@@ -11,6 +11,9 @@ help: ## list these targets
 
 book: environment ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
 	@$(RUN) -m book
+
+watch: environment ## show the book at localhost:8000, and each edited page as soon as it is saved  (python -m book watch)
+	@$(RUN) -m book watch
 
 test: environment ## run every test, the proofs' included  (pytest verify tests)
 	@$(RUN) -m pytest verify tests -q -n 2 --dist loadfile --no-loadscope-reorder --durations=10

@@ -1,6 +1,6 @@
 """One command that makes the book: check the theorems, draw the figures, build the site.
 
-Usage: python -m book [all | check | figures | build | single | pdf | release-notes | release | same-bytes] [--help]
+Usage: python -m book [VERB] [--help]; without a verb, all of it.
 """
 
 import argparse
@@ -21,7 +21,7 @@ EDITIONS = {
     "single": ("Joining the pages in one file", files.SINGLE, files.single_file),
     "pdf": ("Printing the chapter", files.PDF, files.printed),
 }
-BUILDING = ("all", "build", *EDITIONS)
+BUILDING = ("all", "build", "watch", *EDITIONS)
 RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
 
 
@@ -48,6 +48,8 @@ def parser() -> argparse.ArgumentParser:
     drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
     drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
     verbs.add_parser("build", help="theorems, figures, then the site if anything changed")
+    watching = verbs.add_parser("watch", help="after that, build an edited page as soon as it is saved, and show it")
+    watching.add_argument("--port", type=int, default=8000, metavar="N", help="where it is shown (default: 8000)")
     verbs.add_parser("single", help="after that, the chapter as one HTML file that can be mailed")
     verbs.add_parser("pdf", help="after that, the chapter as a PDF, printed by the installed Chromium")
     comparing = verbs.add_parser("release-notes", help="what moved since the last release; fails if left unsaid")
@@ -104,7 +106,11 @@ def run(options: argparse.Namespace) -> int:
             if verb == "release-notes":
                 return command.release_notes(against=options.against)
             return command.release() if verb == "release" else same_bytes.same_bytes()
-    if verb in BUILDING:
+    if verb == "watch":
+        from book.assembly.watch import watch
+
+        watch(options.port)
+    elif verb in BUILDING:
         place = EDITIONS[verb][1] if verb in EDITIONS else website.INDEX
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0

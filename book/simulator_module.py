@@ -16,6 +16,7 @@ from matplotlib import colormaps
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
+from renderer.files.srgb import tables, thresholds
 from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.step_terms import BOUNDS, slope_bound
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
@@ -24,7 +25,6 @@ from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_C
 from renderer.machines.points_code import inputs_of
 from renderer.machines.stills import vectors
 from renderer.machines.webassembly import LANES, compiled_module
-from renderer.picture.views import to_bytes
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, SLOPES, WORK, Want
 
@@ -70,16 +70,6 @@ def _scenes():
     return found
 
 
-def _thresholds(level_of):
-    """Return the least float64 in [0, 1] at each level from 1 to 255, where level_of(numbers) never falls."""
-    low, high = np.zeros(255, np.int64), np.full(255, np.float64(1).view(np.int64))
-    while (low + 1 < high).any():
-        middle = (low + high) // 2
-        reached = level_of(middle.view(np.float64)) >= np.arange(1, 256)
-        low, high = np.where(reached, low, middle), np.where(reached, middle, high)
-    return high.view(np.float64).tolist()
-
-
 def _level_of_size(size):
     """Return the level of a difference on the logarithmic scale, as Matplotlib takes it from a share of a scale."""
     share = (np.log10(size) - SMALLEST) / -SMALLEST
@@ -95,8 +85,8 @@ def _tables():
     """Return what a painter reads, by name: cells of numbers, and where each level begins; palettes."""
     bytes_of = [[int(colour[n : n + 2], 16) for n in (1, 3, 5)] for colour in TERM_COLOURS]
     return {
-        "srgb": {"cells": SRGB_CELLS, "thresholds": _thresholds(lambda linear: to_bytes(linear))},
-        "sizes": {"bits": SIZE_BITS, "thresholds": _thresholds(_level_of_size)},
+        "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0].tolist()},
+        "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
         "terms": _colours(bytes_of),

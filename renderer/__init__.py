@@ -7,6 +7,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # what _HOMES says, for type checkers
+    from renderer.generate.own import HeightField as HeightField
+    from renderer.generate.own import LightModel as LightModel
+    from renderer.generate.own import cospi as cospi
+    from renderer.generate.own import k_u as k_u
+    from renderer.generate.own import k_v as k_v
+    from renderer.generate.own import sinpi as sinpi
+    from renderer.generate.own import u as u
+    from renderer.generate.own import v as v
     from renderer.picture.drawing import render as render
     from renderer.picture.drawing import stage_of as stage_of
     from renderer.picture.frame import Frame as Frame
@@ -23,20 +31,28 @@ if TYPE_CHECKING:  # what _HOMES says, for type checkers
 
 _HOMES = {
     "Frame": "picture.frame",
+    "HeightField": "generate.own",
     "Light": "scene.scene",
+    "LightModel": "generate.own",
     "Scene": "scene.scene",
     "central": "scene.methods",
     "central4": "scene.methods",
+    "cospi": "generate.own",
     "exact": "scene.methods",
     "forward": "scene.methods",
     "gradient_at": "shader.gradients",
     "height_at": "shader.gradients",
+    "k_u": "generate.own",
+    "k_v": "generate.own",
     "pixel": "picture.pixel_record",
     "render": "picture.drawing",
+    "sinpi": "generate.own",
     "stage_of": "picture.drawing",
+    "u": "generate.own",
+    "v": "generate.own",
     "__version__": "version",
 }
-__all__ = [name for name in _HOMES if name != "__version__"]
+__all__ = [name for name, home in _HOMES.items() if home not in ("generate.own", "version")]  # none imports SymPy
 
 
 if not TYPE_CHECKING:  # whose own list it would hide

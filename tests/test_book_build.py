@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from book.assembly import check, report, stamps, website
+from book.assembly import check, report, stamps, watch, website
 from book.releases.same_bytes import files_of
 from tests.processes import python
 
@@ -86,6 +86,18 @@ def test_an_edited_page_is_built_alone_and_the_site_has_the_bytes_of_a_whole_bui
     website.build(whole=True)
     assert not stamps.read("pages")["edited"] and before[1] != others[1].stat().st_mtime_ns
     assert {name: path.read_bytes() for name, path in files_of(website.SITE).items()} == edited
+
+
+def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(small_book):
+    with watch.builder(small_book, small_book / "watched") as build:
+        build()
+        others = [small_book / "watched" / "html" / name for name in ("index.html", "api.html")]
+        before, page = [path.stat().st_mtime_ns for path in others], small_book / "s1.md"
+        for words in ("Two zebras", "{no-such-role}`a`", "Three zebras"):
+            page.write_text(f"(s1)=\n# Bumps\n\n{words}.\n")
+            build()
+        assert "Three zebras" in others[0].with_name("s1.html").read_text(encoding="utf-8")
+        assert before[1] == others[1].stat().st_mtime_ns
 
 
 @pytest.mark.parametrize(

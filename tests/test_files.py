@@ -5,6 +5,8 @@ import signal
 import stat
 import subprocess
 import sys
+import zlib
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -26,8 +28,8 @@ class Interruption(BaseException):
 
 
 @pytest.mark.parametrize("old", [[], [b"old"]])
-@pytest.mark.parametrize(("name", "content"), [("png", PICTURE), ("npz", FRAME)])
-def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", ["png", "npz", "npy", "tif"])
+def test_a_failure_leaves_nothing_or_the_old_file(name, old, tmp_path, monkeypatch):
     """In the renaming, which is last: the content has been written elsewhere."""
 
     def stop(*arguments):
@@ -37,18 +39,57 @@ def test_a_failure_leaves_nothing_or_the_old_file(name, content, old, tmp_path, 
     for text in old:
         (tmp_path / f"a.{name}").write_bytes(text)
     with pytest.raises(Interruption):
-        getattr(files, f"write_{name}")(tmp_path / f"a.{name}", content)
+        FRAME.save(tmp_path / f"a.{name}")
     assert [path.read_bytes() for path in tmp_path.iterdir()] == old
 
 
-@pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 3)])
-def test_a_png_has_every_pixel(shape, tmp_path):
-    """As another program reads it."""
-    picture = np.random.default_rng(1).integers(0, 256, shape, np.uint8)
-    files.write_png(tmp_path / "a.png", picture)
-    with Image.open(tmp_path / "a.png") as read:
-        assert read.mode == ("RGB" if shape[2] == 3 else "RGBA")
-        np.testing.assert_array_equal(np.asarray(read), picture)
+@pytest.mark.parametrize("noise", [1, 256])
+@pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 1), (311, 997, 3), (7, 90_001, 3), (700, 1, 1)])
+def test_a_png_has_every_pixel(shape, noise):
+    """As another program reads it, by one thread or several: bands that do not divide it, and rows of one band each."""
+    random, (rows, columns, _) = np.random.default_rng(1), shape
+    smooth = np.add.outer(np.arange(rows), np.arange(columns))[..., None] // 7
+    picture = ((smooth + random.integers(0, noise, shape)) % 256).astype(np.uint8)
+    written = files.png_of(picture, "told", threads=1)
+    assert {files.png_of(picture, "told", threads) for threads in (2, 5, None)} == {written}
+    with Image.open(BytesIO(written)) as read:
+        assert read.mode == {1: "L", 3: "RGB", 4: "RGBA"}[shape[2]]
+        assert read.info["srgb"] == 0 and read.info["symbolic-rendering"] == "told"
+        np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)
+
+
+def test_checksums_are_combined():
+    """Beyond where either half of one is reduced."""
+    whole = bytes(np.random.default_rng(1).integers(200, 256, 10**5, np.uint8))
+    for cut in (0, 1, 5552, 65521, 99_999, 10**5):
+        one, other = zlib.adler32(whole[:cut]), zlib.adler32(whole[cut:])
+        assert files.adler32_combined(one, other, 10**5 - cut) == zlib.adler32(whole)
+
+
+@pytest.mark.parametrize("name", ["a.png", "A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
+def test_a_frame_saves_itself(name, tmp_path):
+    FRAME.save(tmp_path / name)
+    match name.lower()[-3:]:
+        case "npy":
+            assert np.array_equal(np.load(tmp_path / name), FRAME.rgb)
+        case "npz":
+            assert np.array_equal(np.load(tmp_path / name)["rgb"], FRAME.rgb)
+        case _:
+            assert np.array_equal(np.asarray(Image.open(tmp_path / name)), PICTURE)
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+def test_a_frame_is_an_array_and_says_what_it_is():
+    assert np.asarray(FRAME).dtype == np.float64 and np.shares_memory(np.asarray(FRAME), FRAME.planes)
+    assert not np.shares_memory(np.array(FRAME), FRAME.planes)
+    np.testing.assert_array_equal(np.asarray(FRAME, np.float32), FRAME.rgb.astype(np.float32))
+    with pytest.raises(ValueError, match="copy"):
+        np.asarray(FRAME, np.float32, copy=False)
+    np.testing.assert_array_equal(np.asarray(Image.open(BytesIO(FRAME._repr_png_()))), PICTURE)
+    scene = "Scene(field='sine', beta=0.1)"
+    frame = render(eval(scene), 24, 16, central(1e-3), (0, 0, 9, 8))
+    assert repr(frame) == f"Frame({frame.raster}, {frame.method}, {scene})"
+    assert repr(frame.stage).startswith(f"Stage({frame.raster}, Geometry(eye=4.0, ") and "\n" not in repr(frame.stage)
 
 
 WRITE_FOR_EVER = """

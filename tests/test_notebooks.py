@@ -17,6 +17,7 @@ import matplotlib
 import nbformat
 import numpy as np
 import pytest
+import yaml
 
 from book.assembly.results import look_up
 from book.editions.pages import parsed
@@ -32,6 +33,7 @@ from renderer.scene.scene import Scene
 from renderer.shader.gradients import gradient_at
 from tests import one_page
 from verify.accuracy.orders import fitted_slope
+from verify.sources import ROOT
 
 NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
@@ -340,9 +342,9 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path)
 
 @pytest.mark.parametrize(
     ("url", "links"),
-    [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a", 1), ("https://github.com/a/b.git", 2)],
+    [("", 1), ("https://example.org/a/b", 1), ("https://github.com/a", 1), ("https://github.com/a/b.git", 3)],
 )
-def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path):
+def test_colab_and_binder_are_offered_where_a_repository_is_configured(url, links, tmp_path):
     (tmp_path / "_config.yml").write_text(f"repository: {{url: '{url}', branch: pages}}\n")
     html, _ = one_page.build(tmp_path, ":::{notebook} cell3\n:::")
     (paragraph,) = parsed(html).select("p.notebook-links")
@@ -350,8 +352,24 @@ def test_colab_is_offered_where_a_repository_is_configured(url, links, tmp_path)
     assert paragraph.a["download"] == "cell3.ipynb"
     content = b64decode(saved.removeprefix("data:application/x-ipynb+json;base64,"))
     assert content.decode() == text_of(notebooks()["cell3"])
-    colab = f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb"
-    assert others == [colab] * (links - 1)
+    services = [
+        f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb",
+        f"https://mybinder.org/v2/gh/a/b/pages?urlpath=lab/tree/{FOLDER}/cell3.ipynb",
+    ]
+    assert others == services[: links - 1]
+
+
+def test_what_they_open_is_published_on_that_branch(site):
+    """The site's own folder is pushed there, with what Binder installs."""
+    repository = yaml.safe_load((ROOT / "book" / "_config.yml").read_text(encoding="utf-8"))["repository"]
+    workflow = yaml.safe_load((ROOT / ".github" / "workflows" / "publish.yml").read_text(encoding="utf-8"))
+    steps = "\n".join(step.get("run", "") for step in workflow["jobs"]["publish"]["steps"])
+    assert (
+        f"initial-branch={repository['branch']}\n" in steps
+        and f"{repository['branch']}\n" in steps.split("git push")[1]
+    )
+    pinned = (site / "requirements.txt").read_text(encoding="utf-8").splitlines()
+    assert [line.split("==")[0] for line in pinned] == ["matplotlib", "mpmath", "numpy", "sympy"]
 
 
 def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headings(site, visit):

@@ -1,9 +1,15 @@
-"""The README's picture is what the renderer draws today."""
+"""The README's picture is what the renderer draws today, and a package index shows it."""
+
+import sys
+import textwrap
+from types import SimpleNamespace
 
 import numpy as np
 from PIL import Image
 
 from book.figures.three_pictures import hero
+from renderer import Scene, render
+from renderer.picture.views import image_view
 from verify.sources import ROOT
 
 
@@ -14,5 +20,28 @@ def test_picture_is_the_renderers():
     assert np.abs(committed - drawn).max() <= 1  # a byte may round the other way
 
 
+def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    lines = readme.split("## A picture in four lines\n\n")[1].split("\n\nA frame")[0]
+    assert len(lines.split("\n")) == 5  # the import, and a blank line
+    exec(textwrap.dedent(lines), {})
+    (written,) = tmp_path.iterdir()
+    assert np.array_equal(np.asarray(Image.open(written)), image_view(render(Scene(), 256, 256)))
+
+
 def test_is_short_enough_to_read():
     assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) < 120
+
+
+def test_an_index_shows_links_that_lead_somewhere(monkeypatch):
+    """What the hook derives from is no part of this environment."""
+    hatchling = SimpleNamespace(MetadataHookInterface=object)
+    monkeypatch.setitem(sys.modules, "hatchling.metadata.plugin.interface", hatchling)
+    from book.releases.metadata import shown
+
+    text = "![A sphere](book/a.png)\n[how](HOW.md), [a page](https://example.org/x) and [here](#part)"
+    kept = "[a page](https://example.org/x) and [here](#part)"
+    url = "https://github.com/a/b"
+    assert shown(text, url) == f"![A sphere]({url}/raw/HEAD/book/a.png)\n[how]({url}/blob/HEAD/HOW.md), {kept}"
+    assert shown(text, "") == f"\nhow, {kept}"

@@ -15,9 +15,8 @@ import tifffile
 
 from renderer import Scene, central, render
 from renderer.command_line.verbs import main
-from renderer.files import stream
 from renderer.machines import machine
-from renderer.picture import views
+from renderer.picture import stream, views
 from renderer.scene.raster import MAX_SIDE
 from tests.processes import python
 from verify.sources import ROOT
@@ -161,7 +160,7 @@ MEMORY = """
 import sys
 from pathlib import Path
 from renderer import Scene, render
-from renderer.files import stream
+from renderer.picture import stream
 def peak():
     lines = Path("/proc/self/status").read_text().splitlines()
     return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM")) / 1024

@@ -7,10 +7,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from renderer import Scene, central, exact, render, stage_of
-from renderer.picture import threads
-from renderer.picture.threads import available_cores, run_bands
+from renderer import Scene, central, exact, render, stage_of, threads
 from renderer.shader.numbers import numbers_of
+from renderer.threads import available_cores, run_bands
 from tests.processes import python
 
 SIZE = (300, 200)
@@ -19,8 +18,8 @@ import os, signal, sys, threading, time
 from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from renderer import Scene, exact, render
-from renderer.picture import threads
-from renderer.picture.threads import run_bands
+from renderer import threads
+from renderer.threads import run_bands
 
 def draw(field="ridges"):
     return render(Scene(field=field), 300, 200, threads=2).rgb

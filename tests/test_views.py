@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, render
+from renderer.files import srgb
 from renderer.picture import views
 
 FRAME = render(Scene(), 48, 40)
@@ -19,10 +20,16 @@ def test_srgb(linear, byte):
     assert views.to_bytes([linear]) == byte
 
 
-def test_srgb_has_every_byte_and_never_falls():
-    encoded = views.to_bytes(np.linspace(0, 1, 100_000)).astype(int)
-    assert set(np.diff(encoded)) == {0, 1}
-    assert (encoded[0], encoded[-1]) == (0, 255)
+@pytest.mark.parametrize("shape", [(3000, 333, 3), (10**6,)])
+def test_srgb_is_the_formula_everywhere(shape):
+    """Next to where bytes begin, and where the table's cells do, as well as anywhere else."""
+    begins = srgb.tables()[0]
+    ends = np.concatenate([begins, (np.arange(srgb.CELLS) + 0.5) / srgb.CELLS])
+    numbers = np.random.default_rng(1).random(shape)
+    near = np.concatenate([ends, np.nextafter(ends, 0), np.nextafter(ends, 1)])
+    numbers.reshape(-1)[: near.size] = near
+    formula = np.where(numbers <= 0.0031308, 12.92 * numbers, 1.055 * numbers ** (1 / 2.4) - 0.055)
+    np.testing.assert_array_equal(views.to_bytes(numbers, threads=2), np.rint(255 * formula))
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,10 @@ import pytest
 from book import simulator_module
 from renderer import Scene, central, exact, forward, kernels, render
 from renderer.machines import enclosing, native, numpy_rows
-from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS
 from renderer.machines.webassembly import compiled_module
 from renderer.picture.views import difference_logarithmic, to_bytes
 from renderer.shader.numbers import want_of
-from renderer.shader.shader import WORK
+from tests.drawing_memory import drawer_over_memory
 from tests.test_machines import SCENES, drawn_by
 from verify.benchmark.methods.compiled import loop_of
 
@@ -83,27 +82,11 @@ DRAW = """async ([module, given]) => {
 def drawer_in(tab):
     """Return a machine's `drawer` that draws in a browser's tab."""
 
-    def drawer(want, job):
+    def run(want, memory):
         module, _ = compiled_module({"draw": want}, {}, {})
+        return base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(part).decode() for part in (module, memory)]))
 
-        def draw(rows):
-            arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
-            arrays |= dict(zip(INPUT_BOUNDS, job.bounds, strict=True)) | {"counts": np.zeros(len(WORK), np.int64)}
-            sizes = [8 * len(ARGUMENTS), *(-(-array.nbytes // 8) * 8 for array in arrays.values())]
-            places = dict(zip(arrays, np.cumsum(sizes).tolist(), strict=False))
-            numbers = {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job.x)}
-            given = places | numbers | {"light_count": len(job.lights)}
-            parts = [np.array([given.get(name, 0) for name in ARGUMENTS]), *arrays.values()]
-            memory = b"".join(part.tobytes().ljust(size, b"\0") for part, size in zip(parts, sizes, strict=True))
-            memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(x).decode() for x in (module, memory)]))
-            for name, array in arrays.items():
-                if array.flags.writeable:
-                    array[...] = np.frombuffer(memory, array.dtype, array.size, places[name]).reshape(array.shape)
-            return arrays["counts"].tolist()
-
-        return draw
-
-    return drawer
+    return drawer_over_memory(run)
 
 
 def bytes_of(drawer, scene, method, size=(49, 32)):

@@ -19,7 +19,8 @@ from renderer import Scene, render
 from renderer.picture.views import to_bytes
 from verify.sources import ROOT, imported
 
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+PROJECT = SETTINGS["project"]
 LARGEST = 1.5e6  # bytes
 SCRIPT = """
 import multiprocessing
@@ -64,7 +65,9 @@ def installing(*command, cwd):
 def built(tmp_path_factory):
     """The folder of the wheel and of the sources' archive, as the build's own program makes them."""
     folder = tmp_path_factory.mktemp("built")
-    installing("pip", "install", "-q", "--target", folder / "hatchling", "hatchling>=1.27", cwd=folder)
+    installing(
+        "pip", "install", "-q", "--target", folder / "hatchling", *SETTINGS["build-system"]["requires"], cwd=folder
+    )
     settings = os.environ | {"PYTHONPATH": str(folder / "hatchling")}
     command = [sys.executable, "-m", "hatchling", "build", "-d", folder / "built"]
     subprocess.run(command, cwd=ROOT, env=settings, check=True, capture_output=True)
@@ -139,6 +142,7 @@ def test_what_is_in_the_wheel_and_in_the_archive(built):
     for told in ("Author: Dr. L. Van Warren", "Keywords: ", "Classifier: Private :: Do Not Upload"):
         assert f"\n{told}" in metadata
     assert "\nLicense" not in metadata  # none has been chosen
+    assert "# Bump Mapping" in metadata and "](" not in metadata  # no repository is named that a link could lead to
 
 
 def needed(requirements):

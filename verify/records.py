@@ -20,7 +20,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from renderer.picture.threads import available_cores
+from renderer.threads import available_cores
 from renderer.whole_files import write_whole
 from verify import sources
 from verify.sources import ROOT

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
-from PIL import Image
 
 from book.assembly.stamps import write_whole
 from book.drawing.data import SUFFIXES, data_file
 from book.drawing.palette import CSS_PIXELS_PER_INCH
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import styled
+from renderer.files.pictures import png_of
 
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
@@ -77,6 +77,4 @@ def _svg(fig: Figure) -> bytes:
 def _png(id: str, picture: np.ndarray) -> bytes:
     if not isinstance(picture, np.ndarray) or picture.dtype != np.uint8 or picture.ndim != 3:
         raise TypeError(f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None")
-    buffer = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(picture)).save(buffer, format="PNG", optimize=True)
-    return buffer.getvalue()
+    return png_of(picture)

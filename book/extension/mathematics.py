@@ -56,12 +56,17 @@ def formulas_of(document: nodes.document) -> Iterable[Set]:
     return map(read, document.findall(lambda node: isinstance(node, nodes.math | nodes.math_block | Formula)))
 
 
+@on("doctree-read")
+def keep_formulas(app: Sphinx, document: nodes.document) -> None:
+    app.env.metadata[app.env.docname]["formulas"] = list(formulas_of(document))
+
+
 @on("env-updated", priority=100)
 def typeset_all(app: Sphinx, environment: BuildEnvironment) -> None:
     """Typeset every formula of the book in one run, before pages are written side by side, and write their font."""
     if app.builder.format == "html":
-        pages = map(environment.get_doctree, sorted(environment.found_docs))
-        wanted = dict.fromkeys(formula for page in pages for formula in formulas_of(page))
+        pages = [environment.metadata[name]["formulas"] for name in sorted(environment.found_docs)]
+        wanted = dict.fromkeys(formula for page in pages for formula in page)
         kept = mathml(environment, wanted)
         write_font([kept[formula] for formula in wanted], Path(app.outdir) / "_static" / "formulas.woff")
 

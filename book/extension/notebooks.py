@@ -3,8 +3,8 @@
 :::{notebook} cell1
 :::
 
-A link to Colab stands beside it where `repository.url` of `_config.yml` names a repository of GitHub's: Colab opens a
-notebook from a branch, so that it has to be the one that the site is published on, `repository.branch`.
+Links to Colab and Binder stand beside it where `repository.url` of `_config.yml` names a repository of GitHub's: they
+open a notebook from a branch, `repository.branch`, to which the workflow that publishes the site gives it too.
 """
 
 import base64
@@ -22,15 +22,20 @@ from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
+PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\s;]+", re.MULTILINE)  # what the cells import
 SUMMARY = "<summary># The scene of §2, line for line as in Cell 1</summary>"
 
 
-def colab_address(settings: dict, name: str) -> str | None:
-    """The address that opens a notebook in Colab, or None where `_config.yml` names no repository of GitHub's."""
+def addresses(settings: dict, name: str) -> dict[str, str]:
+    """Where a notebook is opened: {service: address}, empty where `_config.yml` names no repository of GitHub's."""
     url, branch = settings["repository"]["url"], settings["repository"]["branch"]
     if match := GITHUB.fullmatch(url):
-        return f"https://colab.research.google.com/github/{match['repository']}/blob/{branch}/{FOLDER}/{name}.ipynb"
-    return None
+        repository, path = match["repository"], f"{FOLDER}/{name}.ipynb"
+        return {
+            "Colab": f"https://colab.research.google.com/github/{repository}/blob/{branch}/{path}",
+            "Binder": f"https://mybinder.org/v2/gh/{repository}/{branch}?urlpath=lab/tree/{path}",
+        }
+    return {}
 
 
 @directive("notebook", arguments=1)
@@ -44,16 +49,16 @@ def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
     config = Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8")
     words = "notebook of all eight cells" if name == WHOLE else "notebook"
-    colab = colab_address(yaml.safe_load(config), name)
+    services = addresses(yaml.safe_load(config), name)
     text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
     address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
-    link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "colab": colab}
+    link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "services": services}
     return [filled("notebook_links", **link)]
 
 
 @partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
-    """Write the notebooks, which Colab opens from the site; the theme lists that of all cells in its download menu."""
+    """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
     from book.notebooks.notebook import notebooks, text_of
 
     if not _has_cells(page):
@@ -61,6 +66,8 @@ def offer_notebooks(page: Page) -> None:
     out = Path(page.app.outdir)
     for name, notebook in notebooks().items():
         stamps.write_whole(out / FOLDER / f"{name}.ipynb", text_of(notebook).encode())
+    lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
+    stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
     stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
     page.context["ipynb_source"] = f"{page.name}.ipynb"
 

@@ -1,5 +1,6 @@
 """What a page may do, and which of the theme's scripts and style sheets it loads: those that it has a use for."""
 
+import os
 from functools import partial
 
 from book.extension.elements import Page, on_page
@@ -15,7 +16,8 @@ NEEDED_BY = {
     "mystnb": 'class="cell',
     "proof": 'class="proof',
 }
-# The browser holds the page to it: nothing is sent or fetched, scripts and pictures are the book's own.
+# The browser holds the page to it: nothing is sent or fetched, scripts and pictures are the book's own. A page that is
+# watched, `python -m book watch`, asks the server beside it whether it was built anew.
 POLICY = (
     "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; font-src 'self'; worker-src blob:; connect-src 'none'; form-action 'self'; "
@@ -25,7 +27,8 @@ POLICY = (
 
 @on_page
 def enforce_policy(page: Page) -> None:
-    policy = f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />'
+    allowed = POLICY.replace("connect-src 'none'", "connect-src 'self'") if "BOOK_WATCHED" in os.environ else POLICY
+    policy = f'<meta http-equiv="Content-Security-Policy" content="{allowed}" />'
     page.context["metatags"] = policy + page.context.get("metatags", "")
 
 

@@ -46,10 +46,15 @@ def _section(node: nodes.Node) -> str:
     return node["ids"][0] if node else ""
 
 
+@on("doctree-read")
+def keep_texts(app: Sphinx, document: nodes.document) -> None:
+    app.env.metadata[app.env.docname]["texts"] = list(paragraphs(document))
+
+
 @on("build-finished")
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
-        pages = {name: list(paragraphs(app.env.get_doctree(name))) for name in sorted(app.env.found_docs)}
+        pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
         found = {tex for page in pages.values() for _, text in page for tex in FORMULA.findall(text)}
         kept = mathml(app.env, [(tex, False) for tex in sorted(found)])
         data = {"SearchText": pages, "SearchFormulas": {tex: kept[tex, False] for tex in sorted(found)}}

@@ -18,6 +18,7 @@ OF_PAGES = re.compile(r'\s(?:class|id)="([^"]*)"')
 WORD = re.compile(r"[\w-]+")
 THEME = re.compile(r"""\[data-theme=["']?(dark|light)["']?\]""")
 DATA = re.compile("search|compiled")  # scripts that are numbers and words
+DONE = "/* Without what no page uses. */\n"
 UNUSED = ("vendor/**/*.*", "scripts/*.*", "**/*.map", "*webpack-macros.html", "copybutton_funcs.js")
 
 
@@ -84,4 +85,6 @@ def prune(app: Sphinx, error: Exception | None) -> None:
         if not DATA.search(path.name):
             names.update(WORD.findall(path.read_text(encoding="utf-8")))
     for path in site.rglob("*.css"):
-        path.write_text(pruned(path.read_text(encoding="utf-8"), names), encoding="utf-8")
+        css = path.read_text(encoding="utf-8")
+        if not css.startswith(DONE):
+            path.write_text(DONE + pruned(css, names), encoding="utf-8")

@@ -2,10 +2,9 @@
 
 import shutil
 
-from PIL import Image
-
 from book.assembly import stamps
 from book.releases import archive, compare, notes, record
+from renderer.files.pictures import write_png
 
 OUT = stamps.ROOT / "book" / "_build" / "release"
 
@@ -23,7 +22,7 @@ def release_notes(now: dict | None = None, against: str | None = None) -> int:
     OUT.mkdir(parents=True)
     for change in pictures:
         if change.difference is not None:
-            Image.fromarray(change.difference).save(OUT / f"{change.id}.png")
+            write_png(OUT / f"{change.id}.png", change.difference[..., None])
     title = f"{now['version']}: since {'its own record' if version == now['version'] else version}"
     text = notes.written(title, mathematics, numbers, pictures, missing)
     stamps.write_whole(OUT / "notes.md", text.encode())

@@ -72,6 +72,9 @@ class HeightField:
                 raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
         self.creases  # noqa: B018  (refused where they are not known)
 
+    def __str__(self):
+        return self.name
+
     def _refused(self, why):
         return not_allowed("expression", self.expression, why)
 

@@ -111,6 +111,9 @@ class LightModel:
     def __post_init__(self):
         check_name(self.name)
 
+    def __str__(self):
+        return self.name
+
 
 LIGHT_MODELS: dict[str, LightModel] = by_name((
     LightModel("blinn", blinn, blinn_squared),

@@ -8,10 +8,10 @@ import numpy as np
 
 import renderer
 from renderer.machines import kept_code, machine
-from renderer.picture.threads import available_cores
 from renderer.scene.methods import exact
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import want_of
+from renderer.threads import available_cores
 
 EXTRAS = {"plot": "matplotlib", "tiff": "tifffile", "dask": "distributed", "checker": "python-flint"}
 

@@ -5,7 +5,7 @@ import re
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Collection
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import partial
 from typing import Any, NoReturn
 
@@ -84,6 +84,7 @@ GRADIENT = {
 }
 OUT = "a .png; - for one in a pipe; a .npz with every buffer; of any size, in bands: a .npy (float64) or a tiled .tif"
 OF_IMAGE: dict[str, Option] = {
+    "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
@@ -113,8 +114,11 @@ OF_SWEEP = {
 def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
     """Add an option for every field of Scene; with `lists`, those that move no boundary take several values."""
     group = parser.add_argument_group("scene (defaults are the chapter's)", argument_default=argparse.SUPPRESS)
+    group.add_argument(
+        "--scene", metavar="FILE", help="a .toml to take what is not given from, as Scene.to_file writes"
+    )
     for field in fields(Scene):
-        option, kind, what = field.name.replace("_", "-"), KINDS[field.type], field.metadata["help"]
+        option, kind, what = field.name.replace("_", "-"), KINDS[type(field.default)], field.metadata["help"]
         if field.name == "lights":
             option, kind = "light", LIGHT | {"action": "append"}
         elif field.type is bool:
@@ -131,7 +135,7 @@ def scene_of(options: Namespace) -> Scene:
     given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in given:
         given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
-    return Scene(**given)
+    return replace(Scene.from_file(options.scene) if "scene" in options else Scene(), **given)
 
 
 def size_of(options: Namespace, size: int) -> tuple[int, int]:

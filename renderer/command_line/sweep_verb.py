@@ -10,8 +10,8 @@ from renderer.command_line import grid
 from renderer.command_line.options import progress_bar, scene_of, size_of
 from renderer.picture.facts import facts
 from renderer.picture.sweep import compared, table, write_csv
-from renderer.picture.threads import checked_threads
 from renderer.scene.scene import MOVE_NO_BOUNDARY
+from renderer.threads import checked_threads
 from renderer.whole_files import checked_target
 
 

@@ -5,8 +5,10 @@ import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import fields
 from pathlib import Path
 
+import renderer
 from renderer.checks import check_choice, extra, not_allowed
 from renderer.command_line.options import (
     OF_IMAGE,
@@ -22,57 +24,72 @@ from renderer.command_line.options import (
 )
 from renderer.command_line.signals import Terminated, sigterm_stops
 from renderer.files import pictures as files
-from renderer.files.stream import STREAM_SUFFIXES, stream
+from renderer.files import record
 from renderer.machines import machine
 from renderer.picture import views
 from renderer.picture.drawing import render
-from renderer.picture.frame import Frame
-from renderer.picture.threads import checked_threads
+from renderer.picture.stream import stream
 from renderer.scene.methods import DIFFERENCES
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.threads import checked_threads
 from renderer.whole_files import checked_target
 
 PIPE = "-"
+OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a picture remembers beside its scene
 
 
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
     bounds = checked_target(options.bounds, (".npz",), "bounds") if options.bounds else None
-    picture = scene_of(options), *size_of(options, options.size)
-    more = {"gradient": method_of(options), "crop": options.crop, "threads": options.threads}
-    if target.suffix.lower() in STREAM_SUFFIXES:
+    scene, method, raster = _drawn_again(options) if options.again else _asked_for(options)
+    picture, more = (scene, raster.width, raster.height), {"gradient": method, "crop": raster.crop}
+    more["threads"] = options.threads
+    if target.suffix.lower() in files.STREAM_SUFFIXES:
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
         height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="block"))
     else:
         frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
-        _write(frame, target)
+        if options.out == PIPE:
+            sys.stdout.buffer.write(frame._repr_png_())
+        else:
+            frame.save(target)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:
-        files.write_bounds(bounds, frame)
+        files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open})
         largest, opened = frame.bounds.max(), frame.open.sum()
         print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open", file=told)
+
+
+def _asked_for(options):
+    """Return the scene, the method and the raster of the options."""
+    return scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop)
+
+
+def _drawn_again(options):
+    """Return those of a picture's file; say where what drew it is not what draws now."""
+    given = vars(options).keys() & {"scene", *(field.name for field in fields(Scene))}
+    given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
+    if given:
+        raise not_allowed("again", options.again, f"no --{min(given).replace('_', '-')} beside it")
+    said = record.read(options.again)
+    for what, then, now in (("version", said.version, renderer.__version__), ("machine", said.machine, machine().NAME)):
+        if then != now:
+            print(f"{options.again} was drawn by {what} {then}; this is {now}", file=sys.stderr)
+    return said[:3]
 
 
 def _checked_out(out):
     """Return the Path that is written to; it is PIPE for standard output, which may not be a terminal."""
     if out != PIPE:
-        return checked_target(out, (*files.PICTURE_SUFFIXES, *STREAM_SUFFIXES))
+        return checked_target(out, (*files.PICTURE_SUFFIXES, *files.STREAM_SUFFIXES))
     if sys.stdout.isatty():
         raise not_allowed("out", out, "a file, or standard output that is no terminal")
     return Path(out)
-
-
-def _write(frame: Frame, target: Path) -> None:
-    """Write a frame to a file by its suffix, or as a PNG to standard output."""
-    if target.suffix.lower() == ".npz":
-        files.write_npz(target, frame)
-    elif str(target) == PIPE:
-        sys.stdout.buffer.write(files.png_of(views.image_view(frame)))
-    else:
-        files.write_png(target, views.image_view(frame))
 
 
 def draw_views(options: Namespace) -> None:

@@ -11,7 +11,7 @@ from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.certified import CERTIFIED, SMALL_POWER
 from proofs.formulas.elementary import product_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.shading import LIGHT_MODELS
 from renderer.generate import programs
 from renderer.generate.printer import KernelPrinter
@@ -77,7 +77,7 @@ def function_of(
     return scope[program.name]
 
 
-def _field_entry(field):
+def field_entry(field: HeightField) -> str:
     """Return the text of a field's entry in FIELDS: its kernels, its differences, how many heights each evaluates."""
     lines = [f'"{role}": {program.name},' for role, program in programs.field_programs(field).items()]
     if not field.wave_numbers:
@@ -99,7 +99,7 @@ def kernels_source() -> str:
     ulps = ", ".join(f'"{name}": {float(most)!r}' for name, most in CERTIFIED.items())
     parts.append(f"ULPS = {{{ulps}}}\nSMALL_POWER = {float(SMALL_POWER)!r}\n")
     parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
-    parts.append("\n".join(["FIELDS = {", *map(_field_entry, fields), "}", ""]))
+    parts.append("\n".join(["FIELDS = {", *map(field_entry, fields), "}", ""]))
     models = [
         f'    "{m.name}": ({m.program.name}, {m.squared.name if m.squared else None}),' for m in LIGHT_MODELS.values()
     ]
@@ -109,7 +109,12 @@ def kernels_source() -> str:
     source = HEADER + "".join(f"\n\n{part}" for part in parts)
     known: dict[str, Any] = {}
     exec(source, known)
+    refuse_unknown_calls(known)
+    return source
+
+
+def refuse_unknown_calls(known: dict[str, Any]) -> None:
+    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
     for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
         if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
             raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")
-    return source

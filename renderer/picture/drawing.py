@@ -5,11 +5,11 @@ import numpy as np
 from renderer.checks import check_kind, not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
-from renderer.picture.threads import checked_threads
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.shader import BOUNDS, COLORS, WORK
+from renderer.threads import checked_threads
 
 
 def stage_of(

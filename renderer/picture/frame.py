@@ -2,19 +2,25 @@
 
 from dataclasses import replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from renderer.checks import check_whole, not_allowed
-from renderer.kernels import FIELDS, bumped_normal, chart, light_cosine, point_on_a, slope
+from renderer.files import pictures
+from renderer.files.record import Drawing, text_of
+from renderer.files.srgb import to_bytes
+from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.methods import GradientMethod
+from renderer.scene.own import field_kernels
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import way_of
 from renderer.shader.shader import ON_A
 from renderer.shared import read_only
+from renderer.whole_files import checked_target
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
@@ -51,7 +57,7 @@ class Frame:
         chambers = {code: pixels for code, pixels in enumerate(np.bincount(self.chambers.ravel()).tolist()) if pixels}
         pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
         field, way = way_of(self.scene, self.method)
-        heights, gradients = FIELDS[field]["height_evaluations"].get(way, 0), self._counts["gradients"]
+        heights, gradients = field_kernels(field)["height_evaluations"].get(way, 0), self._counts["gradients"]
         return pixels | {
             "machine": machine().NAME,
             "pixels": chambers,
@@ -84,6 +90,42 @@ class Frame:
     def rgb(self) -> np.ndarray:
         """(height, width, 3) float64 in [0, 1]. Raises ValueError when they are handed over."""
         return np.moveaxis(self.planes, 0, -1)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+        """Return `rgb`, as NumPy asks for it."""
+        return np.array(self.rgb, dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        return f"Frame({self.raster}, {self.method}, {self.scene})"
+
+    def _repr_png_(self):
+        """Return what a notebook shows."""
+        return pictures.png_of(to_bytes(self.rgb), self._record())
+
+    def _record(self):
+        """Return the text by which the picture can be drawn again."""
+        return text_of(Drawing(self.scene, self.method, self.raster))
+
+    def save(self, path: str | Path) -> None:
+        """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
+
+        `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
+        `.npz`: `rgb`, `chambers` and `surface_data`. A `.png` and a `.npz` carry the scene, the method and the raster:
+        `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
+
+        Raises ValueError on another name, or one that cannot be written.
+        """
+        path = checked_target(path, (*pictures.PICTURE_SUFFIXES, *pictures.STREAM_SUFFIXES), "path")
+        match path.suffix.lower():
+            case ".png":
+                pictures.write_png(path, to_bytes(self.rgb), self._record())
+            case ".npz":
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data}
+                pictures.write_npz(path, arrays, record=self._record())
+            case ".npy":
+                pictures.write_npy(path, self.raster.shape, [self.rgb])
+            case _:
+                pictures.write_tiff(path, self.raster.shape, [to_bytes(self.rgb)])
 
     @property
     def bounded(self) -> bool:
@@ -136,7 +178,7 @@ class Frame:
     @np.errstate(all="ignore")
     def _on_a(self):
         """What is known of A's pixels: {name: (pixels of A,) float64}, as in `surface_data`."""
-        scene, field, (h_u, h_v) = self.scene, FIELDS[self.scene.field], self.planes_on_a[4:]
+        scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
         found = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}

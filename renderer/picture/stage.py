@@ -13,7 +13,6 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
 from renderer.picture.memory import lent
-from renderer.picture.threads import run_bands
 from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
@@ -21,6 +20,7 @@ from renderer.scene.scene import Scene
 from renderer.shader.numbers import numbers_of, places_of, want_of
 from renderer.shader.shader import COLORS, WORK
 from renderer.shared import read_only
+from renderer.threads import run_bands
 
 SURFACE_BITS = 3
 PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the machine's lanes
@@ -75,6 +75,9 @@ class Stage:
         self.chambers = self._codes[:, : raster.shape[1]]
         read_only(self.chambers)
         self._elsewhere: tuple[Any, Any] = (None, None)
+
+    def __repr__(self) -> str:
+        return f"Stage({self.raster}, {self.geometry})"
 
     def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
         """Return memory for a plane, or for several of float64, with rows as long as whole groups."""

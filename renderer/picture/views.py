@@ -5,28 +5,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from renderer.checks import check_kind, check_number, extra
+from renderer.files.srgb import to_bytes
 from renderer.picture.frame import Frame
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ENCODED_AT_ONCE = 2**16  # numbers: they stay in the cache
-
 
 def _bytes(share):
     """Return numbers as bytes: 0 and less as 0, 1 and more as 255."""
     return np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
-
-
-def to_bytes(rgb: np.ndarray) -> np.ndarray:
-    """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8 (IEC 61966-2-1)."""
-    rgb = np.asarray(rgb, dtype=np.float64)
-    encoded = np.empty(rgb.shape, np.uint8)
-    count = 1 + rgb.size // ENCODED_AT_ONCE
-    for linear, part in zip(np.array_split(rgb, count), np.array_split(encoded, count), strict=True):
-        linear = np.clip(linear, 0.0, 1.0)
-        part[:] = _bytes(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
-    return encoded
 
 
 def image_view(frame: Frame) -> np.ndarray:

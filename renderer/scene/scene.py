@@ -1,10 +1,15 @@
 """What is drawn: the scene and its lights, checked when they are made."""
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any
 
-from renderer.checks import check_choice, check_number, check_triple, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
+from renderer.scene.own import check_own, own_from_record, own_record
+from renderer.scene.text import distrusted, read_text, read_toml, toml_of
+from renderer.whole_files import checked_target, write_whole
 
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -42,6 +47,13 @@ def _check_lights(name, value):
     return lights
 
 
+def _light_from_record(number, record):
+    parts = check_kind(f"lights[{number}]", record, dict, "a record with a position and a color")
+    if "position" not in parts or not parts.keys() <= {"position", "color"}:
+        raise not_allowed(f"lights[{number}]", record, "a record with a position and a color")
+    return Light(**parts)
+
+
 def _given(default, help, check, *allowed):
     """Return a field of the scene: its default, the help of its option, how a value is checked, what that is told."""
     return field(default=default, metadata={"help": help, "check": check, "allowed": allowed})
@@ -51,9 +63,10 @@ def _given(default, help, check, *allowed):
 class Scene:
     """Sphere A (the bumped one, at the origin), sphere B, the floor z = 0, the eye (0, 0, eye), up to five lights.
 
-    Lengths are in world units, colours linear RGB. Defaults are the chapter's. Raises ValueError that names the
-    field, its value and what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and
-    B's radius at least 1e-9 of one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+    Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field and the model of light
+    are names, or a HeightField and a LightModel of one's own. Raises ValueError that names the field, its value and
+    what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
+    one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
     """
 
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
@@ -72,9 +85,9 @@ class Scene:
     kd: float = _given(0.7, "diffuse weight", check_number, 0.0, 1e6)
     ks: float = _given(0.5, "specular weight", check_number, 0.0, 1e6)
     shininess: float = _given(32.0, "exponent of the highlight", check_number, 1e-3, 1e6)
-    model: str = _given("blinn", f"model of light: {', '.join(MODELS)}", check_choice, MODELS)
+    model: Any = _given("blinn", f"model of light: {', '.join(MODELS)}", check_own, MODELS)  # noqa: RUF009
     floor_tint: float = _given(0.25, "how much red and green the floor lacks", check_number, 0.0, 1.0)
-    field: str = _given("ridges", f"height field: {', '.join(FIELDS)}", check_choice, tuple(FIELDS))
+    field: Any = _given("ridges", f"height field: {', '.join(FIELDS)}", check_own, FIELDS)  # noqa: RUF009
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
@@ -82,8 +95,49 @@ class Scene:
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
-            object.__setattr__(self, each.name, each.type(checked))
+            object.__setattr__(self, each.name, each.type(checked) if each.type is not Any else checked)
         self._check_lengths()
+
+    def __repr__(self) -> str:
+        given = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
+        return f"Scene({', '.join(given)})"
+
+    def as_record(self) -> dict[str, Any]:
+        """Return the scene as JSON can say it, by the names of its fields: numbers, lists, dicts and None.
+
+        A field or a model of one's own is a dict, its formulas text. Raises ValueError where it has no text.
+        """
+        found = {each.name: getattr(self, each.name) for each in fields(self)}
+        found["lights"] = [{name: part and list(part) for name, part in asdict(light).items()} for light in self.lights]
+        found |= {name: own_record(found[name]) for name in ("field", "model")}
+        return {name: list(value) if isinstance(value, tuple) else value for name, value in found.items()}
+
+    @classmethod
+    def from_record(cls, record: dict[str, Any]) -> "Scene":
+        """Return the scene of a record, such as `as_record` returns; what it leaves out is the chapter's.
+
+        Nothing that a record says is run. Raises ValueError that names what is not allowed.
+        """
+        kinds = {each.name: each.type for each in fields(cls)}
+        given = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
+        for name, value in given.items():
+            check_choice("scene", name, kinds)
+            if kinds[name] is bool:
+                check_kind(name, value, bool, "True or False")
+            given[name] = own_from_record(name, value) if name in ("field", "model") else value
+        if isinstance(given.get("lights"), list):
+            given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]
+        return cls(**given)
+
+    def to_file(self, path: str | Path) -> None:
+        """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
+        write_whole(checked_target(path, (".toml",), "path"), toml_of(self.as_record()).encode())
+
+    @classmethod
+    def from_file(cls, path: str | Path) -> "Scene":
+        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError, OSError."""
+        with distrusted("scene", path):
+            return cls.from_record(read_text(path, read_toml))
 
     def _check_lengths(self):
         ratio = self.radius / self.eye if self.eye else math.inf

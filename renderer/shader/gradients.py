@@ -4,15 +4,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer.checks import check_kind, not_allowed
-from renderer.kernels import FIELDS, MAX_ALGEBRAIC
+from renderer.kernels import MAX_ALGEBRAIC
 from renderer.scene.methods import GradientMethod, checked_method
+from renderer.scene.own import field_kernels
 from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 
 
 def algebraic_powers(scene: Scene) -> tuple[int, int] | None:
     """Return the whole powers (for u, for v) of the algebraic form of the scene's field, or None without one."""
-    wave_numbers = FIELDS[scene.field]["wave_numbers"]
+    wave_numbers = field_kernels(scene.field)["wave_numbers"]
     if wave_numbers is None:
         return None
     a, b = wave_numbers(scene.ku, scene.kv)
@@ -29,7 +30,7 @@ def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
     powers = algebraic_powers(scene)
     if method.form == "algebraic" and powers is None:
         raise ValueError(
-            f"form = 'algebraic' is not allowed for field {scene.field!r} with ku = {scene.ku:g}, kv = {scene.kv:g}: "
+            f"form = 'algebraic' is not allowed for field '{scene.field}' with ku = {scene.ku:g}, kv = {scene.kv:g}: "
             f"its wave number in u has to be even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
         )
     return powers is not None and method.form != "general"
@@ -50,7 +51,7 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
     check_kind("scene", scene, Scene)
-    return np.array(FIELDS[scene.field]["height"](*_chart_points(u, v), scene.ku, scene.kv))
+    return np.array(field_kernels(scene.field)["height"](*_chart_points(u, v), scene.ku, scene.kv))
 
 
 @np.errstate(all="ignore")
@@ -63,7 +64,7 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     if checked_method("method", method).name == "exact":
         uses_algebraic_form(scene, method)
     here = _chart_points(u, v)
-    field, waves = FIELDS[scene.field], (scene.ku, scene.kv)
+    field, waves = field_kernels(scene.field), (scene.ku, scene.kv)
     if method.name == "exact":
         gradient = field["gradient"](*here, *waves)
     else:

@@ -12,6 +12,7 @@ from renderer.kernels import FIELDS, LIGHT_MODELS, ambient_term, floor_albedo, s
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.geometry import Geometry, geometry_of
 from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.own import model_kernels
 from renderer.scene.scene import Light, Scene
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, Want
@@ -56,16 +57,21 @@ def places_of(geometry: Geometry) -> tuple[float, Box, list[tuple[Box, ...] | No
     return reach_of_a(geometry.eye, geometry.radius), ball_box(geometry), boxes
 
 
-def way_of(scene: Scene, method: GradientMethod) -> tuple[str, str]:
+def _index(entries, choice):
+    """Return the index of a choice among entries; one's own is drawn alone, and has none."""
+    return float(list(entries).index(choice)) if choice in entries else 0.0
+
+
+def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
     """Return (field, way): how the gradient of a scene is taken by a method; not at all where there is no bump."""
     algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
     way = "algebraic" if algebraic else "general" if method.name == "exact" else method.name
     return scene.field, "flat" if scene.beta == 0.0 else way
 
 
-def style_of(scene: Scene) -> tuple[str, str]:
+def style_of(scene: Scene) -> tuple[Any, str]:
     """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
-    squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
+    squared = model_kernels(scene.model)[1] is not None and scene.shininess % 2.0 != 1.0
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
@@ -89,8 +95,8 @@ def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
         ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
         reach_of_a=reach,  # the largest x² + y² at which A is met
         box_of_b=box_of_b,
-        way=float(list(FIELDS).index(scene.field)),
-        model=float(list(LIGHT_MODELS).index(scene.model)),
+        way=_index(FIELDS, scene.field),
+        model=_index(LIGHT_MODELS, scene.model),
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),

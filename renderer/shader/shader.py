@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol
 
 from renderer import kernels as k
 from renderer.operations import Mask, Number, floor, where
+from renderer.scene.own import field_kernels, model_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
@@ -168,7 +169,7 @@ class Group:
 
         def by(way):
             name, way = way
-            field = k.FIELDS[name]
+            field = field_kernels(name)
             if way == "flat":
                 return 0.0, 0.0
             self.machine.count("gradients", mask)
@@ -265,7 +266,7 @@ class Group:
 
         def by(choice):
             name, style = choice
-            base, squared = k.LIGHT_MODELS[name]
+            base, squared = model_kernels(name)
             mu, specular = (squared if style == "squared" else base)(*point, *light.position, *normal, *view)
             if style == "diffuse":
                 return mu, 0.0

@@ -1,22 +1,17 @@
 """Pictures larger than memory: drawn block by block, each written to the file before the next is drawn."""
 
-import shutil
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-import numpy as np
-
-from renderer.checks import extra
+from renderer.files.pictures import STREAM_SUFFIXES, TILE, write_npy, write_tiff
 from renderer.picture import views
 from renderer.picture.drawing import render
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.whole_files import checked_target, whole_file
+from renderer.whole_files import checked_target
 
-STREAM_SUFFIXES = (".npy", ".tif", ".tiff")
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
-TILE = 256
 
 
 def blocks(crop: tuple[int, int, int, int], rows: int) -> list[tuple[int, int, int, int]]:
@@ -59,38 +54,8 @@ def stream(
         for block in progress(blocks(raster.crop, rows)):
             yield render(scene, width, height, gradient, block, threads)
 
-    with whole_file(path) as name:
-        (_write_npy if path.suffix.lower() == ".npy" else _write_tiff)(name, raster.shape, frames)
+    if path.suffix.lower() == ".npy":
+        write_npy(path, raster.shape, (frame.rgb for frame in frames(max(1, BLOCK_PIXELS // raster.shape[1]))))
+    else:
+        write_tiff(path, raster.shape, map(views.image_view, frames(TILE)))
     return raster.shape
-
-
-def _write_npy(name, shape, frames):
-    """Write the frames one after the other: whole rows, or pieces of one row, are in the file's own order.
-
-    Plain writes, not a memory map: its pages would count as this process's, and a full disk would be a signal.
-    """
-    rows, columns = shape
-    size, free = 24 * rows * columns, shutil.disk_usage(name).free
-    if size > free:
-        raise OSError(f"the picture takes {size / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left")
-    with open(name, "wb") as file:
-        header = {"descr": "<f8", "fortran_order": False, "shape": (rows, columns, 3)}
-        np.lib.format.write_array_header_1_0(file, header)
-        for frame in frames(max(1, BLOCK_PIXELS // columns)):
-            file.write(np.ascontiguousarray(frame.rgb, "<f8"))
-
-
-def _write_tiff(name, shape, frames):
-    """Write a band of tiles at a time; a tile at the right or lower edge is filled up with zeros."""
-    with extra("tiff"):
-        import tifffile
-
-    def tiles():
-        for frame in frames(TILE):
-            picture = views.image_view(frame)
-            for left in range(0, picture.shape[1], TILE):
-                tile = picture[:, left : left + TILE]
-                yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
-
-    form = {"shape": (*shape, 3), "dtype": np.uint8, "photometric": "rgb", "metadata": None}
-    tifffile.imwrite(name, tiles(), bigtiff=True, tile=(TILE, TILE), compression="zlib", **form)

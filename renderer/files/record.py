@@ -1,0 +1,98 @@
+"""What a picture's file says of how it was drawn, so that it can be drawn again: JSON, in a PNG or an NPZ."""
+
+import json
+import struct
+import zlib
+from dataclasses import asdict
+from pathlib import Path
+from typing import NamedTuple
+from zipfile import BadZipFile, ZipFile
+
+from renderer.files.pictures import KEYWORD, SIGNATURE
+from renderer.machines import machine
+from renderer.scene.methods import GradientMethod
+from renderer.scene.raster import Raster
+from renderer.scene.scene import Scene
+from renderer.scene.text import LARGEST, distrusted, read_json
+
+MEMBER = "record.json"  # of an NPZ, beside its arrays
+NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
+
+
+class Drawing(NamedTuple):
+    """What is drawn and how; read from a file, the version and the machine that drew it too."""
+
+    scene: Scene
+    method: GradientMethod
+    raster: Raster
+    version: str = ""
+    machine: str = ""
+
+
+def text_of(drawing: Drawing) -> str:
+    """Return the record, ASCII; nothing where a field or a model of one's own has no text."""
+    from renderer.version import __version__  # which takes a while where it is installed
+
+    try:
+        scene = drawing.scene.as_record()
+    except ValueError:
+        return ""
+    made_by = {"version": __version__, "machine": machine().NAME}
+    return json.dumps(made_by | asdict(drawing.raster) | {"gradient": asdict(drawing.method), "scene": scene})
+
+
+def read(path: str | Path) -> Drawing:
+    """Return what a PNG or an NPZ says of how it was drawn. Nothing that it says is run.
+
+    Raises ValueError of one sentence unless the file carries one whole record; OSError if it cannot be read.
+    """
+    with distrusted("again", path):
+        (text,) = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
+        record = read_json(text)
+        if record.keys() != NAMES or record["gradient"].keys() != {"name", "eps", "form"}:
+            raise ValueError("other names than a record has")
+        made_by = [record[name] for name in ("version", "machine")]
+        if not all(isinstance(said, str) and len(said) < 100 and said.isprintable() for said in made_by):
+            raise ValueError("no version and machine")
+        raster = Raster(record["width"], record["height"], record["crop"])
+        return Drawing(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster, *made_by)
+
+
+def _of_png(path):
+    """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged or too long."""
+    found, kind = [], b""
+    with open(path, "rb") as file:
+        if file.read(len(SIGNATURE)) != SIGNATURE:
+            raise ValueError("no PNG")
+        while kind != b"IEND":
+            length, kind = struct.unpack(">I4s", _exactly(file, 8))
+            if kind != b"tEXt":
+                file.seek(length, 1)
+            elif length > LARGEST:
+                raise ValueError(f"a text of more than {LARGEST} bytes")
+            data = _exactly(file, length) if kind == b"tEXt" else b""
+            (checksum,) = struct.unpack(">I", _exactly(file, 4))
+            if data and zlib.crc32(kind + data) != checksum:
+                raise ValueError("a damaged text")
+            keyword, _, text = data.partition(b"\0")
+            found += [text] if keyword == KEYWORD else []
+    return found
+
+
+def _exactly(file, length):
+    data = file.read(length)
+    if len(data) < length:
+        raise ValueError("the file is cut")
+    return data
+
+
+def _of_npz(path):
+    """Return the members that are a record. Raises ValueError where one is damaged or too long."""
+    try:
+        with ZipFile(path) as zipped:
+            members = [one for one in zipped.infolist() if one.filename == MEMBER]
+            if any(one.file_size > LARGEST for one in members):
+                raise ValueError(f"a text of more than {LARGEST} bytes")
+            return [zipped.open(one).read(LARGEST) for one in members]
+    except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
+        raise ValueError(str(error)) from None

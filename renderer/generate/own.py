@@ -1,0 +1,144 @@
+"""Height fields and models of light that are made at run time: their kernels, printed in memory as kernels.py is.
+
+They alone let SymPy and the proofs be imported where something is drawn.
+"""
+
+import builtins
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from proofs.engine.program import Program
+from proofs.formulas.half_turns import cospi as cospi
+from proofs.formulas.half_turns import sinpi as sinpi
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.registry import check_name
+from proofs.formulas.shading import LIGHT_MODELS, LightModel
+from proofs.formulas.symbols import bumped, light, mu, point, real, specular_base, view
+from proofs.formulas.symbols import k_u as k_u
+from proofs.formulas.symbols import k_v as k_v
+from proofs.formulas.symbols import u as u
+from proofs.formulas.symbols import v as v
+from renderer import kernels
+from renderer.checks import check_kind, not_allowed
+from renderer.generate import programs
+from renderer.generate.expression import expression_text, parse_expression
+from renderer.generate.kernels import field_entry, print_function, refuse_unknown_calls
+from renderer.generate.printer import KernelPrinter
+
+_KNOWN: dict[type, dict[str, Any]] = {HeightField: dict(HEIGHT_FIELDS), LightModel: dict(LIGHT_MODELS)}
+_OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(), *LIGHT_MODELS.values())
+_SEEN_BY_A_LIGHT = (*point, *light, *bumped, *view)
+_MOST_LINES = 200
+
+
+def _formulas(own):
+    """Return what is drawn by: a field's expression, or the lines of a model's programs."""
+    if isinstance(own, HeightField):
+        return own.expression
+    return [program and program.definitions for program in (own.program, own.squared)]
+
+
+def registered(own: HeightField | LightModel) -> str | HeightField | LightModel:
+    """Return what has the name and the formulas of what is given: the first of this process, or a chapter's name.
+
+    Raises ValueError where other formulas have the name.
+    """
+    known = _KNOWN[HeightField if isinstance(own, HeightField) else LightModel]
+    first = known.setdefault(own.name, own)
+    if _formulas(first) != _formulas(own):
+        raise not_allowed("name", own.name, "a name that no other formula has in this process")
+    return own.name if first in _OF_THE_CHAPTER else first
+
+
+def _made(source: str) -> dict[str, Any]:
+    """Return what a text of kernels defines, beside the kernels that are there."""
+    scope = dict(vars(kernels))
+    exec(source, scope)
+    refuse_unknown_calls(scope)
+    return scope
+
+
+@cache
+def field_kernels(field: HeightField) -> dict[str, Any]:
+    """Return the entry of a field of one's own, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
+    registered(field)
+    printed = [print_function(p.name, p, KernelPrinter()) for p in programs.field_programs(field).values()]
+    return _made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
+
+
+@cache
+def model_kernels(model: LightModel) -> tuple[Callable, Callable | None]:
+    """Return the entry of a model of one's own, as in `kernels.LIGHT_MODELS`. Raises ValueError as the above."""
+    registered(model)
+    squared = _light_kernel(model.name, model.squared) if model.squared else None
+    return _light_kernel(model.name, model.program), squared
+
+
+def _light_kernel(name, program):
+    """Return the kernel of one of a model's programs: it takes all that a light is seen by."""
+    if not {*program.inputs} <= {*_SEEN_BY_A_LIGHT} or program.outputs != (mu, specular_base):
+        allowed = f"a program of some of {', '.join(map(str, _SEEN_BY_A_LIGHT))}, with the outputs mu and specular_base"
+        raise not_allowed("model", name, allowed)
+    for symbol, _ in program.definitions:
+        check_name(symbol.name)
+        if symbol.name in {*vars(kernels), *dir(builtins)}:
+            raise not_allowed(f"a line of {name}", symbol.name, "a name that no kernel has")
+    whole = Program("own_model", _SEEN_BY_A_LIGHT, program.definitions, program.outputs)
+    return _made(print_function(whole.name, whole, KernelPrinter()))[whole.name]
+
+
+def as_record(own: HeightField | LightModel) -> dict[str, Any]:
+    """Return what JSON can say of a field or a model. Raises ValueError where it has no text."""
+    if isinstance(own, HeightField):
+        return {"name": own.name, "expression": expression_text(own.expression)} | ({"seam": True} if own.seam else {})
+    programs_of = {"program": own.program, "squared": own.squared}
+    return {"name": own.name} | {role: _lines_of(p) for role, p in programs_of.items() if p}
+
+
+def _lines_of(program):
+    names = {symbol.name: symbol for symbol in _SEEN_BY_A_LIGHT}
+    lines = []
+    for symbol, expression in program.definitions:
+        lines.append(f"{symbol.name} = {expression_text(expression, names)}")
+        names[symbol.name] = symbol
+    return lines
+
+
+def field_from_record(record: Any) -> HeightField:
+    """Return the HeightField of {"name": …, "expression": its text, "seam": whether it has one}; raise ValueError."""
+    name, expression, seam = _parts("field", record, {"name": str, "expression": str, "seam": bool}, seam=False)
+    return HeightField(name, parse_expression(expression), seam)
+
+
+def model_from_record(record: Any) -> LightModel:
+    """Return the LightModel of {"name": …, "program": ["line = …", …], "squared": the same or nothing}."""
+    name, program, squared = _parts("model", record, {"name": str, "program": list, "squared": list}, squared=[])
+    return LightModel(name, _program_of(name, program), _program_of(name, squared) if squared else None)
+
+
+def _program_of(name, lines):
+    if len(lines) > _MOST_LINES:
+        raise not_allowed("program", len(lines), f"at most {_MOST_LINES} lines")
+    names = {symbol.name: symbol for symbol in _SEEN_BY_A_LIGHT}
+    definitions = []
+    for line in lines:
+        target, equals, text = check_kind("program", line, str, "lines of text").partition("=")
+        if not equals:
+            raise not_allowed("program", line[:60], "lines such as mu = bumped_z")
+        check_name(target.strip())
+        expression = parse_expression(text, names)
+        names[target.strip()] = real(target.strip())
+        definitions.append((names[target.strip()], expression))
+    return Program(name, _SEEN_BY_A_LIGHT, tuple(definitions), (mu, specular_base))
+
+
+def _parts(what, record, kinds, **defaults):
+    """Return the parts of a record, in the order of their kinds."""
+    check_kind(what, record, dict, "a name, or a record of one's own")
+    for key in record:
+        if key not in kinds:
+            raise not_allowed(what, key, f"the parts {', '.join(kinds)}")
+    for key in kinds.keys() - record.keys() - defaults.keys():
+        raise not_allowed(what, record, f"one with a {key}")
+    return [check_kind(f"{what}.{key}", (defaults | record)[key], kind) for key, kind in kinds.items()]

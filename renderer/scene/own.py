@@ -1,0 +1,61 @@
+"""Which height field and which model of light: one of kernels.py by its name, or one's own, made at run time.
+
+One's own is a HeightField or a LightModel. `renderer.generate.own`, which makes its kernels, is imported for it alone,
+since SymPy and the proofs come with it.
+"""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from renderer.checks import check_choice
+from renderer.kernels import FIELDS, LIGHT_MODELS
+
+
+def check_own(name: str, value: Any, choices: Iterable[str]) -> Any:
+    """Return one of `choices`, or one's own field or model, whose kernels are made. Raises ValueError on the rest."""
+    if isinstance(value, str):
+        return str(check_choice(name, value, choices))
+    from renderer.generate import own
+
+    kind, kernels_of = (own.HeightField, field_kernels) if name == "field" else (own.LightModel, model_kernels)
+    if not isinstance(value, kind):
+        return check_choice(name, value, choices)
+    found = own.registered(value)
+    kernels_of(found)
+    return found
+
+
+def field_kernels(field: Any) -> dict[str, Any]:
+    """Return the kernels of a scene's field, as in `kernels.FIELDS`."""
+    if isinstance(field, str):
+        return FIELDS[field]
+    from renderer.generate import own
+
+    return own.field_kernels(field)
+
+
+def model_kernels(model: Any) -> tuple[Callable, Callable | None]:
+    """Return the kernels of a scene's model of light, as in `kernels.LIGHT_MODELS`."""
+    if isinstance(model, str):
+        return LIGHT_MODELS[model]
+    from renderer.generate import own
+
+    return own.model_kernels(model)
+
+
+def own_record(own: Any) -> Any:
+    """Return what JSON can say of a field or model: its name, or a dict. Raises ValueError where that has no text."""
+    if isinstance(own, str):
+        return own
+    from renderer.generate import own as makers
+
+    return makers.as_record(own)
+
+
+def own_from_record(name: str, record: Any) -> Any:
+    """Return what a record says, if it is a dict: the inverse of `own_record`. Raises ValueError."""
+    if not isinstance(record, dict):
+        return record
+    from renderer.generate import own
+
+    return own.field_from_record(record) if name == "field" else own.model_from_record(record)

@@ -1,0 +1,78 @@
+"""Records as text, JSON or TOML, read with distrust: whoever wrote a text may have meant harm."""
+
+import json
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+LARGEST = 2**16  # bytes of a text
+OFF = "off"  # what TOML, which has no None, says of a light's colour
+
+
+@contextmanager
+def distrusted(name: str, path: object) -> Iterator[None]:
+    """Turn whatever a hostile text makes Python raise into a ValueError of one line that names the file."""
+    try:
+        yield
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
+        reason = " ".join(str(error).split())[:200]
+        raise ValueError(
+            f"{name} = {str(path)!r} is not allowed: a file with a whole record of a scene ({reason})"
+        ) from None
+
+
+def _once(pairs):
+    """Return a dict of pairs. Raises ValueError where a key is said twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a key is said twice")
+    return found
+
+
+def _no_number(text):
+    raise ValueError(f"{text} is no number")
+
+
+def read_json(text: bytes) -> Any:
+    """Return what a JSON text says. Raises ValueError or RecursionError; NaN, and a key said twice, are refused."""
+    return json.loads(text, object_pairs_hook=_once, parse_constant=_no_number)
+
+
+def _toml(value):
+    """Return a value as TOML says it: an inline table for a dict."""
+    match value:
+        case dict():
+            return "{" + ", ".join(f"{name} = {_toml(part)}" for name, part in value.items()) + "}"
+        case list() | tuple():
+            return "[" + ", ".join(map(_toml, value)) + "]"
+        case float():
+            return repr(value)
+        case None:
+            return json.dumps(OFF)
+        case _:
+            return json.dumps(value)
+
+
+def toml_of(record: dict[str, Any]) -> str:
+    """Return a record as TOML, a line for each of its names."""
+    return "".join(f"{name} = {_toml(value)}\n" for name, value in record.items())
+
+
+def read_toml(text: bytes) -> dict[str, Any]:
+    """Return the record of a scene that a TOML text says."""
+    import tomllib  # which a picture does not need
+
+    record = tomllib.loads(text.decode())
+    for light in record.get("lights", ()):
+        if light.get("color") == OFF:
+            light["color"] = None
+    return record
+
+
+def read_text(path: Any, parse: Callable[[bytes], Any]) -> Any:
+    """Return what a file says. Raises OSError where it cannot be read, ValueError where it is too long."""
+    with open(path, "rb") as file:
+        text = file.read(LARGEST + 1)
+    if len(text) > LARGEST:
+        raise ValueError(f"more than {LARGEST} bytes")
+    return parse(text)
