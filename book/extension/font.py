@@ -4,7 +4,7 @@ import html
 import re
 import unicodedata
 from collections.abc import Iterable
-from importlib.resources import as_file, files
+from importlib.util import find_spec
 from pathlib import Path
 
 from fontTools import subset
@@ -22,8 +22,8 @@ def write_font(formulas: Iterable[str], place: Path) -> None:
     slanted = {code for code in ITALIC if unicodedata.normalize("NFKC", chr(code)) in plain}
     options = subset.Options(**OPTIONS)
     options.drop_tables.append("GPOS")
-    with as_file(files("ziamath") / "fonts" / "STIXTwoMath-Regular.ttf") as path:
-        font = subset.load_font(path, options)
+    (package,) = find_spec("ziamath").submodule_search_locations
+    font = subset.load_font(Path(package, "fonts", "STIXTwoMath-Regular.ttf"), options)
     narrow_roots(font)
     subsetter = subset.Subsetter(options)
     subsetter.populate(unicodes=[ord(letter) for letter in letters] + [*slanted])
