@@ -50,7 +50,7 @@ def rename(page: Page, names: Names) -> None:
         if tag.get("id"):
             tag["id"] = table[tag["id"]]
         for attribute in REFERRING:
-            if tag.get(attribute):
+            if tag.get(attribute) and tag.name != "mo":  # where `form` is an operator's, and names nothing
                 value = tag[attribute]
                 words = value if isinstance(value, list) else value.split()
                 tag[attribute] = " ".join(table.get(word, word) for word in words)
