@@ -24,7 +24,7 @@ ROUNDS, SLOWER, IDLE = 3, 4, 2000
 PLACES = {"blocked": 0, "shift": 2, "picture": 0, "kB": 0}  # what is printed, with so many digits after the point
 KINDS = ("document", "script", "stylesheet", "font")
 WATCH = """
-    var seen = { blocked: 0, shift: 0, last: 0, picture: 0 };
+    window.seen = { blocked: 0, shift: 0, last: 0, picture: 0 };
     const watch = (type, take) => new PerformanceObserver(list => list.getEntries().forEach(take)).observe({ type });
     watch('longtask', task => { seen.blocked += task.duration - 50; seen.last = task.startTime + task.duration; });
     watch('layout-shift', shift => { if (!shift.hadRecentInput) seen.shift += shift.value; });

@@ -154,7 +154,7 @@ def test_keyboard_moves_a_figure_that_is_too_wide_and_stops_at_no_other(visit):
     tab.keyboard.press("ArrowRight")
     tab.wait_for_function("selector => document.querySelector(selector).scrollLeft > 0", arg=scrolling)
     tab.set_viewport_size({"width": 2000, "height": 900})
-    tab.wait_for_function("!document.querySelector('[data-in-reach]')")
+    tab.wait_for_function("!document.querySelector('figure [data-in-reach]')")
 
 
 def test_what_is_too_wide_fades_until_its_end_is_reached(visit):
