@@ -1,4 +1,4 @@
-// What other scripts of the pages declare: those that the build prints, the mailed file's, Sphinx's and MathJax.
+// What other scripts of the pages declare: those that the build prints, the mailed file's, and Sphinx's.
 declare const Simulator: {
   data: SimulatorData;
   program: string;
@@ -6,9 +6,9 @@ declare const Simulator: {
   running?: ReturnType<typeof simulator_start>;
 };
 declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
-declare var Chapter: { pages: HTMLElement[]; shown(): Element; ready(): Promise<void>; show(page: Element): Promise<void> };
+declare var Chapter: { pages: HTMLElement[]; shown(): Element; show(page: Element): void };
 declare const SearchText: Record<string, [string, string][]>;
-declare var MathJax: { startup: { promise: Promise<void> }; typesetPromise(parts?: Element[]): Promise<void> };
+declare const SearchFormulas: Record<string, string>;
 declare class Stemmer {
   stemWord(word: string): string;
 }

@@ -148,7 +148,7 @@
 /**
  * @typedef {{ statement: Statement, certificate: Certificate }} Case
  * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
- * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0], given: string[], trusted: string }} CardData
+ * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0], given: string[] }} CardData
  * @typedef {Case & { name: string }} NamedCase
  */
 

@@ -7,7 +7,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
 SETTINGS = {
-    "extensions": ["myst_parser", "sphinx.ext.mathjax", "book.extension"],
+    "extensions": ["myst_parser", "book.extension"],
     "myst_enable_extensions": ["colon_fence"],
     "numfig": True,
     "exclude_patterns": ["_build", "_generated", "figures"],

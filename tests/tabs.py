@@ -1,11 +1,11 @@
 """The book's pages in a browser: opened in one way, and all held to the same; and the simulator's controls."""
 
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from urllib.parse import urljoin
 
 DESKTOP = {"viewport": {"width": 1280, "height": 900}}
 PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
-TYPESET = "!window.MathJax || !MathJax.startup || !!MathJax.startup.promise"
 RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
 
 
@@ -14,8 +14,17 @@ def giving(script):
     return lambda route: route.fulfill(body=script, content_type="text/javascript")
 
 
+def wait_for(tab, condition, arg=None):
+    """Ask until it is so. Playwright's own way evaluates a text in the page, which the pages' policy forbids."""
+    for _ in range(1500):
+        if tab.evaluate(condition, arg):
+            return
+        tab.wait_for_timeout(20)
+    raise AssertionError(f"never came true: {condition}")
+
+
 @contextmanager
-def opened(browser, address, until=TYPESET, prepare="", given=(), home=None, **options):
+def opened(browser, address, until=None, prepare="", given=(), home=None, **options):
     """Give the page in a context of its own. When it is closed it may have asked for nothing elsewhere, and have logged
     no error.
 
@@ -27,13 +36,13 @@ def opened(browser, address, until=TYPESET, prepare="", given=(), home=None, **o
     for place, script in dict(given).items():
         context.route(place, giving(script))
     tab = context.new_page()
+    tab.wait_for_function = partial(wait_for, tab)
     tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
     tab.on("pageerror", lambda error: complaints.append(str(error)))
     tab.on("request", lambda request: asked.append(request.url))
     tab.goto(address)
     if until and options.get("java_script_enabled", True):
         tab.wait_for_function(until)
-        tab.evaluate("window.MathJax && MathJax.startup && MathJax.startup.promise")
     yield tab
     context.close()
     home = home or urljoin(address, "/")

@@ -75,8 +75,8 @@ def statement_in(page):
     shown = BeautifulSoup(page, "html.parser").select_one(".statement")
     for title in shown.select(".theorem-title"):
         title.decompose()
-    for formula in shown.select(".math"):
-        formula.replace_with(f"${formula.get_text()[2:-2]}$")
+    for formula in shown.select("math"):
+        formula.replace_with(f"${formula.annotation.get_text()}$")
     return shown.get_text().strip()
 
 
@@ -94,8 +94,10 @@ def test_claims_stand_below_their_clauses_as_mathematics(build_page):
     claims = [claim for clause in THEOREMS["kink_loci"].clauses for claim in clause.claims]
     assert [table["aria-label"] for table in shown] == [f"Claim {claim.name}" for claim in claims]
     for table, claim in zip(shown, claims, strict=True):
-        printed = [row.get_text() for row in table.parent.select("dd")]  # what it shows, and folded, from what
-        assert sorted(printed) == sorted(rf"\({row.tex}\)" for row in rows_of(claim))
+        printed = [
+            row.annotation.get_text() for row in table.parent.select("dd")
+        ]  # what it shows, and folded, from what
+        assert sorted(printed) == sorted(row.tex for row in rows_of(claim))
         assert [row.get_text() for row in table.select("dt")] == ["shows"] and len(table.select("dd")) <= OPEN
 
 

@@ -45,7 +45,7 @@ def watch(port: int) -> None:
     """Serve the site on this machine alone, at a port, until interrupted; a browser shows an edited page by itself."""
     for name in ("livereload", "tornado.access"):  # which tell of each request
         logging.getLogger(name).setLevel(logging.WARNING)
-    os.environ.update(website.environment(website.execution_cache()))
+    os.environ.update(website.environment(website.execution_cache()) | {"BOOK_WATCHED": "yes"})  # see scripts.py
     shutil.rmtree(FOLDER, ignore_errors=True)
     shutil.copytree(website.WORK / "_build", FOLDER)
     with builder(website.BOOK, FOLDER) as build:

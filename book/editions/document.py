@@ -7,19 +7,19 @@ from bs4 import BeautifulSoup, Tag
 from bs4.dammit import EntitySubstitution
 from bs4.formatter import HTMLFormatter
 
-from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
+from book.editions.inlined import data_address, inlined_script, inlined_styles, packed_address
 from book.editions.listings import make_small
-from book.editions.names import Names, ids_of, relink, relink_data, rename
+from book.editions.names import Names, ids_of, relink, rename
 from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
-# Icons come from the theme's font; a file that is read from a disk has nothing to search with.
+# A file that is read from a disk has nothing to search with.
 SHARED = "shared.js"  # which the file's own script needs; all others are marked data-moves, and are not printed
-LEFT_OUT = {"fontawesome.js", "searchtools.js", "language_data.js", "searchindex.js"}
+LEFT_OUT = {"searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
-    "worker-src blob:; img-src data: blob:; font-src data:; connect-src data: blob:; form-action 'none'; "
+    "worker-src blob:; img-src data: blob:; font-src data:; connect-src 'none'; form-action 'none'; "
     "base-uri 'none'"
 )
 
@@ -55,10 +55,9 @@ class Chapter:
             for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
                 relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
-            relink_data(page.article, page.name, self.names)
             inline_pictures(self.site, page)
             for listed in page.article.select(".checker[data-all] > script"):
-                listed.string = "[]"  # the cards are in the file, with their certificates
+                listed.decompose()  # the cards are in the file, with their certificates
         for page in self.pages:
             if page.listing:
                 make_small(page, self.used)
@@ -100,8 +99,6 @@ class Chapter:
                 text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
                 if path.name != SHARED:
                     data["data-moves"] = ""
-                if path.parent.name == "mathjax":  # the file's own script unpacks it
-                    text, data = base64_gzip(text.encode()), {"type": "application/gzip", "id": "packed-mathjax"}
                 yield self.element("script", text, data)
 
     def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
@@ -150,6 +147,7 @@ def put_pages(chapter: Chapter) -> None:
 
 def put_head(chapter: Chapter) -> None:
     shell, head = chapter.shell, chapter.shell.head
+    head.select_one("meta[http-equiv=Content-Security-Policy]").decompose()
     shell.title.string = shell.select_one("nav.bd-docs-nav a").get_text().strip()
     icon = shell.select_one("link[rel=icon]")
     icon["href"] = data_address(chapter.site / target(SHELL, icon["href"])[0])
@@ -164,7 +162,6 @@ def put_scripts(chapter: Chapter) -> None:
     head, body = chapter.shell.head, chapter.shell.body
     options = next(tag for tag in head.find_all("script") if "DOCUMENTATION_OPTIONS" in tag.get_text())
     options.insert_before(*chapter.scripts(deferred=False))
-    head.append(chapter.element("script", "window.MathJax.startup = { typeset: false };"))
     body.extend(chapter.scripts(deferred=True))
     body.append(chapter.element("script", (HERE / "single.js").read_text(encoding="utf-8")))
 

@@ -30,7 +30,7 @@ def printed(site: Path = website.SITE) -> bytes:
     """The chapter as PDF, from the built site; raises NoBrowser."""
     from book.editions.chromium import print_chapter
 
-    print("  Chromium typesets every page (a minute)", flush=True)
+    print("  Chromium lays out every page", flush=True)
     return print_chapter(single_file(site).decode())
 
 

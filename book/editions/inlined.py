@@ -13,7 +13,6 @@ from PIL import Image
 EMBEDDED = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=\s]+)")
 COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
 FRACTION = re.compile(r"-?\d+\.\d{3,}")
-UNUSED = {"fa-brands-400.woff2", "fa-regular-400.woff2"}  # no page has a brand's mark or a hollow icon
 TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml"}
 
 
@@ -63,15 +62,13 @@ def svg_address(parts: list[str]) -> str:
 
 
 def inlined_styles(path: Path) -> str:
-    """A style sheet with what it loads as data: of a font offered twice, the WOFF2; of icons, those in use."""
+    """A style sheet with what it loads as data: of a font offered twice, the WOFF2."""
 
     def inlined(match: re.Match) -> str:
         name = unquote(match[1].strip("'\"").split("?")[0].split("#")[0])
         if name.startswith("data:") or not name:
             return match[0]
         file = path.parent / name
-        if file.name in UNUSED:
-            return "url(data:,)"
         return f'url("{data_address(file)}")' if file.is_file() else "none"
 
     text = re.sub(r"/\*# sourceMappingURL=.*?\*/", "", path.read_text(encoding="utf-8"))
@@ -81,8 +78,6 @@ def inlined_styles(path: Path) -> str:
 
 
 def inlined_script(path: Path) -> str:
-    """A script that may stand between <script> and </script>; MathJax with its fonts in it."""
+    """A script that may stand between <script> and </script>."""
     text = re.sub(r"^//# sourceMappingURL=.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    fonts = path.parent / "output" / "chtml" / "fonts" / "woff-v2"
-    text = re.sub(r"%%URL%%/(MathJax_[\w-]+\.woff)", lambda match: data_address(fonts / match[1]), text)
     return re.sub(r"<(?=/script|!--)", r"<\\", text, flags=re.IGNORECASE)

@@ -50,23 +50,13 @@ def rename(page: Page, names: Names) -> None:
         if tag.get("id"):
             tag["id"] = table[tag["id"]]
         for attribute in REFERRING:
-            if tag.get(attribute):
+            if tag.get(attribute) and tag.name != "mo":  # where `form` is an operator's, and names nothing
                 value = tag[attribute]
                 words = value if isinstance(value, list) else value.split()
                 tag[attribute] = " ".join(table.get(word, word) for word in words)
     escaped = {id: re.sub(r"([^\w-])", r"\\\1", new) for id, new in table.items() if id != new}
     for style in page.article.find_all("style"):
         style.string = re.sub(r"#([\w-]+)", lambda match: "#" + escaped.get(match[1], match[1]), style.string or "")
-
-
-DATA_LINK = re.compile(r'"([\w./-]*\.html(?:#[^"\s]*)?)"')
-
-
-def relink_data(part: Tag, page: str, names: Names) -> None:
-    """Do the same to links in data that stands in the page for its scripts."""
-    for script in part.find_all("script", type="application/json"):
-        text = script.string or ""
-        script.string = DATA_LINK.sub(lambda match: f'"{names.fragment(page, match[1]) or match[1]}"', text)
 
 
 def relink(part: Tag, page: str, names: Names, file_link: Callable[[Tag, str], None]) -> None:

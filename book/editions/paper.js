@@ -8,7 +8,6 @@ async function put_on_paper(names) {
     "On paper the simulator stands still. It runs in the chapter's site, and in its single file; here are its figures.";
   const active =
     "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim";
-  await Chapter.ready(); // then MathJax is there
   document.documentElement.dataset.theme = "light";
   const pages = Chapter.pages.filter(({ dataset: { page = "" } }) =>
     names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)
@@ -27,7 +26,6 @@ async function put_on_paper(names) {
   list_contents();
   for (const graph of document.querySelectorAll(/** @type {"svg"} */ (".graph > svg"))) cut_graph(graph);
   for (const link of select_all("a, .not-mailed")) if (!leads_on(link)) drop_link(link);
-  await MathJax.typesetPromise([document.body]);
   await fit_to_page();
 
   /** @param {string} selector */
@@ -88,12 +86,15 @@ async function put_on_paper(names) {
     await document.fonts.ready;
     await Promise.all([...document.images].map((image) => image.decode()));
     // Measured first and changed afterwards: the whole document is laid out once, not once for each formula.
-    const formulas = select_all("mjx-container").map((formula) => {
-      const inner = formula.hasAttribute("display") ? find_element(formula, "mjx-math") : formula;
+    const formulas = select_all("math").map((formula) => {
       const block = formula.closest("li, dd, td, th, p, figcaption, .theorem, div, section") ?? document.body;
       const { paddingLeft, paddingRight } = getComputedStyle(block);
       const room = block.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
-      return { formula, share: room / width_of(inner), size: parseFloat(getComputedStyle(formula).fontSize) };
+      return {
+        formula,
+        share: room / width_of(find_element(formula, "semantics")),
+        size: parseFloat(getComputedStyle(formula).fontSize)
+      };
     });
     const tables = select_all("table").map((table) => ({
       table,

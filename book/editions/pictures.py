@@ -41,6 +41,7 @@ def inline_pictures(site: Path, page: Page) -> None:
     light: list[str] = []
     for image in page.article.find_all("img", src=True):
         path = picture_file(site, page.name, image)
+        image.attrs.pop("loading", None)  # it is there
         if path.suffix != ".svg":
             image["src"] = data_address(path)
             continue

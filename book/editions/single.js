@@ -1,5 +1,5 @@
-// One page of the chapter at a time, as the site has it: the address says which. Formulas are typeset, and dark pictures
-// made, when their page is first shown. Without this script all pages stand one below the other.
+// One page of the chapter at a time, as the site has it: the address says which. Dark pictures are made when their page is
+// first shown. Without this script all pages stand one below the other.
 "use strict";
 (() => {
   /** @type {HTMLElement[]} */
@@ -7,8 +7,6 @@
   const root = document.documentElement;
   const title = document.title;
   const hiding = "onbeforematch" in root ? "until-found" : "";
-  /** @type {Map<Element, Promise<void>>} */
-  const typeset = new Map();
   let current = pages[0];
   let is_shown = false;
   /** @type {number | null} */
@@ -27,21 +25,6 @@
   function named() {
     const id = plain(location.hash.slice(1).split("?")[0]);
     return document.getElementById(id) ?? pages.find((page) => page.dataset.page === id);
-  }
-
-  // MathJax is more than a tenth of the file, and is carried compressed.
-  const typesetter = (async () => {
-    const packed = find_element(document, "#packed-mathjax").textContent;
-    document.head.append(make_element("script", {}, await unpacked(packed).text()));
-    await MathJax.startup.promise;
-  })();
-
-  /** @param {Element} page */
-  function mathematics(page) {
-    const before = [...typeset.values()].pop();
-    const done = typeset.get(page) ?? Promise.all([typesetter, before]).then(() => MathJax.typesetPromise([page]));
-    typeset.set(page, done);
-    return done;
   }
 
   /** A dark drawing is its light neighbour with some parts replaced. @param {Element} page */
@@ -81,28 +64,20 @@
     document.title = page === pages[0] ? title : `${page.dataset.title} — ${title}`;
     darken(page);
     window.dispatchEvent(new Event("resize")); // what measured itself while hidden measures again
-    return mathematics(page);
   }
 
   /** Go where the address says: to `height` if the reader comes back, else to the element. @param {number | null} height */
-  async function go(height) {
+  function go(height) {
     const target = named();
     /** @type {HTMLElement} */
     const page = target?.closest(".chapter-page") ?? (target ? current : pages[0]);
     const top = !target || target.matches(".chapter-page, .bd-article > section");
-    function arrive() {
-      if (height === null && !top) target?.scrollIntoView({ behavior: "instant" });
-      else scrollTo({ top: height ?? 0, behavior: "instant" });
-    }
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
-    const fresh = !typeset.has(page);
     const turned = !is_shown || page !== current;
-    const ready = turned ? show(page) : null;
-    if (turned || height !== null) arrive();
-    const left = scrollY;
-    if (!fresh) return;
-    await ready;
-    if (Math.abs(scrollY - left) < 2) arrive(); // formulas have moved the place, and the reader has not
+    if (turned) show(page);
+    if (!turned && height === null) return;
+    if (height === null && !top) target?.scrollIntoView({ behavior: "instant" });
+    else scrollTo({ top: height ?? 0, behavior: "instant" });
   }
 
   /** @param {HTMLAnchorElement} link */
@@ -137,5 +112,5 @@
   new MutationObserver(() => is_shown && darken(current)).observe(root, { attributeFilter: ["data-theme"] });
   // After every other script has seen the whole document.
   document.addEventListener("DOMContentLoaded", () => go(null));
-  window.Chapter = { pages, shown: () => current, ready: () => mathematics(current), show };
+  window.Chapter = { pages, shown: () => current, show };
 })();

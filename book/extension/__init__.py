@@ -18,8 +18,10 @@ docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (assets.py)
 an edited page             builds no other (page_cache.py)
 screen readers             lists and tables that they understand (accessibility.py)
-a sentence found          shown by the search, with its section (search.py)
-MathJax, the simulator     copied into the site from the installed package; compiled into it (assets.py)
+a sentence found           shown by the search, with its section (search.py)
+formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py, font.py)
+the theme                  its style sheets without what no page uses (styles.py), what a page may load (scripts.py)
+the simulator              compiled into the site (assets.py)
 """
 
 from sphinx.application import Sphinx

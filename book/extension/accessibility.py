@@ -7,7 +7,7 @@ from book.extension.elements import Page, on_page
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
 # A formula breaks nowhere inside, but would break between it and its punctuation.
-PUNCTUATED = re.compile(r'[“‘(\[]*<span class="math notranslate nohighlight">[^<]*</span>(?:[.,;:?!)\]’”]+|[’-]\w+)')
+PUNCTUATED = re.compile(r"[“‘(\[]*<math>(?:(?!</math>).)*</math>(?:[.,;:?!)\]’”]+|[’-]\w+)")
 
 
 @on_page

@@ -1,9 +1,7 @@
-"""MathJax from the installed package, the simulator's compiled code, and how cells are executed and kept."""
+"""The simulator's compiled code, and how cells are executed and kept."""
 
 import os
-import shutil
 from functools import partial
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import nbclient
@@ -14,21 +12,11 @@ from sphinx.config import Config
 from book import idea_kernels, loupe_module, simulator_module
 from book.extension.elements import on
 
-SCRIPT, FONTS = "tex-chtml-full.js", "output/chtml/fonts/woff-v2"
 PROGRAMS = {
     "simulator/compiled.js": simulator_module,
     "simulator/compiled_closer.js": loupe_module,
     "ideas/compiled.js": idea_kernels,
 }
-
-
-@on("builder-inited")
-def copy_mathjax(app: Sphinx) -> None:
-    """Copy what typesetting needs into the site, so that no page asks a network for it."""
-    target = Path(app.outdir) / "_static" / "mathjax"
-    with as_file(files("mathjax") / "static" / "mathjax" / "es5") as source:
-        shutil.copytree(source / FONTS, target / FONTS, dirs_exist_ok=True)
-        shutil.copyfile(source / SCRIPT, target / SCRIPT)
 
 
 @on("builder-inited")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from sympy import Symbol, latex
 
+from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
 from book.extension.points import TEX
 from book.extension.theorems import Here, Proofs, certificate, kind
@@ -34,7 +35,7 @@ def check_here(book: Here, id: str) -> Filled | str:
     claims = stored(path)
     names = {name: spelling(name) for name in sorted(names_of(claims))}
     data = {"theorem": id, "claims": claims, "names": names, "given": given(book.proofs, id)}
-    return place(data | {"trusted": book.page("trusted")}, NO_SCRIPT, id)
+    return place(data, NO_SCRIPT, id, book.page("trusted"))
 
 
 def check_all(proofs: Proofs) -> Filled:
@@ -52,11 +53,11 @@ def stored(path: Path) -> list[dict]:
     return claims
 
 
-def place(data: dict | list, no_script: str, theorem: str = "") -> Filled:
-    """An element with its data as JSON, and what a reader without JavaScript is told."""
-    text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", r"\u003c")
-    script = raw(f'<script type="application/json">{text}</script>')
-    return filled("checker", script=script, no_script=no_script, theorem=theorem)
+def place(data: dict | list, no_script: str, theorem: str = "", trusted: str = "") -> Filled:
+    """An element with its data, compressed JSON, and what a reader without JavaScript is told."""
+    text = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
+    script = raw(f'<script type="application/gzip">{base64_gzip(text.encode())}</script>')
+    return filled("checker", script=script, no_script=no_script, theorem=theorem, trusted=trusted)
 
 
 def given(proofs: Proofs, id: str) -> list[str]:

@@ -47,6 +47,10 @@ class Filled(nodes.General, nodes.TextElement):
     """A filled template: pieces of HTML and the nodes between them, written without a tag around."""
 
 
+class Formula(nodes.General, nodes.Inline, nodes.Element):
+    """A formula, its attribute `tex`, that the search does not read."""
+
+
 def _hold(value):
     """What Jinja prints for a value: for nodes, a place that is theirs."""
     if isinstance(value, nodes.Node):

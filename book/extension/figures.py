@@ -40,7 +40,7 @@ def visit_pixel_image(translator: HTML5Translator, node: PixelImage) -> None:
     alt, classes = html.escape(node["alt"], quote=True), " ".join(node["classes"])
     size = f'width="{node["css_width"]}" height="{node["css_height"]}"'
     parts = f' data-panels="{" ".join(map(str, node["panels"]))}"' if node["panels"] else ""
-    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size}{parts} />\n')
+    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size}{parts} loading="lazy" />\n')
     raise nodes.SkipNode
 
 

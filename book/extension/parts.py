@@ -6,7 +6,7 @@ from importlib import import_module
 from sphinx.application import Sphinx
 
 import book.extension
-from book.extension import elements, figures
+from book.extension import elements, figures, mathematics
 
 
 def setup(app: Sphinx) -> dict[str, str | bool]:
@@ -15,6 +15,8 @@ def setup(app: Sphinx) -> dict[str, str | bool]:
         import_module(part.name)
     app.setup_extension("sphinx.ext.autodoc")
     app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
+    app.add_node(elements.Formula, html=(mathematics.write, None))
+    app.add_html_math_renderer("mathml", (mathematics.write, None), (mathematics.write, None))
     app.add_node(figures.PixelImage, html=(figures.visit_pixel_image, None))
     for name, made in elements.DIRECTIVES.items():
         app.add_directive(name, made)

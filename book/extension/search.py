@@ -9,10 +9,13 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 from book.extension.elements import Filled, Page, on, on_page
+from book.extension.mathematics import mathml
 
 BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+FORMULA = re.compile(r"\\\((.*?)\\\)")
 SCRIPTS = ("search-text.js", "search.js")
+COMPACT = {"ensure_ascii": False, "separators": (",", ":")}
 
 
 def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
@@ -25,7 +28,7 @@ def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
 
 def _words(node: nodes.Node) -> Iterator[str]:
     if isinstance(node, nodes.math):
-        yield f"\\({node.astext()}\\)"
+        yield f"\\({node.astext().strip()}\\)"
     elif isinstance(node, nodes.raw):
         yield BREAK if BLOCK.match(node.astext()) else " "
     elif isinstance(node, nodes.superscript):
@@ -52,13 +55,15 @@ def keep_texts(app: Sphinx, document: nodes.document) -> None:
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
-        text = json.dumps(pages, ensure_ascii=False, separators=(",", ":"))
-        place = Path(app.outdir) / "_static" / SCRIPTS[0]
-        place.write_text(f"var SearchText = {text};\n", encoding="utf-8")
+        found = {tex for page in pages.values() for _, text in page for tex in FORMULA.findall(text)}
+        kept = mathml(app.env, [(tex, False) for tex in sorted(found)])
+        data = {"SearchText": pages, "SearchFormulas": {tex: kept[tex, False] for tex in sorted(found)}}
+        scripts = [f"var {name} = {json.dumps(what, **COMPACT)};\n" for name, what in data.items()]
+        (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text("".join(scripts), encoding="utf-8")
 
 
 @on_page
 def add_scripts(page: Page) -> None:
-    """Load the texts, and what shows them, on the page of the search alone; its formulas are typeset."""
+    """Load the texts, and what shows them, on the page of the search alone."""
     if page.name == "search":
-        page.load(page.app.config.mathjax_path, *SCRIPTS)
+        page.load(*SCRIPTS)

@@ -1,20 +1,17 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
 // is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
-// and a table that is too wide becomes a list. A claim's formulas are typeset when it is opened.
-// The theme does so for code and tables; here are figures, formulas, theorems and graphs.
+// and a table that is too wide becomes a list. A formula that is copied is its TeX.
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, mjx-container[display], .math, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
+    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
   /** What a screen reader says on arriving: the figure's number, or what kind of thing it is. @param {Element} element */
   function name_of(element) {
     const number = element.closest("figure")?.querySelector(".caption-number")?.textContent.trim();
-    return (
-      number || (element.matches(".graph") ? "Graph" : element.matches("mjx-container, .math") ? "Formula" : "Text")
-    );
+    return number || (element.matches(".graph") ? "Graph" : element.matches(".math") ? "Formula" : "Text");
   }
 
   /** Letters that lean out of a formula are not more of it. @param {Element} element */
@@ -72,11 +69,8 @@
       page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
       page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
     }
-    const rows = page.querySelectorAll("[open] > .claim .unset");
-    for (const row of rows) row.className = "math";
-    if (rows[0]) window.MathJax?.typesetPromise?.([...rows]);
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
-    page.querySelectorAll(`${SCROLLS}, .pst-scrollable-table-container, pre`).forEach(fade);
+    page.querySelectorAll(SCROLLS).forEach(fade);
   }
 
   function watch() {
@@ -85,7 +79,7 @@
     if (!page) return;
     const scrolled = (/** @type {Event} */ { target }) => target instanceof Element && fade(target);
     page.addEventListener("scroll", scrolled, { capture: true, passive: true });
-    // Typesetting, a window's new width and an opened fold all change the page's size.
+    // A window's new width and an opened fold all change the page's size.
     new ResizeObserver(() => mend(page)).observe(page);
   }
 
@@ -94,6 +88,18 @@
     place?.closest(".ledger-list > li")?.querySelector("details")?.setAttribute("open", "");
   }
 
+  /** @param {ClipboardEvent} event */
+  function copy(event) {
+    const chosen = getSelection();
+    const copied = chosen?.rangeCount && chosen.getRangeAt(0).cloneContents();
+    const formulas = copied ? copied.querySelectorAll("math:has(annotation)") : [];
+    for (const formula of formulas) formula.replaceWith(`$${find_element(formula, "annotation").textContent}$`);
+    if (!copied || !formulas.length) return;
+    event.clipboardData?.setData("text/plain", copied.textContent);
+    event.preventDefault();
+  }
+
   addEventListener("hashchange", open_claim);
+  document.addEventListener("copy", copy);
   when_ready(watch);
 })();

@@ -26,10 +26,9 @@ addEventListener("DOMContentLoaded", () => {
     const parts = new RegExp(`\\\\\\(.*?\\\\\\)|${words.map(_escapeRegExp).join("|")}`, "giu");
     let end = 0;
     for (const { 0: part, index } of text.matchAll(parts)) {
-      const element = part.startsWith("\\(")
-        ? make_element("span", { class: "math" }, part)
-        : make_element("mark", {}, part);
-      paragraph.append(text.slice(end, index), element);
+      paragraph.append(text.slice(end, index));
+      if (part.startsWith("\\(")) paragraph.insertAdjacentHTML("beforeend", SearchFormulas[part.slice(2, -2)]);
+      else paragraph.append(make_element("mark", {}, part));
       end = index + part.length;
     }
     paragraph.append(text.slice(end));
@@ -43,8 +42,7 @@ addEventListener("DOMContentLoaded", () => {
     const { id, text } = best_sentence(link.pathname.replace(/^.*\/|\.html$/g, ""));
     if (!text || item.querySelector(".search-sentence")) return;
     if (!link.hash && id) link.setAttribute("href", `${link.getAttribute("href")}#${id}`);
-    const shown = item.appendChild(marked(text));
-    window.MathJax?.typesetPromise?.([shown]);
+    item.append(marked(text));
   }
 
   const show_all = () => results.querySelectorAll("ul.search > li").forEach(show);

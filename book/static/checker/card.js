@@ -114,7 +114,8 @@ function checker_card(place, data, clerk) {
   }
 
   function limits() {
-    const link = make_element("a", { href: data.trusted }, "The translation is trusted");
+    const link = /** @type {Element} */ (find_element(place, ":scope > a").cloneNode(true));
+    link.removeAttribute("hidden");
     const nothing = cases.some(({ statement }) =>
       steps(statement, "show").some(({ of }) => Object.keys(of).length === 0)
     );

@@ -78,20 +78,20 @@ function check_all(place, theorems, clerk) {
   put_checker(place, make_element("p", { class: "check-buttons" }, button, bar), verdict);
 }
 
-function start_checker() {
+async function start_checker() {
   const clerk = checking_clerk();
   /** @param {Element} place */
-  function data_of(place) {
-    const script = find_element(place, "script[type='application/json']");
-    return parsed_canonical(script.textContent.replaceAll("\\u003c", "<"));
+  async function data_of(place) {
+    const script = find_element(place, "script[type='application/gzip']");
+    return parsed_canonical(await unpacked(script.textContent).text());
   }
   const places = [...document.querySelectorAll(".checker[data-theorem]")];
   /** @type {CardData[]} */
-  const cards = places.map(data_of);
+  const cards = await Promise.all(places.map(data_of));
   for (const [n, place] of places.entries()) checker_card(place, cards[n], clerk);
   for (const place of document.querySelectorAll(".checker[data-all]")) {
-    const listed = data_of(place); // nothing where all cards stand in this document: the file that is mailed
-    check_all(place, listed.length ? listed : cards, clerk);
+    // None of its own where all cards stand in this document: the file that is mailed.
+    check_all(place, place.querySelector("script") ? await data_of(place) : cards, clerk);
   }
 }
 

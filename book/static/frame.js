@@ -1,0 +1,97 @@
+// The frame around a page: light or dark, the search's field, the menus of a phone, the files to download, and where on the
+// page the reader is. It stands in for the theme's own scripts, which bring Bootstrap's.
+"use strict";
+when_ready(() => {
+  const root = document.documentElement;
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+
+  /** @param {string} mode */
+  function colour(mode) {
+    const theme = mode === "auto" ? (dark.matches ? "dark" : "light") : mode;
+    Object.assign(root.dataset, { mode, theme });
+    localStorage.setItem("mode", mode);
+    localStorage.setItem("theme", theme);
+  }
+
+  /** The modes go round: first the one that is unlike the system's. */
+  function next_colour() {
+    const modes = dark.matches ? ["auto", "light", "dark"] : ["auto", "dark", "light"];
+    colour(modes[(modes.indexOf(root.dataset.mode ?? "") + 1) % 3]);
+  }
+
+  /** @param {string} selector @param {() => void} work */
+  function on_click(selector, work) {
+    for (const button of document.querySelectorAll(selector)) button.addEventListener("click", work);
+  }
+
+  /** A dialog closes by a click beside it. @param {HTMLDialogElement} dialog */
+  function close_beside(dialog) {
+    dialog.addEventListener("click", (event) => {
+      const { x, y, width, height } = pointer_in(dialog, event);
+      if (event.target === dialog && (x < 0 || y < 0 || x > width || y > height)) dialog.close();
+    });
+  }
+
+  function search() {
+    const field = document.querySelector(/** @type {"input"} */ (":not(dialog) > form.bd-search input"));
+    const dialog = document.querySelector(/** @type {"dialog"} */ ("#pst-search-dialog"));
+    if (!field && !dialog?.open) dialog?.showModal();
+    (field ?? dialog?.querySelector("input"))?.select();
+  }
+
+  /** What stands beside the page on a wide screen opens as a dialog on a narrow one. @param {string} name @param {number} wide */
+  function menu(name, wide) {
+    const side = document.querySelector(`#pst-${name}-sidebar`);
+    const dialog = document.querySelector(/** @type {"dialog"} */ (`#pst-${name}-sidebar-modal`));
+    if (!side || !dialog) return;
+    /** @param {Element} from @param {Element} to */
+    function move(from, to) {
+      to.append(...from.childNodes);
+      [to.className, from.className] = [from.className, ""];
+    }
+    on_click(`.${name}-toggle`, () => {
+      if (innerWidth >= wide) side.classList.toggle("pst-sidebar-hidden");
+      else {
+        move(side, dialog);
+        dialog.showModal();
+      }
+    });
+    dialog.addEventListener("close", () => move(dialog, side));
+    close_beside(dialog);
+  }
+
+  /** Open one menu of files, or none, and close the others. @param {Node | null} chosen */
+  function drop_down(chosen) {
+    for (const button of document.querySelectorAll(".dropdown-toggle")) {
+      const open = button.contains(chosen) && button.getAttribute("aria-expanded") !== "true";
+      button.setAttribute("aria-expanded", String(open));
+      button.nextElementSibling?.classList.toggle("show", open);
+    }
+  }
+
+  const sections = [...document.querySelectorAll(".bd-article section > h2")];
+  function mark_section() {
+    const above = sections
+      .filter((title) => title.checkVisibility() && title.getBoundingClientRect().top < innerHeight / 3)
+      .pop();
+    for (const link of document.querySelectorAll(/** @type {"a"} */ ("#pst-page-toc-nav a")))
+      link.classList.toggle("active", link.hash.slice(1) === above?.parentElement?.id);
+  }
+
+  colour(root.dataset.mode ?? "auto");
+  dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
+  on_click(".theme-switch-button", next_colour);
+  on_click(".search-button__button", search);
+  document.querySelectorAll(/** @type {"dialog"} */ ("#pst-search-dialog")).forEach(close_beside);
+  menu("primary", 992);
+  menu("secondary", 1200);
+  addEventListener("click", ({ target }) => drop_down(target instanceof Node ? target : null));
+  addEventListener("keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key === "k") {
+      event.preventDefault();
+      search();
+    } else if (event.key === "Escape") drop_down(null);
+  });
+  addEventListener("scroll", () => requestAnimationFrame(mark_section), { passive: true });
+  mark_section();
+});
