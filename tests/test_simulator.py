@@ -468,7 +468,7 @@ def test_a_crease_is_as_bright_in_fewer_pixels_and_shown_by_a_key(tab):
             return [canvas.width, ...[...data].filter((_, n) => n % 4 < 3)] };
         return [pictures.canvas('difference'), seen].map(rows) }"""
     inferno = colormaps["inferno"](range(256), bytes=True)[:, :3].tolist()
-    level = {tuple(colour): n for n, colour in enumerate(inferno)}
+    level = {(0, 0, 0): 0} | {tuple(colour): n for n, colour in enumerate(inferno, start=1)}  # black is 0 itself
     whole, seen = (
         np.array([level[colour] for colour in zip(rest[::3], rest[1::3], rest[2::3], strict=True)]).reshape(wide, wide)
         for wide, *rest in tab.evaluate(script)

@@ -199,6 +199,7 @@ def test_simulator_draws_and_its_slider_works(tab):
     go(tab, "sim")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
     rms = "document.querySelector('[data-readout=rms]').textContent"
+    assert all(tab.locator(f"[data-picture={name}]").is_visible() for name in ("numeric", "symbolic", "difference"))
     before, value = tab.evaluate(seen), tab.evaluate(rms)
     assert len(before) > 10_000
     tab.locator("#sim-eps").focus()

@@ -80,16 +80,14 @@ function simulator_hand(pictures, act) {
       if (fingers.size > 1) pinch(box);
       else drag(event, box);
     });
-    box.addEventListener("pointerup", (event) => {
-      if (!fingers.has(event.pointerId) || begun.moved || fingers.size > 1) return;
-      pinned = event.pointerType !== "mouse" || !pinned;
-      point(event, box);
-    });
-    for (const end of ["pointerup", "pointercancel"]) {
+    for (const end of /** @type {("pointerup" | "pointercancel")[]} */ (["pointerup", "pointercancel"])) {
       box.addEventListener(end, (event) => {
-        if (!fingers.delete(/** @type {PointerEvent} */ (event).pointerId)) return;
+        if (!fingers.delete(event.pointerId)) return;
         const { moved } = begun;
         begun = { ...begin(), moved: moved && fingers.size > 0 };
+        if (moved || event.type !== "pointerup") return;
+        pinned = event.pointerType !== "mouse" || !pinned;
+        point(event, box);
       });
     }
     const wheel = (/** @type {WheelEvent} */ event) => {
