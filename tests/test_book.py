@@ -29,7 +29,9 @@ def pages(site) -> dict[str, BeautifulSoup]:
 
 def placed() -> Counter:
     """How often pages place each figure."""
-    return Counter(id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel"))
+    first = [id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel")]
+    texts = (path.read_text(encoding="utf-8") for path in contents.page_files(ROOT / "book").values())
+    return Counter([*first, *(id for text in texts for id in re.findall(r"^:wiper: (\w+),", text, re.MULTILINE))])
 
 
 def test_sections_and_cells_carry_their_own_ids(pages):
