@@ -29,7 +29,9 @@ def pages(site) -> dict[str, BeautifulSoup]:
 
 def placed() -> Counter:
     """How often pages place each figure."""
-    return Counter(id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel"))
+    first = [id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel")]
+    texts = (path.read_text(encoding="utf-8") for path in contents.page_files(ROOT / "book").values())
+    return Counter([*first, *(id for text in texts for id in re.findall(r"^:wiper: (\w+),", text, re.MULTILINE))])
 
 
 def test_sections_and_cells_carry_their_own_ids(pages):
@@ -114,3 +116,9 @@ def test_make_says_which_python_is_too_old(tmp_path):
     assert done.returncode != 0
     assert "needs Python 3.11" in done.stderr and "Python 3.9.2" in done.stderr
     assert not (tmp_path / ".venv").exists()
+
+
+def test_the_front_page_lays_two_pictures_of_one_size_under_a_wiper(site):
+    (box,) = re.findall(r"<div[^>]* data-wiper=.*?</div>", (site / "index.html").read_text(encoding="utf-8"), re.DOTALL)
+    numeric, symbolic = re.findall(r'src="_images/(\w+)\.png" alt="(\w+)\..*?" .*?(width="\d+" height="\d+")', box)
+    assert numeric == ("hero", "Numeric", symbolic[2]) and symbolic[:2] == ("hero_symbolic", "Symbolic")

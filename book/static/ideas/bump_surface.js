@@ -17,7 +17,7 @@ IDEAS.bump_surface = (stage, module, data) => {
   const AROUND = 320; // points; a crease lies between two of them
   const ALONG = 160;
   const FLOOR = -1.4;
-  const DISC = [-0.45, -0.4, 1.95]; // the floor's middle and radius
+  const DISC = [-0.6, -0.6, 2.4]; // the floor's middle and radius
   const RED = [0.88, 0.54, 0.45];
   const GROUND = [0.91, 0.89, 0.85];
   const SHADE = 0.62;
@@ -163,7 +163,7 @@ IDEAS.bump_surface = (stage, module, data) => {
     draw(shape.points, RED);
     for (const [number, button] of buttons.entries()) button.setAttribute("aria-pressed", String(number === shown));
     const angle = data.angles[shown];
-    says.innerHTML = `Off the displaced surface’s normal by <b class="difference">${decimal(angle, angle < 20 ? 1 : 0)}°</b> in the median. ${SAYS[shown]}`;
+    says.innerHTML = `Off the displaced surface’s normal by <b class="difference">${decimal(angle, angle && angle < 20 ? 1 : 0)}°</b> in the median. ${SAYS[shown]}`;
     const [around, above] = [turn, tip].map((part) => Math.round((part * 180) / Math.PI));
     put_view(around, `turned by ${around}°, from ${above}° above`);
   };
