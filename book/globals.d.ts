@@ -4,8 +4,8 @@ declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
 declare var Chapter: { pages: HTMLElement[]; shown(): Element; show(page: Element): void };
 declare const SearchText: Record<string, [string, string][]>;
 declare const SearchFormulas: Record<string, string>;
-declare const Scorer: { score?(found: [string, string, string, string | null, number]): number };
-declare const Search: { title: Element | null; performSearch(query: string): void };
+declare const Scorer: SearchScorer;
+declare const Search: SphinxSearch;
 declare class Stemmer {
   stemWord(word: string): string;
 }

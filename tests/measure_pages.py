@@ -21,6 +21,7 @@ from tqdm import tqdm
 
 from book.assembly.contents import page_files
 from book.editions.chromium import FLAGS, installed
+from tests.tabs import WATCH
 from verify.benchmark.timing import load
 from verify.records import command
 from verify.sources import ROOT
@@ -28,16 +29,6 @@ from verify.sources import ROOT
 SLOWER, RESTS = 4, 1000
 # What is measured, and how many digits a table shows after the point.
 MEASURED = {"blocked": 0, "shift": 3, "picture": 0, "requests": 0, "kB": 0, "pictures_kB": 0}
-WATCH = """
-    window.seen = { blocked: 0, shift: 0, picture: 0, last: 0 };
-    const watch = (type, take) => new PerformanceObserver(list => list.getEntries().forEach(take)).observe({ type });
-    watch('longtask', task => { seen.blocked += task.duration - 50; seen.last = task.startTime + task.duration; });
-    watch('layout-shift', shift => { if (!shift.hadRecentInput) seen.shift += shift.value; });
-    (function look() {
-        if (window.Simulator?.running?.frames.length) seen.picture = performance.now();
-        else if (performance.now() < 60000) setTimeout(look, 20);
-    })();
-"""
 RESTED = f"""(!document.querySelector('#simulator') || seen.picture)
     && performance.now() - Math.max(seen.last, {RESTS}) > {RESTS}"""
 
