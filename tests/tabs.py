@@ -8,8 +8,8 @@ DESKTOP = {"viewport": {"width": 1280, "height": 900}}
 PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
 RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
 
-# Counts in `seen`, before a page's own scripts run: for how many milliseconds tasks block it, when the last one ended, how
-# far its layout shifts, and when the simulator shows its first picture.
+# Run before a page's own scripts, it counts in `seen`: for how many milliseconds tasks block it, when the last one
+# ended, how far the layout shifts, and when the simulator shows its first picture.
 WATCH = """
     window.seen = { blocked: 0, shift: 0, picture: 0, last: 0 };
     const watch = (type, take) => new PerformanceObserver(list => list.getEntries().forEach(take)).observe({ type });

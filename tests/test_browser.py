@@ -31,7 +31,8 @@ RUN = """async ([place, options]) => (await axe.run(place, options)).violations
     .map(v => `${v.id}: ${v.nodes.map(n => n.target.join(' ')).slice(0, 5).join(', ')}`)"""
 WIDTHS = [320, 360, 400, 600, 768, 1000, 1100, 1210, 1440, 2560]
 # What the keyboard reaches and shows no focus. Once a key was pressed, the browser takes any focus for the keyboard's.
-UNSEEN = """() => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter(e => {
+UNSEEN = """() => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter(e =>
+{
     e.focus({ preventScroll: true });
     const { outlineStyle, outlineWidth } = getComputedStyle(e);
     return document.activeElement === e && (outlineStyle === 'none' || parseFloat(outlineWidth) < 2);
