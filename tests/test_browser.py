@@ -157,6 +157,13 @@ def test_bar_is_as_wide_as_what_moves_below_it(visit, width):
     assert bar["x"] <= covered["x"] and bar["x"] + bar["width"] >= covered["x"] + covered["width"]
 
 
+def test_menu_of_downloads_says_what_they_are(visit):
+    tab = visit("s5")
+    tab.locator(".bd-header-article .dropdown-toggle").click()
+    names = [name.strip() for name in tab.locator(".dropdown-menu.show .dropdown-item:visible").all_inner_texts()]
+    assert names == ["Download notebook file", "Download source file", "Print to PDF"]
+
+
 @with_axe
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
