@@ -9,6 +9,8 @@ declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
 declare var Chapter: { pages: HTMLElement[]; shown(): Element; show(page: Element): void };
 declare const SearchText: Record<string, [string, string][]>;
 declare const SearchFormulas: Record<string, string>;
+declare const Scorer: SearchScorer;
+declare const Search: SphinxSearch;
 declare class Stemmer {
   stemWord(word: string): string;
 }

@@ -161,3 +161,9 @@
 
 // shared.js
 /** @typedef {[number, number]} Point */
+
+/**
+ * Sphinx's search, and what it asks how much a page counts that it has found: name, title, anchor, description, score.
+ * @typedef {{ title: Element | null, performSearch(query: string): void }} SphinxSearch
+ * @typedef {{ score?(found: [string, string, string, string | null, number]): number }} SearchScorer
+ */

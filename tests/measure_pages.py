@@ -1,79 +1,90 @@
-"""Measure the built book's pages in headless Chromium, beside another built site, its processor four times as slow:
+"""Measure every page of a built site in headless Chromium, its processor four times as slow, beside another site:
 
-    python -m tests.measure_pages OTHER/book/_build/html            (some minutes, on a machine that does nothing else)
-    python -m tests.measure_pages OTHER/book/_build/html s3 lemmas  only these pages
+    python -m tests.measure_pages                                        (minutes, on a machine that does nothing else)
+    python -m tests.measure_pages --against OTHER/book/_build/html       beside the same pages of another built site
+    python -m tests.measure_pages --page s3 lemmas --rounds 1            only these pages, visited once
 
 Of each page: for how many milliseconds scripts and layout block it, which is what tasks take beyond 50 ms until it has
-been idle for two seconds; the layout's shift; the simulator's first picture, in milliseconds, where there is one; and
-the kilobytes of the page, its scripts, style sheets and fonts, before compression. The sites take turns, and medians
-are printed. Times belong to the machine; no test asserts them.
+rested for a second; how far the layout shifts; the simulator's first picture, in milliseconds, where there is one; how
+many files it asks for, and how many kilobytes these have before compression, pictures aside and of pictures. Sites
+take turns, and medians are kept. Times belong to the machine that they were taken on; no test asserts them. Writes
+verify/benchmark/results/pages.json: commit it. What was measured beside another site is kept with --output.
 """
 
-import argparse
+import os
 from pathlib import Path
 from statistics import median
+from urllib.parse import unquote, urlsplit
 
 from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
 from book.assembly.contents import page_files
-from book.assembly.website import BOOK, SITE
 from book.editions.chromium import FLAGS, installed
+from tests.tabs import WATCH
+from verify.benchmark.timing import load
+from verify.records import command
+from verify.sources import ROOT
 
-ROUNDS, SLOWER, IDLE = 3, 4, 2000
-PLACES = {"blocked": 0, "shift": 2, "picture": 0, "kB": 0}  # what is printed, with so many digits after the point
-KINDS = ("document", "script", "stylesheet", "font")
-WATCH = """
-    window.seen = { blocked: 0, shift: 0, last: 0, picture: 0 };
-    const watch = (type, take) => new PerformanceObserver(list => list.getEntries().forEach(take)).observe({ type });
-    watch('longtask', task => { seen.blocked += task.duration - 50; seen.last = task.startTime + task.duration; });
-    watch('layout-shift', shift => { if (!shift.hadRecentInput) seen.shift += shift.value; });
-    (function look() {
-        if (window.Simulator?.running?.frames.length) seen.picture = performance.now();
-        else if (performance.now() < 60000) setTimeout(look, 20);
-    })();
-"""
-RESTED = f"performance.now() - Math.max(seen.last, {IDLE}) > {IDLE}"
+SLOWER, RESTS = 4, 1000
+# What is measured, and how many digits a table shows after the point.
+MEASURED = {"blocked": 0, "shift": 3, "picture": 0, "requests": 0, "kB": 0, "pictures_kB": 0}
+RESTED = f"""(!document.querySelector('#simulator') || seen.picture)
+    && performance.now() - Math.max(seen.last, {RESTS}) > {RESTS}"""
 
 
-def measured(browser, address):
-    """Return what one visit to a page finds: blocked, shift, picture and bytes."""
-    context, heavy = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True), {}
+def visited(browser, address):
+    """Return what one visit to a page finds, by the names of MEASURED. address: of a file."""
+    context, asked = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True), []
     context.add_init_script(WATCH)
     tab = context.new_page()
     context.new_cdp_session(tab).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
-
-    def weigh(request):
-        if request.resource_type in KINDS:
-            heavy[request.url] = len(request.response().body())
-
-    tab.on("requestfinished", weigh)
+    tab.on("requestfinished", lambda request: asked.append((request.resource_type == "image", request.url)))
     tab.goto(address)
     tab.wait_for_function(RESTED, timeout=120_000)
     seen = tab.evaluate("seen")
     context.close()
-    return {name: seen[name] for name in ("blocked", "shift", "picture")} | {"kB": sum(heavy.values()) / 1000}
+    files = [(picture, Path(unquote(urlsplit(url).path))) for picture, url in asked if url.startswith("file:")]
+    weights = [sum(path.stat().st_size for of, path in files if of is picture) / 1000 for picture in (False, True)]
+    del seen["last"]
+    return seen | {"requests": len(files), "kB": weights[0], "pictures_kB": weights[1]}
 
 
-def main():
-    """Print a line a page: this site's numbers, and the other's after a stroke."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("other", type=Path, help="the folder of another built site")
-    parser.add_argument("pages", nargs="*", default=list(page_files(BOOK)), metavar="PAGE")
-    options = parser.parse_args()
+def measured(browser, sites, page, rounds):
+    """Return {"now": …} of a page, and of the other site "before" where it has the page too. sites: {name: folder}."""
+    files = {name: folder / f"{page}.html" for name, folder in sites.items()}
+    files = {name: path for name, path in files.items() if path.is_file()}
+    visits = [(name, visited(browser, files[name].as_uri())) for name in [*files] * rounds]
+    return {
+        name: {what: median(seen[what] for of, seen in visits if of == name) for what in MEASURED} for name in files
+    }
+
+
+def line(page, found):
+    """Return a line of the table: the numbers of this site, and the other's after a stroke."""
+    cells = [" / ".join(f"{seen[what]:.{digits}f}" for seen in found.values()) for what, digits in MEASURED.items()]
+    return f"{page:16}" + "".join(f"{cell:>16}" for cell in cells)
+
+
+def measure(site, against, page, rounds):
+    """Return the numbers of all pages; SystemExit where a folder has none of them."""
+    sites = {"now": ROOT / site} | ({"before": ROOT / against} if against else {})
+    for folder in sites.values():
+        if not (folder / "index.html").is_file():
+            raise SystemExit(f"{folder} is no built site: python -m book build makes one")
+    pages = {}
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=installed(), args=FLAGS)
-        for page in tqdm(options.pages):
-            sites = [site.resolve() for site in (SITE, options.other) if (site / f"{page}.html").is_file()]
-            visits = [(site, measured(browser, f"{site.as_uri()}/{page}.html")) for site in sites * ROUNDS]
-            found = [
-                {name: median(seen[name] for place, seen in visits if place == site) for name in visits[0][1]}
-                for site in sites
-            ]
-            words = [f"{name} {' / '.join(f'{seen[name]:.{PLACES[name]}f}' for seen in found)}" for name in PLACES]
-            tqdm.write(f"{page:16} {'   '.join(words)}")
+        tqdm.write(f"{'page':16}" + "".join(f"{what:>16}" for what in MEASURED))
+        for name in tqdm(page, unit="page"):
+            pages[name] = measured(browser, sites, name, rounds)
+            tqdm.write(line(name, pages[name]))
+        label = {"browser": f"Chromium {browser.version}", "slower": SLOWER, "rounds": rounds}
         browser.close()
+    worst = {f"worst_{what}": max(seen["now"][what] for seen in pages.values()) for what in MEASURED}
+    return {"label": label, "numbers": {"load": load(), "cores": os.cpu_count()} | worst, "pages": pages}
 
 
 if __name__ == "__main__":
-    main()
+    everything = list(page_files(ROOT / "book"))
+    command("pages", __doc__, measure, site="book/_build/html", against="", page=everything, rounds=3)

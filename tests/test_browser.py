@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from book.assembly.contents import page_files
-from tests.tabs import PHONE, RUNNING, next_frame
+from tests.tabs import PHONE, RUNNING, WATCH, next_frame
 from verify.sources import ROOT
 
 AXE = ROOT / "tests" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
@@ -29,6 +29,14 @@ MODES = {"light": {}, "dark": {"color_scheme": "dark"}, "phone": PHONE | {"devic
 RUN = """async ([place, options]) => (await axe.run(place, options)).violations
     .filter(v => ['serious', 'critical'].includes(v.impact))
     .map(v => `${v.id}: ${v.nodes.map(n => n.target.join(' ')).slice(0, 5).join(', ')}`)"""
+WIDTHS = [320, 360, 400, 600, 768, 1000, 1100, 1210, 1440, 2560]
+# What the keyboard reaches and shows no focus. Once a key was pressed, the browser takes any focus for the keyboard's.
+UNSEEN = """() => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter(e =>
+{
+    e.focus({ preventScroll: true });
+    const { outlineStyle, outlineWidth } = getComputedStyle(e);
+    return document.activeElement === e && (outlineStyle === 'none' || parseFloat(outlineWidth) < 2);
+}).map(e => e.outerHTML.slice(0, 120))"""
 SEEN = """async () => {
     await document.fonts.ready;
     const all = selector => [...document.querySelectorAll(selector)];
@@ -106,6 +114,54 @@ def test_page_is_whole_on_a_phone(visit, page):
     tab = visit(page, **MODES["phone"])
     look(tab, page, "phone")
     no_violations(tab, page, "phone")
+
+
+def overflow(tab):
+    """{width: pixels} by which the page is wider than a window of that width, where it is."""
+    found = {}
+    for width in WIDTHS:
+        tab.set_viewport_size({"width": width, "height": 900})
+        next_frame(tab)
+        found[width] = tab.evaluate("document.documentElement.scrollWidth - innerWidth")
+    return {width: more for width, more in found.items() if more > 0}
+
+
+def unseen_focus(tab):
+    tab.keyboard.press("Tab")
+    return tab.evaluate(UNSEEN)
+
+
+@every_page
+def test_page_keeps_still_shows_its_focus_and_is_as_wide_as_any_window(visit, page):
+    tab = visit(page, "file", prepare=WATCH, until=RUNNING if page == "s4" else None)
+    tab.evaluate("document.fonts.ready")
+    next_frame(tab)
+    assert tab.evaluate("seen.shift") <= 0.05
+    assert unseen_focus(tab) == []
+    assert overflow(tab) == {}
+
+
+def test_a_shift_a_hidden_focus_and_a_page_too_wide_are_seen(visit):
+    tab = visit("s1", "file", prepare=WATCH)
+    tab.evaluate("document.querySelector('.bd-article').style.marginTop = '300px'")
+    tab.wait_for_function("seen.shift > 0.05")
+    tab.add_style_tag(content=".theme-switch-button { outline: none !important; } h1 { width: 1000px; }")
+    assert "theme-switch-button" in unseen_focus(tab)[0]
+    assert {320, 1000} <= overflow(tab).keys() and 2560 not in overflow(tab)
+
+
+@pytest.mark.parametrize("width", [1100, 1210, 1440])
+def test_bar_is_as_wide_as_what_moves_below_it(visit, width):
+    tab = visit("s4", until=RUNNING, viewport={"width": width, "height": 900})
+    bar, covered = (tab.locator(place).bounding_box() for place in (".bd-header-article", "#simulator"))
+    assert bar["x"] <= covered["x"] and bar["x"] + bar["width"] >= covered["x"] + covered["width"]
+
+
+def test_menu_of_downloads_says_what_they_are(visit):
+    tab = visit("s5")
+    tab.locator(".bd-header-article .dropdown-toggle").click()
+    names = [name.strip() for name in tab.locator(".dropdown-menu.show .dropdown-item:visible").all_inner_texts()]
+    assert names == ["Download notebook file", "Download source file", "Print to PDF"]
 
 
 @with_axe

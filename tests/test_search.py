@@ -48,3 +48,14 @@ def test_search_from_a_source_page_leads_to_the_page_found(visit, scheme):
     tab.locator("#search-results li > a[href^='s2.html']").first.click()
     tab.wait_for_url("**/s2.html*")
     assert tab.locator(".bd-article h1").is_visible()
+
+
+def test_chapter_comes_first_and_results_follow_what_is_typed(visit):
+    tab = visit("s9", "file")
+    first = "document.querySelector('#search-results li > a')?.getAttribute('href').startsWith('s2.html')"
+    assert search(tab, "normal")[0][0] == "s"
+    tab.locator("input[type=search]:visible").press_sequentially(" silhouettes", delay=20)
+    tab.locator("input[type=search]:visible").fill("silhouette")
+    tab.wait_for_function(first)
+    tab.wait_for_function("location.search === '?q=silhouette'")
+    assert tab.locator("#search-results ul.search").count() == 1

@@ -45,7 +45,7 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         label = read(name)["label"]
         assert label["machine"] and label["date"] and label["commit"] not in ("", "unknown")
         code, tests = code_of(name).keys(), {"verify/test_theorems.py", "verify/test_campaign.py"}
-        assert {*record.begins} - code <= {"proofs", "renderer", "verify", "book/static/simulator"}
+        assert {*record.begins} - code <= {"proofs", "renderer", "verify", "book/static", "book/static/simulator"}
         assert {"renderer/kernels.py", "renderer/shader/shader.py"} <= code
         assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
         assert tests <= code if name == "edited_formulas" else not any(is_test(ROOT / path) for path in code)

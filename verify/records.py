@@ -61,6 +61,12 @@ RECORDS = {
             "-m tests.measure_simulator",
             ("tests/measure_simulator.py", "book/simulator_module.py", "book/static/simulator"),
         ),
+        Record(
+            "pages",
+            BENCHMARKS,
+            "-m tests.measure_pages",
+            ("tests/measure_pages.py", "book/simulator_module.py", "book/static"),
+        ),
         Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer")),
         Record("machines", BENCHMARKS, "-m verify.benchmark.machines", ("verify/benchmark/machines.py",)),
         Record("texture", BENCHMARKS, "-m verify.benchmark.texture", ("verify/benchmark/texture.py",)),

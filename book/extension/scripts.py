@@ -40,6 +40,14 @@ def name_source(page: Page) -> None:
 
 
 @partial(on_page, priority=900)
+def name_downloads(page: Page) -> None:
+    """Let the menu of downloads say what each of them is, where the theme shows the end of a file's name."""
+    for group in page.context.get("header_buttons", []):
+        for button in group.get("buttons", []):
+            button["text"] = button["tooltip"]
+
+
+@partial(on_page, priority=900)
 def leave_out(page: Page) -> None:
     """Load nothing for what the page does not have."""
     body = page.context.get("body", "")

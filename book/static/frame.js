@@ -1,6 +1,7 @@
 // The frame around a page: light or dark, the search's field, the menus of a phone, the files to download, and where on the
 // page the reader is. It stands in for the theme's own scripts, which bring Bootstrap's.
 "use strict";
+document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so that none moves
 when_ready(() => {
   const root = document.documentElement;
   const dark = matchMedia("(prefers-color-scheme: dark)");
