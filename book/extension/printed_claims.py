@@ -4,11 +4,13 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sympy import Basic
+from sympy import Basic, Mul, Pow, Symbol
 from sympy.printing.latex import LatexPrinter
 
 from book.extension.points import tex_name
-from proofs.engine.claim import AnyClaim, Claim, Induction, Rounded, Separation
+from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded, Separation
+
+MOST = Mul(Symbol("n"), Pow(2, -53, evaluate=False), evaluate=False)
 
 
 class Row(NamedTuple):
@@ -30,14 +32,22 @@ class ClaimPrinter(LatexPrinter):
 
 
 DIGIT = re.compile(r"(?<!cases)([)}]|\\pi) (?=\d)")  # a factor that begins with one, but the first of a list of cases
+OVER = re.compile(r"\\frac\{(\w+)\}\{(\d{5,})\}")
 
 
 def tex(term: Basic | int) -> str:
-    """A term in TeX; a dot stands before a number in a product."""
-    return DIGIT.sub(r"\1 \\cdot ", ClaimPrinter().doprint(term))
+    """A term in TeX; a dot stands before a number in a product, and what is over a large power of 2 is times it."""
+    return DIGIT.sub(r"\1 \\cdot ", OVER.sub(_times, ClaimPrinter().doprint(term)))
 
 
-def rows(claim: AnyClaim | Rounded, by_definition: tuple[str, ...] = (), refuted: bool = False) -> list[Row]:
+def _times(fraction):
+    count, whole = fraction[1], int(fraction[2])
+    if whole & (whole - 1):
+        return fraction[0]
+    return ("" if count == "1" else rf"{count} \cdot ") + f"2^{{-{whole.bit_length() - 1}}}"
+
+
+def rows(claim: AnyClaim | Rounded | Encloses, by_definition: tuple[str, ...] = (), refuted: bool = False) -> list[Row]:
     """A claim's rows: lines and states, what is given, what is cited, and what it shows.
 
     by_definition: relations, as text, that say nothing. refuted: what is shown is what a counterexample denies.
@@ -46,12 +56,14 @@ def rows(claim: AnyClaim | Rounded, by_definition: tuple[str, ...] = (), refuted
         of, avoided = (", ".join(map(tex, symbols)) for symbols in (claim.outputs, claim.avoid))
         return [Row("of", of), Row("none reads", avoided)]
     shown = "false" if refuted else "shows"
-    if isinstance(claim, Rounded):
-        within = [
-            Row(shown, rf"\lvert \mathrm{{fl}}({tex(s)}) - {tex(s)} \rvert \leq {tex(e)}") for s, e in claim.bounds
-        ]
-        kernel = Row("in float64", tex_name(claim.program.name))
-        return [kernel, *(Row("given", tex(relation)) for relation in claim.given), *within]
+    if isinstance(claim, Rounded | Encloses):
+        given = [Row("given", tex(relation)) for relation in claim.given]
+        kernel, lines, bounds = claim.program.name, [], getattr(claim, "bounds", ())
+        if isinstance(claim, Encloses):  # by a count of roundings, n
+            lines = [Row("let", rf"{tex(s)} := {tex(line)}") for s, line in claim.program.definitions]
+            bounds = [(s, MOST) for s in claim.program.outputs]
+        within = [Row(shown, rf"\lvert \mathrm{{fl}}({tex(s)}) - {tex(s)} \rvert \leq {tex(e)}") for s, e in bounds]
+        return [Row("in float64", tex_name(kernel)), *lines, *given, *within]
     return [
         *(_lines(claim) if isinstance(claim, Claim) else _states(claim)),
         *(Row("given", tex(relation)) for relation in claim.given),

@@ -38,7 +38,7 @@ def own_fields() -> Drawing:
         bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
         columns.append(np.vstack([averaged(image_view(fine)), bounds]))
         frames.append(frame)
-        data[name] = frame.bounds.max(axis=2)
+        data[f"{name}_log10_bound"] = np.log10(np.maximum(frame.bounds.max(axis=2), 10.0**LOW)).astype(np.float16)
         numbers[name] = {
             "median_on_a": float(rounded_up(np.median(frame.bounds[frame.stage.on_a]), 2)),
             "bound": float(rounded_up(frame.bounds.max(), 2)),
