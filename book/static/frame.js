@@ -79,6 +79,16 @@ when_ready(() => {
       link.classList.toggle("active", link.hash.slice(1) === above?.parentElement?.id);
   }
 
+  /** The contents fold where something wide reaches into their column. */
+  function fold_contents() {
+    const contents = document.querySelector(".bd-sidebar-secondary");
+    contents?.classList.remove("folded");
+    const end = contents?.getBoundingClientRect().bottom ?? 0;
+    const wide = [...document.querySelectorAll(".bd-article :is(.page-width, .full-width, .simulator)")];
+    const reaches = wide.some((part) => part.checkVisibility() && part.getBoundingClientRect().top < end);
+    contents?.classList.toggle("folded", reaches);
+  }
+
   colour(root.dataset.mode ?? "auto");
   dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
   on_click(".theme-switch-button", next_colour);
@@ -94,5 +104,7 @@ when_ready(() => {
     } else if (event.key === "Escape") drop_down(null);
   });
   addEventListener("scroll", () => requestAnimationFrame(mark_section), { passive: true });
+  addEventListener("resize", fold_contents);
+  fold_contents();
   mark_section();
 });
