@@ -34,8 +34,9 @@ WIDTHS = [320, 360, 400, 600, 768, 1000, 1100, 1210, 1440, 2560]
 UNSEEN = """() => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter(e =>
 {
     e.focus({ preventScroll: true });
-    const { outlineStyle, outlineWidth } = getComputedStyle(e);
-    return document.activeElement === e && (outlineStyle === 'none' || parseFloat(outlineWidth) < 2);
+    const ring = getComputedStyle(e), field = e.closest('form.bd-search');
+    const shown = ring.outlineStyle !== 'none' && parseFloat(ring.outlineWidth) >= 2;
+    return document.activeElement === e && !shown && !(field && getComputedStyle(field).boxShadow !== 'none');
 }).map(e => e.outerHTML.slice(0, 120))"""
 SEEN = """async () => {
     await document.fonts.ready;
@@ -118,11 +119,13 @@ def test_page_is_whole_on_a_phone(visit, page):
 
 def overflow(tab):
     """{width: pixels} by which the page is wider than a window of that width, where it is."""
-    found = {}
+    found, more = {}, "document.documentElement.scrollWidth - innerWidth"
     for width in WIDTHS:
         tab.set_viewport_size({"width": width, "height": 900})
         next_frame(tab)
-        found[width] = tab.evaluate("document.documentElement.scrollWidth - innerWidth")
+        if tab.evaluate(more) > 0:
+            tab.wait_for_timeout(500)  # the simulator is drawn anew a moment after the window's change
+        found[width] = tab.evaluate(more)
     return {width: more for width, more in found.items() if more > 0}
 
 
@@ -145,9 +148,11 @@ def test_a_shift_a_hidden_focus_and_a_page_too_wide_are_seen(visit):
     tab = visit("s1", "file", prepare=WATCH)
     tab.evaluate("document.querySelector('.bd-article').style.marginTop = '300px'")
     tab.wait_for_function("seen.shift > 0.05")
-    tab.add_style_tag(content=".theme-switch-button { outline: none !important; } h1 { width: 1000px; }")
+    tab.add_style_tag(
+        content="html body .theme-switch-button:focus-visible { outline: none !important; } h1 { width: 1000px; }"
+    )
     assert "theme-switch-button" in unseen_focus(tab)[0]
-    assert {320, 1000} <= overflow(tab).keys() and 2560 not in overflow(tab)
+    assert {320, 768} <= overflow(tab).keys() and 2560 not in overflow(tab)
 
 
 @pytest.mark.parametrize("width", [1100, 1210, 1440])
