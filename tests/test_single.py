@@ -123,11 +123,26 @@ def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(maile
     assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in packed}
     here = [link for link in packed if not link["href"].startswith("#")]
     kept = {link["data-packed"]: gzip.decompress(b64decode(link["href"].split(",")[1])) for link in here}
-    assert kept["unit_length.json"] == (site / "_downloads" / "theorems" / "unit_length.json").read_bytes()
-    left_out = {re.search(r"\w+\.npz", words.string)[0] for words in mailed.select(".not-mailed")}
-    sizes = {path.name: len(packed_address(path.read_bytes())) for path in (site / "_downloads").rglob("*.npz")}
+    assert kept["s5.md"] == (site / "_sources" / "s5.md").read_bytes()
+    left_out = {re.search(r"\w+\.(?:csv|npz)", words.string)[0] for words in mailed.select(".not-mailed")}
+    data = [path for path in (site / "_downloads").rglob("*.*") if path.suffix in (".csv", ".npz")]
+    sizes = {path.name: len(packed_address(path.read_bytes())) for path in data}
     assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA}
     assert left_out and left_out < sizes.keys()
+
+
+def test_a_script_is_its_own_lines_around_what_the_file_has_once(mailed, site):
+    def held(address):
+        return gzip.decompress(b64decode(mailed.select_one(address)["href"].split(",")[1]))
+
+    scripts, shared = mailed.select("[data-own]"), set()
+    for link in scripts:
+        kernel, certificate = link["data-within"].split()
+        first, second, last = gzip.decompress(b64decode(link["data-own"])).split(b"\0")
+        whole = first + held(kernel).rstrip() + second + held(certificate).rstrip() + last
+        assert whole == (site / "_downloads" / "theorems" / link["data-packed"]).read_bytes()
+        shared.add(kernel)
+    assert len(scripts) > 50 and len(shared) == 1
 
 
 def test_same_site_gives_the_same_bytes(single, site):

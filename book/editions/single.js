@@ -82,9 +82,19 @@
 
   /** @param {HTMLAnchorElement} link */
   async function unpack(link) {
-    /** @type {HTMLAnchorElement} */
-    const holder = link.hash ? find_element(document, link.hash) : link;
-    const href = URL.createObjectURL(await unpacked(holder.href.split(",")[1]).blob());
+    /** What a link holds, itself or by another's name. @param {string} hash */
+    const held = (hash) => {
+      /** @type {HTMLAnchorElement} */
+      const holder = hash ? find_element(document, hash) : link;
+      return unpacked(holder.href.split(",")[1]);
+    };
+    const { own, within } = link.dataset;
+    let blob = own ? new Blob() : await held(link.hash).blob();
+    if (own) { // a script, with places for the parts that it shares
+      const parts = await Promise.all((within ?? "").split(" ").map((hash) => held(hash).text()));
+      blob = new Blob([(await unpacked(own).text()).replace(/\0/g, () => (parts.shift() ?? "").trimEnd())]);
+    }
+    const href = URL.createObjectURL(blob);
     download(link.dataset.packed ?? "", href);
     setTimeout(() => URL.revokeObjectURL(href), 1000);
   }
