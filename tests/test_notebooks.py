@@ -386,7 +386,7 @@ def test_what_they_open_is_published_on_that_branch(site):
         and f"{repository['branch']}\n" in steps.split("git push")[1]
     )
     pinned = (site / "requirements.txt").read_text(encoding="utf-8").splitlines()
-    assert [line.split("==")[0] for line in pinned] == ["matplotlib", "mpmath", "numpy", "sympy"]
+    assert {line.split("==")[0] for line in pinned} == {"matplotlib", "mpmath", "numpy", "sympy"}
 
 
 def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headings(site, visit):

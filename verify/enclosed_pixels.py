@@ -99,7 +99,7 @@ def measure(pictures: int, first: int = 1000) -> dict:
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
         picture, random = random_picture(seed), np.random.default_rng(seed)
         frame = picture.frame
-        kinds = ("all", frame.scene.field, frame.scene.model, frame.method.name)
+        kinds = ("all", str(frame.scene.field), str(frame.scene.model), frame.method.name)
         for kind in kinds:
             opened[kind] += int(frame.open.sum())
             drawn[kind] += frame.open.size

@@ -26,7 +26,7 @@ from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
-PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\s;]+", re.MULTILINE)  # what the cells import
+PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\\\n]*[^\\\s]", re.MULTILINE)  # what the cells import
 CODE = (
     'cell_input docutils container">\n<div class="highlight-ipython3 notranslate">'
     '<div class="highlight"><pre><span></span>'

@@ -3,13 +3,21 @@
 import math
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene.own import check_own, own_from_record, own_record
 from renderer.scene.text import distrusted, read_text, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
+
+if TYPE_CHECKING:
+    from renderer.generate.own import HeightField, LightModel
+
+    Field = str | HeightField
+    Model = str | LightModel
+else:  # what has SymPy is not imported
+    Field = Model = Any
 
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -85,9 +93,9 @@ class Scene:
     kd: float = _given(0.7, "diffuse weight", check_number, 0.0, 1e6)
     ks: float = _given(0.5, "specular weight", check_number, 0.0, 1e6)
     shininess: float = _given(32.0, "exponent of the highlight", check_number, 1e-3, 1e6)
-    model: Any = _given("blinn", f"model of light: {', '.join(MODELS)}", check_own, MODELS)  # noqa: RUF009
+    model: Model = _given("blinn", f"model of light: {', '.join(MODELS)}", check_own, MODELS)  # noqa: RUF009
     floor_tint: float = _given(0.25, "how much red and green the floor lacks", check_number, 0.0, 1.0)
-    field: Any = _given("ridges", f"height field: {', '.join(FIELDS)}", check_own, FIELDS)  # noqa: RUF009
+    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_own, FIELDS)  # noqa: RUF009
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)

@@ -21,9 +21,9 @@ ROUNDED = range(1, len(PARTS) - 1)  # the terms of rounding, among PARTS and amo
 @np.errstate(all="ignore")
 def dominant(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> np.ndarray:
     """Return which term is the largest at each point of the chart: an index into TERMS, −1 where all are zero."""
-    measured = taken_apart(scene.field, {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}, eps)
+    measured = taken_apart(str(scene.field), {"u": u, "v": v, "k_u": scene.ku, "k_v": scene.kv}, eps)
     values, kinds = [], []
-    for slope, bounds in zip(SLOPES, SLOPE_TERMS[scene.field](u, v, scene.ku, scene.kv, eps), strict=True):
+    for slope, bounds in zip(SLOPES, SLOPE_TERMS[str(scene.field)](u, v, scene.ku, scene.kv, eps), strict=True):
         exact = np.array(np.broadcast_arrays(u, *bounds)[1:])
         exact[ROUNDED] = -1.0
         values += [*measured[slope][:-1]]

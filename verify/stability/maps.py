@@ -53,7 +53,7 @@ def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1
     truth = in_balls(tangent_vector(scene.field, "general"), inputs)
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
     maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)
-    for plane, vector in zip(maps, (seed_tangent_vector(scene.field, inputs), ours), strict=True):
+    for plane, vector in zip(maps, (seed_tangent_vector(str(scene.field), inputs), ours), strict=True):
         plane[on_a] = length([distance(vector[name], truth[name]) for name in VECTOR]) / unit
     return dict(zip(("seed", "ours"), maps, strict=True))
 

@@ -24,7 +24,7 @@ HEIGHTS: dict[str, Callable] = {
 
 def height_of_field(scene: Scene, u: float, v: float) -> float:
     """Return h(u, v)."""
-    return HEIGHTS[scene.field](scene, u, v)
+    return HEIGHTS[str(scene.field)](scene, u, v)
 
 
 def central_gradient(scene: Scene, u: float, v: float, eps: float) -> tuple[float, float]:
@@ -52,7 +52,7 @@ SLOPES: dict[str, Callable] = {
 
 def exact_gradient(scene: Scene, u: float, v: float, eps: float | None = None) -> tuple[float, float]:
     """Return (h_u, h_v) by the derivative; on a crease the sign of zero is zero."""
-    return SLOPES[scene.field](scene, u, v)
+    return SLOPES[str(scene.field)](scene, u, v)
 
 
 def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | None) -> np.ndarray:
@@ -119,7 +119,7 @@ def shaded(
             continue
         towards = _unit(position - point)
         mu = float(normal @ towards)
-        specular = max(0.0, float(BASES[scene.model](normal, towards, view))) ** scene.shininess
+        specular = max(0.0, float(BASES[str(scene.model)](normal, towards, view))) ** scene.shininess
         color += np.array(light.color) * (scene.kd * albedo * max(0.0, mu) + scene.ks * specular)
     return color
 
