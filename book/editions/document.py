@@ -25,7 +25,7 @@ POLICY = (
 
 
 SCRIPTS, KERNEL, PLACE = "_downloads/theorems/", b"# 1. The kernel", b"\0"  # where a shared part belongs
-LARGEST_DATA = 20_000
+LARGEST_DATA = 12_000
 """Bytes of a figure's packed numbers: larger ones are not mailed. The figure is, and the command beside makes them."""
 
 

@@ -57,9 +57,9 @@ def _edges(frame: Frame, step: float) -> dict[str, dict[str, np.ndarray]]:
     """Return the edge of what a step loses, of the largest binades where it loses none, and the seam, in pixels."""
     powers = 0.5 ** np.arange(1, 8)
     lost = powers[dies(powers, step, at_power=0.5)]
-    ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 129)
-    lines = [(np.full(129, u), np.linspace(0.001, 0.999 * RIM, 129)) for u in (*ends, 0.0)]
-    lines += [(round_a, np.full(129, v)) for v in ends[ends < RIM]]
+    ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 65)
+    lines = [(np.full(2, u), np.array([0.001, 0.999 * RIM])) for u in (*ends, 0.0)]  # straight: A is seen from above
+    lines += [(round_a, np.full(65, v)) for v in ends[ends < RIM]]
     return {str(n): dict(zip("xy", _place(frame, *line), strict=True)) for n, line in enumerate(lines)}
 
 
