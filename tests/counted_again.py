@@ -12,7 +12,7 @@ import numpy as np
 
 from book.assembly.results import load_result
 from book.drawing.data import read_data
-from book.figures import pole
+from book.figures import own_fields, pole
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval, distance_on_a, rounded_up
 from renderer.scene.raster import Raster
@@ -72,6 +72,7 @@ COUNTED = {
     "eps_table.pixels": lambda: picture().open.size,
     "eps_table.pixels_a": lambda: np.count_nonzero((picture().chambers & 3) == 1),
     "frontier_wall.points": lambda: np.transpose(wall.sample()).shape[0],
+    "own_fields.side": lambda: len(kept("own_fields")["crater_log10_bound"]),
     "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(pole.AZIMUTHS),
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
@@ -108,6 +109,10 @@ def _bound(field):
     return lambda side: float(rounded_up(picture(field, side).bounds.max(), 2))
 
 
+def _own_bound(name):
+    return lambda side: float(rounded_up(render(own_fields.scene_of(name), side, side, bounds=True).bounds.max(), 2))
+
+
 def _least_largest(side):
     """Return the upper end of the largest error of sine at the step that its page names."""
     eps = load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
@@ -127,6 +132,7 @@ OVER_A_RASTER = {
     **{f"certified_bounds.{field}_bound": _bound(field) for field in ("sine", "ridges", "rings")},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
     "image_error.sine_largest_to": _least_largest,
+    **{f"own_fields.{name}_bound": _own_bound(name) for name in own_fields.TEXTS},
     "three_pictures.largest": _largest,
     "views.steepest": lambda side: picture(side=side).slope.max(),
 }

@@ -13,6 +13,7 @@ import pytest
 
 from book.assembly.results import formatted, look_up, parse
 from proofs.engine.theorem import all_theorems
+from proofs.formulas.enclosed import RULES
 from tests.counted_again import BOOK, COUNTED, OVER_A_RASTER
 from verify.accuracy.differences import PER_DECADE
 from verify.checkers.measurements.creases import SIZE
@@ -34,6 +35,7 @@ OF_A_THEOREM = {
     "dark_difference": f"${SIZE}^2$",
     "pole_accuracy": f"of {POINTS} points",
     "difference_bounds": {40: "forty"}[PER_DECADE],
+    "enclosing_rules": {5: r"of $x + y$, $xy$, $x/y$, $\sqrt x$ and of a selection"}[len(RULES)],
 }
 """{theorem: how it says of what its extreme is one}"""
 

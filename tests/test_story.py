@@ -24,7 +24,7 @@ def ways(page):
     article = page.select_one(".bd-article")
     for aside in article.select(ASIDE):
         aside.decompose()
-    formulas, pictures = article.select(".math"), article.select(PICTURES)
+    formulas, pictures = article.select("math"), article.select(PICTURES)
     total, found = len(formulas), [0]  # a formula is a word of the page, and not of the way
     for formula in formulas:
         formula.decompose()

@@ -90,7 +90,8 @@
     };
     const { own, within } = link.dataset;
     let blob = own ? new Blob() : await held(link.hash).blob();
-    if (own) { // a script, with places for the parts that it shares
+    if (own) {
+      // a script, with places for the parts that it shares
       const parts = await Promise.all((within ?? "").split(" ").map((hash) => held(hash).text()));
       blob = new Blob([(await unpacked(own).text()).replace(/\0/g, () => (parts.shift() ?? "").trimEnd())]);
     }

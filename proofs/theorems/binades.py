@@ -12,7 +12,7 @@ theorem = Theorem(
     r"$h = v$ where $m$ is odd. At the pole $v = 0$ the difference is that from 0 to $\varepsilon$, and at the seam "
     r"$u = 0$ half of it, since $u - \varepsilon$ becomes exactly 1.",
     hypotheses=(
-        r"$\varepsilon$ is a float64 number; at the pole at most 1, at the seam at most $2^{-54}$",
+        r"$\varepsilon$ is a float64 number; at the pole $\varepsilon \le 1$, at the seam $\varepsilon \le 2^{-54}$",
         r"at the seam $h(1, v) = h(0, v)$, and the rise does not underflow",
     ),
     steps=(
