@@ -237,7 +237,7 @@ def test_the_loupe_and_what_is_certified_are_in_the_file(tab):
 
 def test_certificates_are_checked(tab):
     go(tab, "theorem-unit_length")
-    tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
+    tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
     tab.locator("#theorem-unit_length .checker button").first.click()
     wait_for(tab, "document.querySelector('#theorem-unit_length .check-verdict').textContent.startsWith('Accepted')")
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
@@ -249,10 +249,14 @@ def test_certificates_are_checked(tab):
 
 def test_kept_file_comes_out_under_its_own_name(tab, site):
     go(tab, "theorem-unit_length")
-    tab.evaluate("document.querySelector('#theorem-unit_length details').open = true")
+    tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
     with tab.expect_download() as kept:
         tab.locator("a[data-packed='unit_length.json']").first.click()
     assert kept.value.suggested_filename == "unit_length.json"
+    with tab.expect_download() as script:
+        tab.locator("a[data-packed='unit_length.py']").first.click()
+    written = (site / "_downloads" / "theorems" / "unit_length.py").read_bytes()
+    assert Path(script.value.path()).read_bytes() == written
     assert json.loads(kept.value.path().read_text()) == json.loads(
         (site / "_downloads" / "theorems" / "unit_length.json").read_text()
     )

@@ -11,9 +11,11 @@ from typing import Any
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi as cospi
 from proofs.formulas.half_turns import sinpi as sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.height_fields import HeightField as HeightField
 from proofs.formulas.registry import check_name
-from proofs.formulas.shading import LIGHT_MODELS, LightModel
+from proofs.formulas.shading import LIGHT_MODELS
+from proofs.formulas.shading import LightModel as LightModel
 from proofs.formulas.symbols import bumped, light, mu, point, real, specular_base, view
 from proofs.formulas.symbols import k_u as k_u
 from proofs.formulas.symbols import k_v as k_v
