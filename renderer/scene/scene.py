@@ -3,7 +3,7 @@
 import math
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
@@ -12,10 +12,11 @@ from renderer.scene.text import distrusted, read_text, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
 if TYPE_CHECKING:
-    from renderer.generate.own import HeightField, LightModel
+    from proofs.formulas.height_fields import HeightField
+    from proofs.formulas.shading import LightModel
 
-    Field = str | HeightField
-    Model = str | LightModel
+    Field: TypeAlias = str | HeightField
+    Model: TypeAlias = str | LightModel
 else:  # what has SymPy is not imported
     Field = Model = Any
 
