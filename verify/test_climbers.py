@@ -14,14 +14,17 @@ from hypothesis import strategies as st
 
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT
+from proofs.formulas.enclosed import RULES
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_v
 from renderer import render
 from renderer.generate.step_terms import SLOPE_TERMS
 from verify.accuracy.base_errors import LEAST_SQUARE, RATIOS
+from verify.accuracy.binades import spacings
 from verify.accuracy.differences import SLOPES, Case, bounds, parts
 from verify.accuracy.gradient_errors import UNIT, errors_at
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
+from verify.checkers.measurements import binades, colours, enclosing
 from verify.evaluate.arrays import distance, in_balls, in_float64
 from verify.stability.geometry import toward_the_pole
 from verify.stability.wave_numbers import LARGEST
@@ -75,6 +78,24 @@ def pixel(name, column, row):
     return 0.0 if seen.undecided or not seen.error else float(seen.error / seen.bound)
 
 
+def lost_step(significand, exponent, share):
+    """Return half a spacing over a step that moved a slope, 0 where none moved; at a power of two a quarter."""
+    at = np.ldexp(float(significand), exponent)
+    s = spacings(at)
+    moved = any(float(slope) for slope in binades.slopes(at, share * s))
+    return (0.25 if significand == 2**52 else 0.5) / share if moved else 0.0
+
+
+def stage(name, number):
+    """Return the error of a stage from the gradient to the colour, over its bound."""
+    return max(colours.shares(colours.claims()[name], np.random.default_rng(number), 1))
+
+
+def rule(name, number):
+    """Return the error of a rule of the enclosing machine over its bound."""
+    return max(enclosing.shares(RULES[name], np.random.default_rng(number), 1))
+
+
 _inside = st.floats(0, 1, exclude_max=True)
 _waves = st.one_of(st.floats(-LARGEST, LARGEST), st.integers(-1000, 1000).map(float))
 _moderate = st.one_of(st.integers(1, 512).map(float), st.floats(1, 512), st.floats(-512, -1))
@@ -90,6 +111,13 @@ CLIMBS = {
         "field": st.sampled_from(COVERED), "u": _clear, "v": _clear, "ku": _moderate, "kv": _moderate,
         "digits": st.floats(1, 16)}),
     "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": st.floats(3.9, 6.3), "number": st.integers(0, 2**16)}),
+    "binades": (lost_step, 1.0, 0.5, {
+        "significand": st.one_of(st.just(2**52), st.integers(2**52, 2**53 - 1)), "exponent": st.integers(-112, -53),
+        "share": st.one_of(st.just(0.5), st.floats(0.2, 1.2))}),
+    "colour_accuracy": (stage, 1.0, 0.05, {
+        "name": st.sampled_from(list(colours.claims())), "number": st.integers(0, 2**16)}),
+    "enclosing_rules": (rule, 1.0, 0.9, {
+        "name": st.sampled_from(list(RULES)), "number": st.integers(0, 2**16)}),
     "pixel_accuracy": (pixel, 1.0, 1e-4, {
         "name": st.sampled_from(list(SCENES)), "column": _pixels, "row": _pixels}),
 }  # fmt: skip

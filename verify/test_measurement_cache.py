@@ -78,14 +78,14 @@ from proofs.engine.theorem import all_theorems
 from verify.checkers import measured, measurement_cache
 theorems = [all_theorems()[id] for id in ("crease_products", "pole_accuracy")]
 before = [measurement_cache.key_of(theorem) for theorem in theorems]
-with open("proofs/formulas/tangent_frame.py", "a") as formula:
+with open("proofs/formulas/seed_hit.py", "a") as formula:
     formula.write("# edited")
 print(*(measurement_cache.key_of(theorem) == key for theorem, key in zip(theorems, before)))
 """
 
 
 def test_a_changed_formula_is_measured_anew(tmp_path):
-    """An edit of the frame, which no rounded product reaches, and the error at the pole does."""
+    """An edit of the seed's hit, which no rounded product reaches, and the error at the pole does."""
     pytest.importorskip("flint", reason="needs python-flint")
     for name in ("proofs", "renderer", "verify"):
         shutil.copytree(sources.ROOT / name, tmp_path / name)

@@ -17,7 +17,7 @@ def _numbers():
     return np.ldexp(significands.astype(float), -53 - np.arange(DEEPEST)[:, None])
 
 
-def _slopes(at, step):
+def slopes(at: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return h_u of the height u, and h_v of the height v, there."""
     in_u, _ = kernels.central(lambda u, v, k_u, k_v: u, at, 0.5, 1.0, 1.0, step)
     _, in_v = kernels.central(lambda u, v, k_u, k_v: v, 0.5, at, 1.0, 1.0, step)
@@ -39,13 +39,13 @@ def steps_that_are_lost(within: float = 0.5, at_power: float = 0.25, odd: float 
     for share in STEPS:
         step = share * spacings(at)
         lost = dies(at, step, within, at_power)
-        for slope in _slopes(at, step):
+        for slope in slopes(at, step):
             wrong += int(np.count_nonzero(lost & (slope != 0)))
             samples += lost.size
     inner = at[:, 3:]
     tie = spacings(inner) / 2
     is_odd = np.ldexp(inner, 53 + np.arange(DEEPEST)[:, None]) % 2 == 1
-    for slope in _slopes(inner, tie):
+    for slope in slopes(inner, tie):
         wrong += int(np.count_nonzero(slope != np.where(is_odd, odd, 0.0)))
         samples += inner.size
     return Measurement(

@@ -1,5 +1,7 @@
 """What float64 loses between the gradient and the colour, which Coq proves: the printed stages against balls."""
 
+import math
+
 import numpy as np
 from flint import arb, ctx
 from sympy import lambdify
@@ -27,25 +29,33 @@ def _inputs(random, claim):
     return values
 
 
+def claims() -> dict[str, Rounded]:
+    """Return {stage: what is claimed of it}."""
+    return {claim.name: claim for claim in all_theorems()["colour_accuracy"].rounded if isinstance(claim, Rounded)}
+
+
+def shares(claim: Rounded, random: np.random.Generator, samples: int) -> list[float]:
+    """Return how far a stage's results are off, over their bounds; infinite where what loses nothing is off."""
+    stage = claim.program.keep(*(output for output, _ in claim.bounds))
+    computed, balls, ratios = function_of(stage), Balls(stage), []
+    bounds = [(output.name, lambdify(stage.inputs, bound.doit())) for output, bound in claim.bounds]
+    for _ in range(samples):
+        values = _inputs(random, claim)
+        inputs = [np.float64(values[name]) for name in balls.inputs]
+        exact = balls(values, BITS)
+        for (name, bound), value in zip(bounds, np.atleast_1d(computed(*inputs)), strict=True):
+            with ctx.workprec(BITS):
+                off = float(abs(arb(float(value)) - exact[name]).upper())
+            most = float(bound(*inputs))
+            ratios.append(off / most if most else math.inf if off else 0.0)
+    return ratios
+
+
 @measures("colour_accuracy", false={"within a tenth of it": {"share": 0.1}})
 def stages(share: float = 1.0) -> Measurement:
     """Every stage at random, the normal with gradients of all sizes."""
     random = np.random.default_rng(SEED)
-    ratios: dict[str, float] = {}
-    for claim in all_theorems()["colour_accuracy"].rounded:
-        assert isinstance(claim, Rounded)
-        stage = claim.program.keep(*(output for output, _ in claim.bounds))
-        computed, balls = function_of(stage), Balls(stage)
-        bounds = [(output.name, lambdify(stage.inputs, bound.doit())) for output, bound in claim.bounds]
-        for _ in range(SAMPLES):
-            values = _inputs(random, claim)
-            inputs = [np.float64(values[name]) for name in balls.inputs]
-            exact = balls(values, BITS)
-            for (name, bound), value in zip(bounds, np.atleast_1d(computed(*inputs)), strict=True):
-                with ctx.workprec(BITS):
-                    off = float(abs(arb(float(value)) - exact[name]).upper())
-                most = float(bound(*inputs))
-                ratios[claim.name] = max(ratios.get(claim.name, 0.0), off / most if most else float(off > 0.0))
+    ratios = {name: max(shares(claim, random, SAMPLES)) for name, claim in claims().items()}
     return Measurement(
         samples=SAMPLES * len(ratios),
         seed=SEED,

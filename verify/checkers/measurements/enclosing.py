@@ -3,6 +3,7 @@
 import numpy as np
 from flint import arb, ctx
 
+from proofs.engine.program import Program
 from proofs.formulas.enclosed import RULES
 from renderer.generate.kernels import function_of
 from renderer.machines.enclosing import Enclosed
@@ -24,19 +25,25 @@ def _operands(random, names):
         return values, counts, {name: arb(float(v)) + end for name, v, end in zip(names, values, ends, strict=True)}
 
 
+def shares(program: Program, random: np.random.Generator, samples: int) -> list[float]:
+    """Return how far a rule's results are off, over their bounds."""
+    machine, balls, (output,) = function_of(program), Balls(program), program.outputs
+    ratios = []
+    for _ in range(samples):
+        values, counts, ends = _operands(random, balls.inputs)
+        found = machine(*map(Enclosed.counted, values, counts))
+        exact = balls(ends, BITS)[output.name]
+        with ctx.workprec(BITS):
+            off = abs(arb(float(found.value)) - exact) / arb(float(found.bound))
+        ratios.append(float(off.upper()))
+    return ratios
+
+
 @measures("enclosing_rules", false={"half a count": {"share": 0.5}})
 def rules(share: float = 1.0) -> Measurement:
     """Every rule, of exact numbers at the ends of their operands' bounds."""
-    random, ratios = np.random.default_rng(SEED), []
-    for program in RULES.values():
-        machine, balls, (output,) = function_of(program), Balls(program), program.outputs
-        for _ in range(SAMPLES):
-            values, counts, ends = _operands(random, balls.inputs)
-            found = machine(*map(Enclosed.counted, values, counts))
-            exact = balls(ends, BITS)[output.name]
-            with ctx.workprec(BITS):
-                off = abs(arb(float(found.value)) - exact) / arb(float(found.bound))
-            ratios.append(float(off.upper()))
+    random = np.random.default_rng(SEED)
+    ratios = [ratio for program in RULES.values() for ratio in shares(program, random, SAMPLES)]
     return Measurement(
         samples=len(ratios),
         seed=SEED,
