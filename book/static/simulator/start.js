@@ -170,6 +170,7 @@ function simulator_start(root, compiled, module) {
       readouts.apart(apart(replies), is_whole);
       if (!by_page) refined.push(ready);
       if (is_whole) shown = of;
+      if (root.hidden) setTimeout(() => (root.hidden = false), 100); // once all is in place, so that nothing is seen to move
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
       timed_of = times_key(of);
@@ -302,6 +303,7 @@ function simulator_start(root, compiled, module) {
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
   new ResizeObserver(() => drawn_size && layout.fit(state.size)).observe($(".sim-stage"));
   window.addEventListener("resize", () => layout.fit(state.size));
+  layout.fit(state.size);
   document.addEventListener("visibilitychange", show_or_hide);
   return {
     act,
@@ -347,11 +349,11 @@ function say_failure(root, text) {
 document.addEventListener("DOMContentLoaded", async () => {
   const root = document.getElementById("simulator");
   if (!root) return;
-  root.hidden = false;
   try {
     const compiled = await compiled_program(Simulator.program);
     Simulator.running = simulator_start(root, compiled, await simulator_module(Simulator.data, compiled));
   } catch (error) {
     say_failure(root, error_text(error));
+    root.hidden = false;
   }
 });
