@@ -94,5 +94,5 @@ function simulator_layout(root, resized) {
   document.addEventListener("fullscreenchange", () =>
     modes[1].setAttribute("aria-pressed", String(document.fullscreenElement === root))
   );
-  return { fit, toggle_apart, toggle_large };
+  return { fit, page, toggle_apart, toggle_large };
 }

@@ -301,7 +301,8 @@ function simulator_start(root, compiled, module) {
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
-  new ResizeObserver(() => drawn_size && layout.fit(state.size)).observe($(".sim-stage"));
+  const fitting = new ResizeObserver(() => drawn_size && layout.fit(state.size));
+  for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
   window.addEventListener("resize", () => layout.fit(state.size));
   layout.fit(state.size);
   document.addEventListener("visibilitychange", show_or_hide);
