@@ -83,9 +83,8 @@ reduction = (
 
 
 def _by_quadrant(*values):
-    return Piecewise(
-        *((value, quadrant < Rational(2 * n + 1, 2)) for n, value in enumerate(values[:3])), (values[3], True)
-    )
+    *before, last = values
+    return Piecewise(*((value, quadrant < Rational(2 * n + 1, 2)) for n, value in enumerate(before)), (last, True))
 
 
 sine_of_half_turns = Program(
