@@ -11,6 +11,8 @@ SETTINGS = {
     "myst_enable_extensions": ["colon_fence"],
     "numfig": True,
     "exclude_patterns": ["_build", "_generated", "figures"],
+    # Said, because Sphinx keeps the parsers of a book built before in this process as its default.
+    "source_suffix": {".md": "markdown"},
 }
 
 
