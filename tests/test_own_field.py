@@ -264,7 +264,7 @@ def test_the_command_line_takes_a_formula(tmp_path, capsys):
     target = tmp_path / "own.npy"
     own = ["--field-expression", DUNES, "--size", "24"]
     assert main(["image", *own, "--out", str(target)]) == 0
-    drawn = Scene(field=HeightField("dunes", parse_expression(DUNES)))
+    drawn = Scene(field=HeightField("dunes_of_one_line", parse_expression(DUNES)))
     assert (np.load(target) == render(drawn, 24, 24).rgb).all()
     assert main(["sweep", *own, "--no-facts", "--eps", "1e-3"]) == 0
     assert re.search(r"\nown_\w{6}, blinn, 24 x 24", capsys.readouterr().out)
