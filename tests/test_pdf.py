@@ -75,7 +75,7 @@ def test_every_heading_is_in_the_outline_which_names_its_page_and_sections_in_th
     assert [title for title, page in outline if title not in texts[page]] == []
     assert [title for title, _ in outline] == texts_of(paper, "h1, h2, h3, h4, h5, h6")
     sections = texts_of(paper, "article:not(:first-child) :is(h1, section section > h2)")
-    assert texts_of(paper, ".paper-contents a") == sections and len(sections) > 20
+    assert texts_of(paper, ".paper-contents a") == sections and len(sections) >= 20
 
 
 def test_every_figure_is_drawn_on_a_page(paper, pdf):

@@ -65,8 +65,37 @@ def reproducible(pdf: bytes) -> bytes:
     return NODE.sub(lambda found: names[found[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
 
 
+BEGIN_A_PAGE = """numbers => {
+    const headings = document.querySelectorAll('h1, h2, h3, h4, h5, h6');
+    for (const number of numbers) headings[number].style.breakBefore = 'page';
+    return [...headings].map(heading => heading.textContent);
+}"""
+
+
 def printed(tab: "Page") -> bytes:
-    """What a tab shows as PDF; the same bytes each time."""
+    """What a tab shows as PDF; the same bytes each time.
+
+    A heading may find room at the foot of a page and its text none: Chromium then lays it out on both pages and has it
+    twice in the outline. Such a one begins a page, and all is printed again.
+    """
+    twice: list[int] = []
+    while True:
+        headings = tab.evaluate(BEGIN_A_PAGE, twice)
+        pdf = _printed(tab)
+        both = enumerate(zip(outline(pdf), headings, strict=True))
+        twice = [number for number, (title, heading) in both if title == 2 * "".join(heading.split())]
+        if not twice:
+            return pdf
+
+
+def outline(pdf: bytes) -> list[str]:
+    """The titles in a file's outline, without blanks."""
+    from pypdfium2 import PdfDocument
+
+    return ["".join(entry.get_title().split()) for entry in PdfDocument(pdf).get_toc()]
+
+
+def _printed(tab: "Page") -> bytes:
     pdf = tab.pdf(
         prefer_css_page_size=True,
         print_background=True,
