@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Claim.
+From Formal Require Import Preliminaries Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 

@@ -1,4 +1,4 @@
-(* The tangent frame, the bumped normal N', and how it differs from the displaced surface's normal. *)
+(* Vectors, the tangent frame, the bumped normal N' and its angle to N. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -34,13 +34,6 @@ Lemma frame_by_theta (theta phi : R) :
   is_derive (fun t => fst (fst (normal_at t phi))) theta x /\ is_derive (fun t => snd (fst (normal_at t phi))) theta y /\
   is_derive (fun t => snd (normal_at t phi)) theta z.
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
-
-(* (e_phi, e_theta, N) is orthonormal. *)
-Lemma tangent_frame_orthonormal (theta phi : R) :
-  dot (e_theta theta) (e_theta theta) = 1 /\ dot (e_phi theta phi) (e_phi theta phi) = 1 /\
-  dot (normal_at theta phi) (normal_at theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
-  dot (e_theta theta) (normal_at theta phi) = 0 /\ dot (e_phi theta phi) (normal_at theta phi) = 0.
-Proof. repeat split; ring_of_angles theta phi. Qed.
 
 (* Normalising *)
 
@@ -95,7 +88,7 @@ Proof. apply sqrt_pos. Qed.
 Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = vector_sum (normal_at theta phi) (scaled beta (g theta phi h_u h_v)).
 Proof. unfold_vectors. f_equal; [f_equal|]; ring. Qed.
 Lemma normal_is_unit (theta phi : R) : dot (normal_at theta phi) (normal_at theta phi) = 1.
-Proof. apply tangent_frame_orthonormal. Qed.
+Proof. ring_of_angles theta phi. Qed.
 
 (* |M|^2 = 1 + beta^2 |g|^2 >= 1 and |N'| = 1, for every beta. *)
 Lemma unit_length_length (theta phi h_u h_v beta : R) :
@@ -167,6 +160,3 @@ Proof.
     destruct T0 as [P|P]; [left; rewrite <- atan_0; apply atan_increasing; exact P | rewrite <- P, atan_0; lra].
   - rewrite cos_atan. unfold magnitude. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
 Qed.
-
-(* How far the bump can move an attached shadow *)
-

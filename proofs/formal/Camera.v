@@ -1,5 +1,4 @@
-(* The camera's theorems: hits with sphere A, its silhouette, what is seen, creases in the image, the pixels beside the
-   pole. *)
+(* The camera: what the proofs about sphere A share, the true angles, creases, the pixels beside the pole, what is drawn. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -67,8 +66,7 @@ Qed.
 Lemma near_root a b c d : 0 < a -> 0 < b -> 0 < c -> d = b ^ 2 - a * c -> 0 <= d ->
   let t := c / (b + sqrt d) in
   0 < t /\ a * t = b - sqrt d /\ a * t ^ 2 - 2 * b * t + c = 0 /\
-  (forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s) /\
-  (forall s, a * s ^ 2 - 2 * b * s + c = 0 -> a * s <= b -> s = t).
+  forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s.
 Proof.
   intros Ha Hb Hc E Hd t. pose proof (sqrt_pos d). pose proof (sqrt_sqrt d Hd). set (q := sqrt d) in *.
   assert (T : t * (b + q) = c) by (unfold t; field; lra).
@@ -78,7 +76,6 @@ Proof.
   - replace c with (t * (b + q)) by exact T. nra.
   - intros s S. assert (S2 : (a * s - b) ^ 2 = q ^ 2) by nra.
     apply (Rmult_le_reg_l a); [exact Ha |]. rewrite A. nra.
-  - intros s S L. assert (S2 : (a * s - b) ^ 2 = q ^ 2) by nra. apply (Rmult_eq_reg_l a); [| lra]. rewrite A. nra.
 Qed.
 
 (* P(t) lies on A exactly if t is a root of A's quadratic. *)
@@ -95,16 +92,15 @@ Qed.
 
 Lemma t_a_near x y e r : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ 0 < t /\ t < 1 /\ on_a t x y e r /\
-  (forall s, on_a s x y e r -> t <= s) /\
-  (forall s, on_a s x y e r -> (x ^ 2 + y ^ 2 + e ^ 2) * s <= e ^ 2 -> s = t).
+  forall s, on_a s x y e r -> t <= s.
 Proof.
   intros H O D. rewrite t_a_value by assumption. eexists; split; [reflexivity |].
   pose proof (tangent_pos e r H). pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 y).
   destruct (near_root (x ^ 2 + y ^ 2 + e ^ 2) (e ^ 2) (e ^ 2 - r ^ 2) (hit_of_a.discriminant_a x y e r))
-    as (P & A & S & N & F); try nra. { apply discriminant_a_value; assumption. }
+    as (P & A & S & N); try nra. { apply discriminant_a_value; assumption. }
   split; [exact P |]. split.
   - apply (Rdiv_lt_1 (e ^ 2 - r ^ 2)); pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)); nra.
-  - repeat split; intros; [apply quadratic_a; lra | apply N | apply F]; try apply quadratic_a in H3; lra.
+  - split; intros; [apply quadratic_a | apply N; apply quadratic_a in H3]; lra.
 Qed.
 
 Lemma point_a : 0 < 1 < 4 /\ off_axis (1 / 2) 0 4 /\ hit_of_a.discriminant_a (1 / 2) 0 4 1 = 49 / 4.

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
+From Formal Require Import Preliminaries Formulas Fields Float.
 Open Scope R_scope.
 
 Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.

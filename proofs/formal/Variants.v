@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases Algebraic Points.
+From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases.
 Open Scope R_scope.
 
 Theorem elementary_functions__sine__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 56.
