@@ -212,17 +212,17 @@ def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -
         ]
         asks = {
             "Names": survey.names_asked(names, required),
-            "Survey": survey.survey(named, asked, [path.stem for path in order]),
+            **survey.survey(named, asked, [path.stem for path in order]),
         }
         for file, text in asks.items():
             (folder / f"{file}.v").write_text(text, encoding="utf-8")
-        with tqdm(total=len(order) + 2, unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
+        with tqdm(total=len(order) + len(asks), unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
             for layer in [*layers(*wanted), list(asks)]:
                 printed = list(pool.map(lambda name: _asked(folder, *COQC, f"{name}.v"), layer))
                 bar.update(len(layer))
         if again:
             check_again(folder, [path.stem for path in order])
-    return survey.read(named, asked, printed[-1])
+    return survey.read(named, asked, "".join(printed[1:]))
 
 
 def main() -> None:

@@ -46,24 +46,33 @@ def groups(named: Statements, record: dict) -> list[list[str]]:
     return list(found.values())
 
 
-def survey(named: Statements, asked: list[list[str]], order: list[str]) -> str:
-    """Return the text of a file that prints each theorem's statements, then each group's axioms.
+def survey(named: Statements, asked: list[list[str]], order: list[str]) -> dict[str, str]:
+    """Return the texts of two files: one prints each theorem's statements, then both print half of the groups' axioms.
 
+    Coq lists axioms as long as it checks proofs, so both are asked at once; what they print is read as one.
     A claim's proof is asked for by its full name, to be of the printed proposition's full name: the kernel decides.
     """
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(order)}.", "Set Printing Width 72."]
+    checks = []
     for said in named.values():
         for printed, proved in (("Statements", said.claims), ("Mutants", said.mutants)):
             for name, file in proved.items():
                 lines += [f"Definition proved_{name} : Formal.{printed}.{name} := Formal.{file}.{name}."]
-        lines += [*(f"Check {name}." for name in said.additions), "Check I."]
+        checks += [*(f"Check {name}." for name in said.additions), "Check I."]
+    half = len(asked) // 2
+    parts = {"Survey": [*checks, *_axioms_asked(named, asked[:half])], "Axioms": _axioms_asked(named, asked[half:])}
+    return {file: "\n".join([*lines, *part, ""]) for file, part in parts.items()}
+
+
+def _axioms_asked(named: Statements, asked: list[list[str]]) -> list[str]:
+    lines = []
     for group in asked:
         names = [name for theorem in group for name in named[theorem].additions]
         names += [f"proved_{name}" for theorem in group for name in (*named[theorem].claims, *named[theorem].mutants)]
         lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
         lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
-    return "\n".join([*lines, ""])
+    return lines
 
 
 def names_asked(names: Iterable[str], required: Iterable[str]) -> str:
@@ -72,7 +81,7 @@ def names_asked(names: Iterable[str], required: Iterable[str]) -> str:
 
 
 def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
-    """Return the record out of what the survey printed."""
+    """Return the record out of what the two files of the survey printed."""
     *parts, rest = printed.split(SEPARATOR)
     if len(parts) != (number := len(named) + len(asked)) or rest.strip():
         raise NotAccepted(f"Coq printed {len(parts)} parts, not the {number} of {len(named)} theorems")

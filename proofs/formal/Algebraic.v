@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Claim.
+From Formal Require Import Preliminaries Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -40,35 +40,3 @@ Proof.
   rewrite cos_plus, sin_plus, <- F. repeat split; ring.
 Qed.
 
-(* The n-th power of a + ib by the printed product. *)
-Fixpoint complex_power (n : nat) (a b : R) : R * R :=
-  match n with
-  | O => (1, 0)
-  | S n => let (c, d) := complex_power n a b in (complex_product.product_real c d a b, complex_product.product_imaginary c d a b)
-  end.
-Lemma complex_power_at (t : R) (n : nat) : complex_power n (cos t) (sin t) = (cos (INR n * t), sin (INR n * t)).
-Proof.
-  rewrite (surjective_pairing (complex_power n _ _)). destruct (de_moivre t (fun k => fst (complex_power k (cos t) (sin t))) (fun k => snd (complex_power k (cos t) (sin t)))) with (n := n) as [-> ->];
-    trivial; intro k; cbn [complex_power]; destruct (complex_power k _ _); unfold complex_product.product_real, complex_product.product_imaginary; cbn [fst snd]; ring.
-Qed.
-
-(* Powers of the printed bases, and of their conjugates (s = -1), are the printed factors for the wave numbers 2n and n, and -2n and -n. *)
-Theorem algebraic_gradient__printed_bases (n : nat) (s theta phi : R) : s = 1 \/ s = -1 -> let u := (theta + PI) / (2 * PI) in let v := phi / PI in let k := s * INR n in
-  complex_power n (algebraic_bases.base_u_real (cos theta)) (s * algebraic_bases.base_u_imaginary (sin theta)) = (gradient_sine.cos_u u (2 * k), gradient_sine.sin_u u (2 * k)) /\
-  complex_power n (algebraic_bases.base_v_real (cos phi)) (s * algebraic_bases.base_v_imaginary (sin phi)) = (gradient_sine.cos_v v k, gradient_sine.sin_v v k) /\
-  complex_power n (algebraic_bases.base_v_real (cos phi)) (s * algebraic_bases.base_v_imaginary (sin phi)) = (gradient_rings.cos_v v (k / 2), gradient_rings.sin_v v (k / 2)).
-Proof.
-  intro E. cbv zeta. unfold algebraic_bases.base_u_real, algebraic_bases.base_u_imaginary, algebraic_bases.base_v_real, algebraic_bases.base_v_imaginary.
-  assert (C : forall t, cos t = cos (s * t) /\ s * sin t = sin (s * t)) by (intro; destruct E as [-> | ->]; [replace (1 * t) with t by ring | replace (-1 * t) with (- t) by ring; rewrite cos_neg, sin_neg]; split; ring).
-  rewrite <- neg_cos, <- neg_sin. rewrite (proj2 (C (theta + PI))), (proj1 (C (theta + PI))), (proj2 (C phi)), (proj1 (C phi)), !complex_power_at. unfold_fields.
-  repeat split; f_equal; f_equal; field; apply PI_neq0.
-Qed.
-Theorem algebraic_gradient__printed_bases__point : exists s : R, s = 1 \/ s = -1.
-Proof. exists 1. auto. Qed.
-(* Without the conjugate it is not so. *)
-Theorem algebraic_gradient__printed_bases__false : ~ forall n phi, complex_power n (algebraic_bases.base_v_real (cos phi)) (algebraic_bases.base_v_imaginary (sin phi)) =
-  (gradient_sine.cos_v (phi / PI) (- INR n), gradient_sine.sin_v (phi / PI) (- INR n)).
-Proof.
-  intro H. generalize (f_equal snd (H 1%nat (PI / 2))). unfold algebraic_bases.base_v_real, algebraic_bases.base_v_imaginary, gradient_sine.sin_v. rewrite complex_power_at. cbn [snd INR].
-  replace (PI * (- (1) * (PI / 2 / PI))) with (- (PI / 2)) by (field; apply PI_neq0). rewrite Rmult_1_l, sin_neg, sin_PI2. lra.
-Qed.

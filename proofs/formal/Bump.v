@@ -1,4 +1,4 @@
-(* The tangent frame, the bumped normal N', and how it differs from the displaced surface's normal. *)
+(* Vectors, the tangent frame, the bumped normal N' and its angle to N. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -22,25 +22,18 @@ Ltac ring_of_angles theta phi := unfold_vectors; ring [(sin_squared theta) (sin_
 (* The tangent frame *)
 
 (* e_phi is the derivative of N by phi. *)
-Theorem tangent_frame__by_phi (theta phi : R) :
+Lemma frame_by_phi (theta phi : R) :
   let '(x, y, z) := e_phi theta phi in
   is_derive (fun p => fst (fst (normal_at theta p))) phi x /\ is_derive (fun p => snd (fst (normal_at theta p))) phi y /\
   is_derive (fun p => snd (normal_at theta p)) phi z.
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
 
 (* sin phi e_theta is the derivative of N by theta. *)
-Theorem tangent_frame__by_theta (theta phi : R) :
+Lemma frame_by_theta (theta phi : R) :
   let '(x, y, z) := scaled (sin phi) (e_theta theta) in
   is_derive (fun t => fst (fst (normal_at t phi))) theta x /\ is_derive (fun t => snd (fst (normal_at t phi))) theta y /\
   is_derive (fun t => snd (normal_at t phi)) theta z.
 Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
-
-(* (e_phi, e_theta, N) is orthonormal. *)
-Lemma tangent_frame_orthonormal (theta phi : R) :
-  dot (e_theta theta) (e_theta theta) = 1 /\ dot (e_phi theta phi) (e_phi theta phi) = 1 /\
-  dot (normal_at theta phi) (normal_at theta phi) = 1 /\ dot (e_theta theta) (e_phi theta phi) = 0 /\
-  dot (e_theta theta) (normal_at theta phi) = 0 /\ dot (e_phi theta phi) (normal_at theta phi) = 0.
-Proof. repeat split; ring_of_angles theta phi. Qed.
 
 (* Normalising *)
 
@@ -95,7 +88,7 @@ Proof. apply sqrt_pos. Qed.
 Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = vector_sum (normal_at theta phi) (scaled beta (g theta phi h_u h_v)).
 Proof. unfold_vectors. f_equal; [f_equal|]; ring. Qed.
 Lemma normal_is_unit (theta phi : R) : dot (normal_at theta phi) (normal_at theta phi) = 1.
-Proof. apply tangent_frame_orthonormal. Qed.
+Proof. ring_of_angles theta phi. Qed.
 
 (* |M|^2 = 1 + beta^2 |g|^2 >= 1 and |N'| = 1, for every beta. *)
 Lemma unit_length_length (theta phi h_u h_v beta : R) :
@@ -134,7 +127,7 @@ Proof.
   unfold magnitude. rewrite dot_scaled, dot_comm, dot_scaled, <- Rmult_assoc.
   rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
 Qed.
-Theorem normalising_is_lipschitz__bump (theta phi a_u a_v b_u b_v beta : R) :
+Lemma bump_moved (theta phi a_u a_v b_u b_v beta : R) :
   magnitude (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
   magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
   Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
@@ -144,17 +137,6 @@ Proof.
     with (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) by (unfold_vectors; f_equal; [f_equal|]; ring).
   split; [reflexivity | apply normalised_apart; apply m_length_at_least_1].
 Qed.
-(* It is no equality: |dN'| is at most 2. *)
-Theorem normalising_is_lipschitz__bump__false : ~ forall theta phi a_u a_v b_u b_v beta,
-  magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)).
-Proof.
-  intro H. destruct (normalising_is_lipschitz__bump 0 0 3 0 0 0 1) as [_ B]. rewrite H in B.
-  replace (magnitude (difference (g 0 0 3 0) (g 0 0 0 0))) with 3 in B.
-  - rewrite Rabs_R1 in B. generalize (Rmin_r (1 * 3) 2). lra.
-  - symmetry. replace (difference (g 0 0 3 0) (g 0 0 0 0)) with (scaled 3 (g 0 0 1 0)) by (unfold_vectors; f_equal; [f_equal|]; ring).
-    rewrite length_scaled, (length_of_unit (g 0 0 1 0)), Rabs_pos_eq by (try rewrite g_squared; lra). ring.
-Qed.
-
 (* The angle between N and N' *)
 
 (* N.N' = 1/|M| > 0. *)
@@ -177,50 +159,4 @@ Proof.
   - apply acos_cos. generalize (atan_bound t). split; [|generalize PI_RGT_0; lra].
     destruct T0 as [P|P]; [left; rewrite <- atan_0; apply atan_increasing; exact P | rewrite <- P, atan_0; lra].
   - rewrite cos_atan. unfold magnitude. rewrite m_squared. unfold Rdiv. rewrite Rmult_1_l. do 2 f_equal. unfold Rsqr. lra.
-Qed.
-
-(* How far the bump can move an attached shadow *)
-
-Lemma dot_bumped (theta phi h_u h_v beta : R) (w : vector) :
-  dot (N' theta phi h_u h_v beta) w = / magnitude (M theta phi h_u h_v beta) * (dot (normal_at theta phi) w + beta * dot (g theta phi h_u h_v) w).
-Proof. rewrite bumped_is_scaled, dot_scaled, m_is_sum, dot_sum, dot_scaled. ring. Qed.
-
-(* Where N.w > |beta| |g|, also N'.w > 0, and where N.w < - |beta| |g|, also N'.w < 0: the line moves only between; at beta = 0 not at all. *)
-Theorem shadow_line_moves_within__both_sides (theta phi h_u h_v beta : R) (w : vector) : magnitude w = 1 ->
-  (dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v) -> dot (N' theta phi h_u h_v beta) w > 0) /\
-  (dot (normal_at theta phi) w < - (Rabs beta * magnitude (g theta phi h_u h_v)) -> dot (N' theta phi h_u h_v beta) w < 0) /\
-  (beta = 0 -> dot (N' theta phi h_u h_v beta) w = dot (normal_at theta phi) w).
-Proof.
-  intros W. rewrite dot_bumped. generalize (m_length_at_least_1 theta phi h_u h_v beta). intro L.
-  destruct (cauchy_schwarz (g theta phi h_u h_v) w) as [C D]. rewrite W in C, D.
-  assert (I : 0 < / magnitude (M theta phi h_u h_v beta)) by (apply Rinv_0_lt_compat; lra).
-  assert (B : Rabs (beta * dot (g theta phi h_u h_v) w) <= Rabs beta * magnitude (g theta phi h_u h_v)).
-  { rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos | apply Rabs_le; lra]. }
-  apply Rabs_le_between in B. split; [|split].
-  - intro H. apply Rmult_lt_0_compat; [exact I | lra].
-  - intro H. set (i := / _) in *. set (q := dot (normal_at theta phi) w + _) in *. assert (q < 0) by (unfold q; lra). nra.
-  - intros ->. rewrite (length_of_unit (M theta phi h_u h_v 0)) by (rewrite m_squared; ring). rewrite Rinv_1. ring.
-Qed.
-Theorem shadow_line_moves_within__both_sides__point : exists theta phi h_u h_v beta w,
-  magnitude w = 1 /\ dot (normal_at theta phi) w > Rabs beta * magnitude (g theta phi h_u h_v).
-Proof.
-  exists 0, 0, 1, 0, 0, (0, 0, 1). rewrite Rabs_R0. split; [apply length_of_unit; unfold dot; ring|].
-  unfold_vectors. rewrite cos_0. lra.
-Qed.
-(* Where N.w > 0 alone it is not so. *)
-Theorem shadow_line_moves_within__both_sides__false : ~ forall theta phi h_u h_v beta (w : vector), magnitude w = 1 ->
-  dot (normal_at theta phi) w > 0 -> dot (N' theta phi h_u h_v beta) w > 0.
-Proof.
-  intro H. assert (W : magnitude (0, -4/5, 3/5) = 1).
-  { apply length_of_unit. unfold dot. field. }
-  generalize (m_length_at_least_1 0 0 1 0 1) (H 0 0 1 0 1 (0, -4/5, 3/5) W). rewrite dot_bumped. intros L K.
-  assert (P : 0 < / magnitude (M 0 0 1 0 1)) by (apply Rinv_0_lt_compat; lra).
-  set (s := / magnitude (M 0 0 1 0 1)) in *. clearbody s. unfold_vectors. rewrite sin_0, cos_0 in *. nra.
-Qed.
-
-(* A false variant: N's derivative by theta has the factor sin phi. *)
-Theorem tangent_frame__by_theta__false : ~ forall theta phi, is_derive (fun t => snd (fst (normal_at t phi))) theta (snd (fst (e_theta theta))).
-Proof.
-  intro H. assert (B : Derive (fun t => snd (fst (normal_at t 0))) 0 = 0) by (apply is_derive_unique; unfold_vectors; auto_derive; trivial; rewrite sin_0; ring).
-  generalize (eq_trans (eq_sym B) (is_derive_unique _ _ _ (H 0 0))). unfold_vectors. rewrite cos_0. lra.
 Qed.

@@ -1,5 +1,4 @@
-(* The camera's theorems: hits with sphere A, its silhouette, what is seen, creases in the image, the pixels beside the
-   pole. *)
+(* The camera: what the proofs about sphere A share, the true angles, creases, the pixels beside the pole, what is drawn. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -67,8 +66,7 @@ Qed.
 Lemma near_root a b c d : 0 < a -> 0 < b -> 0 < c -> d = b ^ 2 - a * c -> 0 <= d ->
   let t := c / (b + sqrt d) in
   0 < t /\ a * t = b - sqrt d /\ a * t ^ 2 - 2 * b * t + c = 0 /\
-  (forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s) /\
-  (forall s, a * s ^ 2 - 2 * b * s + c = 0 -> a * s <= b -> s = t).
+  forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s.
 Proof.
   intros Ha Hb Hc E Hd t. pose proof (sqrt_pos d). pose proof (sqrt_sqrt d Hd). set (q := sqrt d) in *.
   assert (T : t * (b + q) = c) by (unfold t; field; lra).
@@ -78,7 +76,6 @@ Proof.
   - replace c with (t * (b + q)) by exact T. nra.
   - intros s S. assert (S2 : (a * s - b) ^ 2 = q ^ 2) by nra.
     apply (Rmult_le_reg_l a); [exact Ha |]. rewrite A. nra.
-  - intros s S L. assert (S2 : (a * s - b) ^ 2 = q ^ 2) by nra. apply (Rmult_eq_reg_l a); [| lra]. rewrite A. nra.
 Qed.
 
 (* P(t) lies on A exactly if t is a root of A's quadratic. *)
@@ -95,25 +92,15 @@ Qed.
 
 Lemma t_a_near x y e r : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   exists t, hit_of_a.t_a x y e r = Finite t /\ 0 < t /\ t < 1 /\ on_a t x y e r /\
-  (forall s, on_a s x y e r -> t <= s) /\
-  (forall s, on_a s x y e r -> (x ^ 2 + y ^ 2 + e ^ 2) * s <= e ^ 2 -> s = t).
+  forall s, on_a s x y e r -> t <= s.
 Proof.
   intros H O D. rewrite t_a_value by assumption. eexists; split; [reflexivity |].
   pose proof (tangent_pos e r H). pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 y).
   destruct (near_root (x ^ 2 + y ^ 2 + e ^ 2) (e ^ 2) (e ^ 2 - r ^ 2) (hit_of_a.discriminant_a x y e r))
-    as (P & A & S & N & F); try nra. { apply discriminant_a_value; assumption. }
+    as (P & A & S & N); try nra. { apply discriminant_a_value; assumption. }
   split; [exact P |]. split.
   - apply (Rdiv_lt_1 (e ^ 2 - r ^ 2)); pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)); nra.
-  - repeat split; intros; [apply quadratic_a; lra | apply N | apply F]; try apply quadratic_a in H3; lra.
-Qed.
-
-(* The program's discriminant is d = (e^2 - R^2) (rho_s^2 - rho^2). *)
-Theorem hit_of_a__discriminant (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  hit_of_a.discriminant_a x y e r =
-    (e ^ 2 - r ^ 2) * (silhouette_of_a.rho_silhouette e r ^ 2 - sqrt (x ^ 2 + y ^ 2) ^ 2).
-Proof.
-  intros H O. rewrite discriminant_a_value, pow2_sqrt by (assumption || nra).
-  destruct (rho_silhouette_squared e r H) as [_ S]. nra.
+  - split; intros; [apply quadratic_a | apply N; apply quadratic_a in H3]; lra.
 Qed.
 
 Lemma point_a : 0 < 1 < 4 /\ off_axis (1 / 2) 0 4 /\ hit_of_a.discriminant_a (1 / 2) 0 4 1 = 49 / 4.
@@ -122,243 +109,13 @@ Proof.
   repeat split; try lra. { exact O. } rewrite discriminant_a_value by (lra || exact O). lra.
 Qed.
 
-Theorem hit_of_a__discriminant__point : exists x y e r, 0 < r < e /\ off_axis x y e.
-Proof. exists (1 / 2), 0, 4, 1. split; apply point_a. Qed.
-
-(* Without the factor e^2 - R^2 it is not. *)
-Theorem hit_of_a__discriminant__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
-  hit_of_a.discriminant_a x y e r = silhouette_of_a.rho_silhouette e r ^ 2 - sqrt (x ^ 2 + y ^ 2) ^ 2.
-Proof.
-  intros F. destruct point_a as (H & O & D). specialize (F _ _ _ _ H O). rewrite D, pow2_sqrt in F by lra.
-  destruct (rho_silhouette_squared 4 1 H) as [_ S]. lra.
-Qed.
-
-(* If e > R and d >= 0, then t = (e^2 - R^2) / (e^2 + sqrt d) is the least root of |P(t)|^2 = R^2, and t > 0. *)
-Theorem hit_of_a__first_hit (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\
-  t = (e ^ 2 - r ^ 2) / (e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) /\
-  0 < t /\ on_a t x y e r /\ forall s, on_a s x y e r -> t <= s.
-Proof.
-  intros H O D. destruct (t_a_near x y e r H O D) as (t & T & P & _ & S & N & _).
-  exists t. rewrite T. rewrite t_a_value in T by assumption. injection T as T. repeat split; auto.
-Qed.
-
-Theorem hit_of_a__first_hit__point :
-  exists x y e r, 0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
-Proof. exists (1 / 2), 0, 4, 1. destruct point_a as (H & O & D). repeat split; try lra; exact O. Qed.
-
-(* It is not the far root. *)
-Theorem hit_of_a__first_hit__false : ~ forall x y e r : R,
-  0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\ forall s, on_a s x y e r -> s <= t.
-Proof.
-  intros F. destruct point_a as (H & O & D). destruct (F (1 / 2) 0 4 1) as (t & T & N); [lra | exact O | lra |].
-  rewrite t_a_value in T by (lra || exact O). injection T as T.
-  pose proof (sqrt_pos (hit_of_a.discriminant_a (1 / 2) 0 4 1)).
-  assert (t < 1) by (rewrite <- T; apply (Rdiv_lt_1 (4 ^ 2 - 1 ^ 2)); lra).
-  specialize (N (6 / 5)). unfold on_a, distance2 in N. lra.
-Qed.
-
-(* If d < 0 there is no hit. *)
-Theorem hit_of_a__no_hit (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r < 0 ->
-  hit_of_a.t_a x y e r = p_infty /\ forall t, ~ on_a t x y e r.
-Proof.
-  intros H O D. split.
-  - unfold hit_of_a.t_a. destruct Rle_dec; [lra | reflexivity].
-  - intros t T. apply quadratic_a in T. rewrite discriminant_a_value in D by assumption. 
-    pose proof (pow2_ge_0 ((x ^ 2 + y ^ 2 + e ^ 2) * t - e ^ 2)). nra.
-Qed.
-
-Theorem hit_of_a__no_hit__point :
-  exists x y e r, 0 < r < e /\ off_axis x y e /\ hit_of_a.discriminant_a x y e r < 0.
-Proof.
-  assert (O : off_axis 2 0 4) by (apply off_axis_far; lra).
-  exists 2, 0, 4, 1. repeat split; try lra; try exact O. rewrite discriminant_a_value by (lra || exact O). lra.
-Qed.
+Lemma no_hit_of_a x y e r : hit_of_a.discriminant_a x y e r < 0 -> hit_of_a.t_a x y e r = p_infty.
+Proof. intros D. unfold hit_of_a.t_a. destruct Rle_dec; [lra | reflexivity]. Qed.
 
 Lemma rim : off_axis (15 / 16) 0 (5 / 4) /\ hit_of_a.discriminant_a (15 / 16) 0 (5 / 4) (3 / 4) = 0.
 Proof.
   assert (O : off_axis (15 / 16) 0 (5 / 4)) by (apply off_axis_far; lra).
   split; [exact O |]. rewrite discriminant_a_value by (lra || exact O). lra.
-Qed.
-
-(* At d = 0 there is one. *)
-Theorem hit_of_a__no_hit__false : ~ forall x y e r : R,
-  0 < r < e -> off_axis x y e -> hit_of_a.discriminant_a x y e r <= 0 -> forall t, ~ on_a t x y e r.
-Proof.
-  intros F. destruct rim as [O D]. apply (F (15 / 16) 0 (5 / 4) (3 / 4)) with (16 / 25); try lra; try exact O.
-  unfold on_a, distance2. lra.
-Qed.
-
-(* A ray meets A exactly if rho <= rho_s = e R / sqrt (e^2 - R^2). *)
-Theorem silhouette_of_a__meets (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  (exists t, on_a t x y e r) <-> sqrt (x ^ 2 + y ^ 2) <= silhouette_of_a.rho_silhouette e r.
-Proof.
-  intros H O. destruct (rho_silhouette_squared e r H) as [P S]. pose proof (hit_of_a__discriminant x y e r H O) as D.
-  pose proof (tangent_pos e r H) as T. pose proof (sqrt_pos (x ^ 2 + y ^ 2)) as Q.
-  set (rho := sqrt (x ^ 2 + y ^ 2)) in *. set (edge := silhouette_of_a.rho_silhouette e r) in *. split.
-  - intros [t M]. destruct (Rle_lt_dec rho edge) as [L | L]; [exact L | exfalso].
-    assert (edge ^ 2 < rho ^ 2) by nra. apply (proj2 (hit_of_a__no_hit x y e r H O ltac:(rewrite D; nra)) t M).
-  - intros L. assert (rho ^ 2 <= edge ^ 2) by nra.
-    destruct (hit_of_a__first_hit x y e r H O) as (t & _ & _ & _ & M & _); [rewrite D; nra | exists t; exact M].
-Qed.
-
-Theorem silhouette_of_a__meets__point : exists x y e r, 0 < r < e /\ off_axis x y e.
-Proof. exists (1 / 2), 0, 4, 1. split; apply point_a. Qed.
-
-(* Not exactly if rho <= R: the silhouette lies outside that circle. *)
-Theorem silhouette_of_a__meets__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
-  (exists t, on_a t x y e r) -> sqrt (x ^ 2 + y ^ 2) <= r.
-Proof.
-  intros F. destruct rim as [O D]. specialize (F (15 / 16) 0 (5 / 4) (3 / 4) ltac:(lra) O).
-  replace ((15 / 16) ^ 2 + 0 ^ 2) with ((15 / 16) ^ 2) in F by ring. rewrite sqrt_pow2 in F by lra.
-  enough (15 / 16 <= 3 / 4) by lra. apply F. exists (16 / 25). unfold on_a, distance2. lra.
-Qed.
-
-(* The definition: rho_s = e R / sqrt (e^2 - R^2). *)
-Theorem silhouette_of_a__radius (e r : R) : 0 < r < e ->
-  silhouette_of_a.rho_silhouette e r = e * r / sqrt (e ^ 2 - r ^ 2).
-Proof.
-  intros _. unfold silhouette_of_a.rho_silhouette, silhouette_of_a.tangent_squared.
-  replace ((e - r) * (e + r)) with (e ^ 2 - r ^ 2) by ring. reflexivity.
-Qed.
-
-Theorem silhouette_of_a__radius__point : exists e r, 0 < r < e.
-Proof. exists 4, 1. lra. Qed.
-
-(* Not with e^2 + R^2. *)
-Theorem silhouette_of_a__radius__false : ~ forall e r : R, 0 < r < e ->
-  silhouette_of_a.rho_silhouette e r = e * r / sqrt (e ^ 2 + r ^ 2).
-Proof.
-  intros F. specialize (F 4 1 ltac:(lra)). destruct (rho_silhouette_squared 4 1 ltac:(lra)) as [_ S].
-  rewrite F in S. unfold Rdiv in S. rewrite Rpow_mult_distr, pow_inv, pow2_sqrt in S by lra. lra.
-Qed.
-
-(* At rho = rho_s the ray touches A in one point, P.D = 0, at height R^2 / e, that is cos phi = R / e. *)
-Theorem silhouette_of_a__touches (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ (forall s, on_a s x y e r -> s = t) /\
-  dot3 (t * x) (t * y) (e * (1 - t)) x y (- e) = 0 /\ e * (1 - t) = r ^ 2 / e /\
-  forall phi, e * (1 - t) = r * cos phi -> cos phi = r / e.
-Proof.
-  intros H O E. destruct (rho_silhouette_squared e r H) as [P S]. rewrite <- E, pow2_sqrt in S by nra.
-  pose proof (tangent_pos e r H). pose proof (discriminant_a_value x y e r H O) as D.
-  assert (Z : hit_of_a.discriminant_a x y e r = 0) by (rewrite D; nra).
-  pose proof (t_a_value x y e r H O ltac:(lra)) as T. rewrite Z, sqrt_0 in T.
-  exists ((e ^ 2 - r ^ 2) / (e ^ 2 + 0)). set (t := (e ^ 2 - r ^ 2) / (e ^ 2 + 0)) in *.
-  assert (I : t * e ^ 2 = e ^ 2 - r ^ 2) by (unfold t; field; nra).
-  assert (J : (x ^ 2 + y ^ 2 + e ^ 2) * t = e ^ 2) by (apply (Rmult_eq_reg_r (e ^ 2)); nra).
-  assert (K : e * (1 - t) = r ^ 2 / e) by (apply (Rmult_eq_reg_r e); [field_simplify; lra | lra]).
-  repeat split; try assumption.
-  - apply quadratic_a. nra.
-  - intros s M. apply quadratic_a in M. assert (((x ^ 2 + y ^ 2 + e ^ 2) * s - e ^ 2) ^ 2 = 0) by nra.
-    assert ((x ^ 2 + y ^ 2 + e ^ 2) * s = e ^ 2) by nra.
-    apply (Rmult_eq_reg_l (x ^ 2 + y ^ 2 + e ^ 2)); [lra | nra].
-  - unfold dot3. nra.
-  - intros phi Q. rewrite K in Q. apply (Rmult_eq_reg_l r); [rewrite <- Q; field; lra | lra].
-Qed.
-
-Lemma on_rim : sqrt ((15 / 16) ^ 2 + 0 ^ 2) = silhouette_of_a.rho_silhouette (5 / 4) (3 / 4).
-Proof.
-  unfold silhouette_of_a.rho_silhouette, silhouette_of_a.tangent_squared.
-  replace ((15 / 16) ^ 2 + 0 ^ 2) with ((15 / 16) ^ 2) by ring. rewrite sqrt_pow2 by lra.
-  replace ((5 / 4 - 3 / 4) * (5 / 4 + 3 / 4)) with (1 ^ 2) by field. rewrite sqrt_pow2 by lra. field.
-Qed.
-
-Theorem silhouette_of_a__touches__point : exists x y e r,
-  0 < r < e /\ off_axis x y e /\ sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r.
-Proof.
-  exists (15 / 16), 0, (5 / 4), (3 / 4). destruct rim as [O _]. repeat split; try lra; [exact O | apply on_rim].
-Qed.
-
-(* Not at height 0. *)
-Theorem silhouette_of_a__touches__false : ~ forall x y e r : R, 0 < r < e -> off_axis x y e ->
-  sqrt (x ^ 2 + y ^ 2) = silhouette_of_a.rho_silhouette e r ->
-  exists t, on_a t x y e r /\ e * (1 - t) = 0.
-Proof.
-  intros F. destruct rim as [O _]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & M & Z);
-    [lra | exact O | apply on_rim |]. unfold on_a, distance2 in M. nra.
-Qed.
-
-(* The point P(t) of A at polar angle phi is the near hit where cos phi >= R / e; on the rim, cos phi = R / e,
-   the two hits are one. *)
-Theorem visible_iff__seen (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
-  e * (1 - t) = r * cos phi -> r / e <= cos phi ->
-  hit_of_a.t_a x y e r = Finite t /\ (cos phi = r / e -> forall s, on_a s x y e r -> s = t).
-Proof.
-  intros H O M C L. assert (D : 0 <= hit_of_a.discriminant_a x y e r).
-  { destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a x y e r)) as [D | D]; [exact D |].
-    destruct (proj2 (hit_of_a__no_hit x y e r H O D) t M). }
-  destruct (t_a_near x y e r H O D) as (s & T & P & _ & S & N & F). pose proof (N t M) as G.
-  assert (K : r <= e * cos phi) by (apply (Rmult_le_compat_l e) in L; [field_simplify in L |]; lra).
-  pose proof M as Q. apply quadratic_a in Q.
-  assert (A : t * ((x ^ 2 + y ^ 2 + e ^ 2) * t - e ^ 2) = r * (r - e * cos phi)) by nra.
-  assert (B : (x ^ 2 + y ^ 2 + e ^ 2) * t <= e ^ 2) by nra.
-  split; [rewrite T, (F t M B); reflexivity |].
-  intros E u U. assert (Z : e * cos phi = r) by (rewrite E; field; lra). apply quadratic_a in U.
-  assert (W : (x ^ 2 + y ^ 2 + e ^ 2) * t = e ^ 2) by nra.
-  assert (V : ((x ^ 2 + y ^ 2 + e ^ 2) * u - e ^ 2) ^ 2 = 0) by nra.
-  apply (Rmult_eq_reg_l (x ^ 2 + y ^ 2 + e ^ 2)); nra.
-Qed.
-
-Lemma point_visible : off_axis (15 / 16) 0 (5 / 4) /\ on_a (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) /\
-  cos (acos (3 / 5)) = 3 / 5.
-Proof. destruct rim as [O _]. repeat split; [exact O | unfold on_a, distance2; lra | apply cos_acos; lra]. Qed.
-
-Theorem visible_iff__seen__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
-  e * (1 - t) = r * cos phi /\ r / e <= cos phi.
-Proof.
-  exists (16 / 25), (15 / 16), 0, (5 / 4), (3 / 4), (acos (3 / 5)). destruct point_visible as (O & M & C).
-  rewrite C. repeat split; try lra; assumption.
-Qed.
-
-Lemma point_hidden : off_axis 1 0 4 /\ on_a 1 1 0 4 1 /\ on_a (15 / 17) 1 0 4 1.
-Proof. repeat split; [apply off_axis_far | unfold on_a, distance2 | unfold on_a, distance2]; lra. Qed.
-
-(* Not where cos phi >= 0. *)
-Theorem visible_iff__seen__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
-  e * (1 - t) = r * cos phi -> 0 <= cos phi -> hit_of_a.t_a x y e r = Finite t.
-Proof.
-  intros F. destruct point_hidden as (O & M & N). pose proof cos_PI2 as C.
-  specialize (F 1 1 0 4 1 (PI / 2) ltac:(lra) O M ltac:(lra) ltac:(lra)).
-  destruct (hit_of_a__first_hit 1 0 4 1 ltac:(lra) O) as (t & T & _ & _ & _ & L).
-  { rewrite discriminant_a_value by (lra || exact O). lra. }
-  rewrite F in T. injection T as <-. specialize (L _ N). lra.
-Qed.
-
-(* The point P(t) of A lies behind the near hit, t > t_A, where cos phi < R / e. *)
-Theorem visible_iff__not_seen (t x y e r phi : R) : 0 < r < e -> off_axis x y e -> on_a t x y e r ->
-  e * (1 - t) = r * cos phi -> cos phi < r / e -> Rbar_lt (hit_of_a.t_a x y e r) t.
-Proof.
-  intros H O M C L. assert (D : 0 <= hit_of_a.discriminant_a x y e r).
-  { destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a x y e r)) as [D | D]; [exact D |].
-    destruct (proj2 (hit_of_a__no_hit x y e r H O D) t M). }
-  destruct (t_a_near x y e r H O D) as (s & T & P & _ & S & N & _). rewrite T. simpl.
-  destruct (Rle_lt_or_eq_dec _ _ (N t M)) as [G | <-]; [exact G | exfalso].
-  assert (K : e * cos phi < r) by (apply (Rmult_lt_compat_l e) in L; [field_simplify in L |]; lra).
-  rewrite t_a_value in T by assumption. apply Rbar_finite_eq in T.
-  destruct (near_root (x ^ 2 + y ^ 2 + e ^ 2) (e ^ 2) (e ^ 2 - r ^ 2) (hit_of_a.discriminant_a x y e r))
-    as (_ & A & _); try nra. { apply discriminant_a_value; assumption. }
-  rewrite T in A. pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)). apply quadratic_a in M. nra.
-Qed.
-
-Theorem visible_iff__not_seen__point : exists t x y e r phi, 0 < r < e /\ off_axis x y e /\ on_a t x y e r /\
-  e * (1 - t) = r * cos phi /\ cos phi < r / e.
-Proof.
-  exists 1, 1, 0, 4, 1, (PI / 2). destruct point_hidden as (O & M & _). rewrite cos_PI2.
-  repeat split; try lra; assumption.
-Qed.
-
-(* Not on the rim. *)
-Theorem visible_iff__not_seen__false : ~ forall t x y e r phi : R, 0 < r < e -> off_axis x y e -> on_a t x y e r ->
-  e * (1 - t) = r * cos phi -> cos phi <= r / e -> Rbar_lt (hit_of_a.t_a x y e r) t.
-Proof.
-  intros F. destruct point_visible as (O & M & C).
-  specialize (F (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M). rewrite C in F.
-  specialize (F ltac:(lra) ltac:(lra)).
-  destruct (visible_iff__seen (16 / 25) (15 / 16) 0 (5 / 4) (3 / 4) (acos (3 / 5)) ltac:(lra) O M) as [T _];
-    try (rewrite C; lra).
-  rewrite T in F. simpl in F. lra.
 Qed.
 
 (* Every point of the unit circle has an angle. *)
@@ -420,7 +177,7 @@ Qed.
 
 Theorem stable_frame__true_angles__point : exists x y e r,
   0 < r < e /\ off_axis x y e /\ 0 <= hit_of_a.discriminant_a x y e r.
-Proof. exact hit_of_a__first_hit__point. Qed.
+Proof. exists (1 / 2), 0, 4, 1. destruct point_a as (H & O & D). repeat split; try lra; exact O. Qed.
 
 (* Not cos phi = e t / R. *)
 Theorem stable_frame__true_angles__false : ~ forall x y e r : R,
@@ -432,46 +189,6 @@ Proof.
     & _ & _ & _ & _ & W);
     [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s. rewrite <- V, W in C.
   assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
-Qed.
-
-(* Seen from E, the point of A at (theta, phi) is at the image point rho (cos theta, sin theta) with
-   rho = e R sin phi / (e - R cos phi): a meridian (theta fixed) is a ray, a parallel (phi fixed) a circle. *)
-Theorem kink_loci__image (t x y e r theta phi : R) : 0 < r < e -> 0 <= sin phi ->
-  t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
-  e * (1 - t) = point_on_a.point_z (cos phi) r ->
-  let rho := parallel_radius.rho (sin phi) (cos phi) e r in
-  rho = e * r * sin phi / (e - r * cos phi) /\ e - r * cos phi <> 0 /\
-  0 < t /\ x = rho * cos theta /\ y = rho * sin theta /\ 0 <= rho /\ sqrt (x ^ 2 + y ^ 2) = rho.
-Proof.
-  intros H S X Y Z rho. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z in *.
-  pose proof (COS_bound phi). assert (N : 0 < e - r * cos phi) by nra.
-  assert (T : t = (e - r * cos phi) / e) by (apply (Rmult_eq_reg_l e); [field_simplify |]; lra).
-  assert (P : 0 < t) by (rewrite T; apply Rdiv_lt_0_compat; lra).
-  assert (Q : rho = r * sin phi / t) by (unfold rho, parallel_radius.rho; rewrite T; field; lra).
-  assert (EX : x = rho * cos theta) by (rewrite Q; apply (Rmult_eq_reg_l t); [rewrite X; field |]; lra).
-  assert (EY : y = rho * sin theta) by (rewrite Q; apply (Rmult_eq_reg_l t); [rewrite Y; field |]; lra).
-  assert (V : 0 <= rho) by (rewrite Q; unfold Rdiv; apply Rmult_le_pos; [nra | apply Rlt_le, Rinv_0_lt_compat, P]).
-  repeat split; try assumption; try lra. { unfold rho, parallel_radius.rho. field. lra. }
-  rewrite EX, EY. pose proof (sin2_cos2 theta) as C. unfold Rsqr in C.
-  replace (_ + _) with (rho ^ 2) by nra. apply sqrt_pow2, V.
-Qed.
-
-Theorem kink_loci__image__point : exists t x y e r theta phi, 0 < r < e /\ 0 <= sin phi /\
-  t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\
-  e * (1 - t) = point_on_a.point_z (cos phi) r.
-Proof.
-  exists 1, 1, 0, 4, 1, 0, (PI / 2). unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z.
-  rewrite sin_0, cos_0, sin_PI2, cos_PI2. lra.
-Qed.
-
-(* Not with e + R cos phi. *)
-Theorem kink_loci__image__false : ~ forall t x e r phi : R, 0 < r < e -> 0 <= sin phi ->
-  t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
-  x = e * r * sin phi / (e + r * cos phi).
-Proof.
-  intros F. destruct (angle_of (3 / 5) (4 / 5) ltac:(lra)) as (phi & _ & C & S & _).
-  specialize (F (17 / 20) (16 / 17) 4 1 phi). unfold point_on_a.point_x, point_on_a.point_z in F. rewrite C, S in F.
-  specialize (F ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* |f| has a corner where f = 0 and f' is not 0. *)
@@ -546,52 +263,6 @@ Theorem kink_loci__creased_in_v__false : ~ forall u v ku kv : R, kv <> 0 ->
 Proof.
   intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
   intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0. reflexivity.
-Qed.
-
-(* The parallel v = m / k is seen, where no other body hides it, exactly if cos (pi m / k) >= R / e: its point at
-   theta is then the near hit of its ray. *)
-Theorem visible_parallels__seen (t x y e r theta : R) (m k : Z) : 0 < r < e -> off_axis x y e -> (0 <= m <= k)%Z ->
-  (0 < k)%Z ->
-  let phi := PI * (IZR m / IZR k) in
-  t * x = point_on_a.point_x (cos theta) (sin phi) r -> t * y = point_on_a.point_y (sin theta) (sin phi) r ->
-  e * (1 - t) = point_on_a.point_z (cos phi) r ->
-  hit_of_a.t_a x y e r = Finite t <-> r / e <= cos phi.
-Proof.
-  intros H O _ _ phi. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z. intros X Y Z.
-  assert (M : on_a t x y e r).
-  { unfold on_a, distance2. rewrite !Rminus_0_r, X, Y, Z. pose proof (sin2_cos2 phi) as P.
-    pose proof (sin2_cos2 theta) as Q. unfold Rsqr in *. replace (_ + _) with (r ^ 2 * (sin phi * sin phi *
-    (sin theta * sin theta + cos theta * cos theta) + cos phi * cos phi)) by ring. rewrite Q, Rmult_1_r, P. ring. }
-  split.
-  - intros T. destruct (Rle_lt_dec (r / e) (cos phi)) as [L | L]; [exact L | exfalso].
-    pose proof (visible_iff__not_seen t x y e r phi H O M ltac:(lra) L) as N. rewrite T in N. simpl in N. lra.
-  - intros L. apply (visible_iff__seen t x y e r phi); try assumption. lra.
-Qed.
-
-Theorem visible_parallels__seen__point : exists (t x y e r theta : R) (m k : Z),
-  0 < r < e /\ off_axis x y e /\ (0 <= m <= k)%Z /\ (0 < k)%Z /\
-  t * x = point_on_a.point_x (cos theta) (sin (PI * (IZR m / IZR k))) r /\
-  t * y = point_on_a.point_y (sin theta) (sin (PI * (IZR m / IZR k))) r /\
-  e * (1 - t) = point_on_a.point_z (cos (PI * (IZR m / IZR k))) r.
-Proof.
-  exists 1, 1, 0, 4, 1, 0, 1%Z, 2%Z. replace (PI * (1 / 2)) with (PI / 2) by field.
-  unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z. destruct point_hidden as (O & _).
-  rewrite sin_0, cos_0, sin_PI2, cos_PI2. repeat split; try lia; try lra. exact O.
-Qed.
-
-(* Not exactly if cos >= 0. *)
-Theorem visible_parallels__seen__false : ~ forall (t x e r : R) (m k : Z), 0 < r < e -> off_axis x 0 e ->
-  (0 <= m <= k)%Z ->
-  (0 < k)%Z -> let phi := PI * (IZR m / IZR k) in
-  t * x = point_on_a.point_x 1 (sin phi) r -> e * (1 - t) = point_on_a.point_z (cos phi) r ->
-  0 <= cos phi -> hit_of_a.t_a x 0 e r = Finite t.
-Proof.
-  intros F. specialize (F 1 1 4 1 1%Z 2%Z). cbv zeta in F. replace (PI * (1 / 2)) with (PI / 2) in F by field.
-  unfold point_on_a.point_x, point_on_a.point_z in F. rewrite sin_PI2, cos_PI2 in F.
-  destruct point_hidden as (O & M & _). specialize (F ltac:(lra) O ltac:(lia) ltac:(lia) ltac:(lra) ltac:(lra)
-    ltac:(lra)).
-  pose proof (visible_iff__not_seen 1 1 0 4 1 (PI / 2) ltac:(lra) O M) as N. rewrite cos_PI2, F in N.
-  specialize (N ltac:(lra) ltac:(lra)). simpl in N. lra.
 Qed.
 
 (* The pixel's centre in the default view: e = 4, R = 1, 256^2 pixels. *)

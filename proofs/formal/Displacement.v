@@ -137,11 +137,11 @@ Proof.
     replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique; exact Hf).
     replace (Derive (fun t => g t) x) with b by (symmetry; apply is_derive_unique; exact Hg). ring. }
   assert (A : derivative_of (surface h beta theta) phi = vector_sum (scaled (beta * (h_v / PI)) (normal_at theta phi)) (scaled (1 + beta * c) (e_phi theta phi))).
-  { destruct (e_phi theta phi) as [[ex ey] ez] eqn:Ee. generalize (tangent_frame__by_phi theta phi). rewrite Ee. intros (Hx & Hy & Hz).
+  { destruct (e_phi theta phi) as [[ex ey] ez] eqn:Ee. generalize (frame_by_phi theta phi). rewrite Ee. intros (Hx & Hy & Hz).
     unfold derivative_of, surface. unfold_vectors.
     rewrite (K _ _ _ _ _ W Hx), (K _ _ _ _ _ W Hy), (K _ _ _ _ _ W Hz). reflexivity. }
   assert (T : derivative_of (fun t => surface h beta t phi) theta = vector_sum (scaled (beta * (h_u / (2 * PI))) (normal_at theta phi)) (scaled ((1 + beta * c) * sin phi) (e_theta theta))).
-  { generalize (tangent_frame__by_theta theta phi). unfold derivative_of, surface. unfold_vectors. intros (Hx & Hy & Hz).
+  { generalize (frame_by_theta theta phi). unfold derivative_of, surface. unfold_vectors. intros (Hx & Hy & Hz).
     rewrite (K _ _ _ _ _ X Hx), (K _ _ _ _ _ X Hy), (K _ _ _ _ _ X Hz). f_equal; [f_equal|]; fold c; ring. }
   rewrite A, T, displaced_in_frame by exact S. unfold G. unfold_vectors. f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
 Qed.

@@ -226,20 +226,6 @@ Proof. slopes. Qed.
 Theorem truncation_bound__apart : Statements.truncation_bound__apart.
 Proof. claim. Qed.
 
-(* Off the creases h and its gradient are those of p, or of -p: there is no other crease. *)
-Theorem kink_loci__between (u v k_u k_v : R) : let p := height_sine.h u v k_u k_v in p <> 0 ->
-  0 < height_ridges.h u v k_u k_v /\ exists s, (s = 1 \/ s = -1) /\ height_ridges.h u v k_u k_v = s * p /\
-  gradient_ridges.h_u u v k_u k_v = s * gradient_sine.h_u u v k_u k_v /\ gradient_ridges.h_v u v k_u k_v = s * gradient_sine.h_v u v k_u k_v.
-Proof.
-  cbv zeta. intro N. assert (U : gradient_ridges.h_u u v k_u k_v = sign (height_sine.h u v k_u k_v) * gradient_sine.h_u u v k_u k_v) by (unfold_fields; ring).
-  assert (V : gradient_ridges.h_v u v k_u k_v = sign (height_sine.h u v k_u k_v) * gradient_sine.h_v u v k_u k_v) by (unfold_fields; ring). split; [apply Rabs_pos_lt, N|]. exists (sign (height_sine.h u v k_u k_v)).
-  change (height_ridges.h u v k_u k_v) with (Rabs (height_sine.h u v k_u k_v)). set (p := height_sine.h u v k_u k_v) in *.
-  split; [|split; [|split; [exact U | exact V]]]; destruct (Rle_lt_dec 0 p).
-  - left. apply sign_eq_1. lra.
-  - right. apply sign_eq_m1. assumption.
-  - rewrite sign_eq_1, Rabs_pos_eq by lra. ring.
-  - rewrite sign_eq_m1, Rabs_left by assumption. ring.
-Qed.
 (* Ridges is 0 exactly on the rays k_u u = m and the circles k_v v = m: so p is not 0 everywhere else. *)
 Theorem kink_loci__zero (u v k_u k_v : R) : height_ridges.h u v k_u k_v = 0 <-> (exists m : Z, k_u * u = IZR m) \/ (exists m : Z, k_v * v = IZR m).
 Proof.

@@ -25,7 +25,7 @@ Lemma hit_a (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant
   exists t, real (hit_of_a.t_a x y e r) = t /\ 0 < t < 1 /\ t * (x ^ 2 + y ^ 2 + e ^ 2) = e ^ 2 - root /\ t * (e ^ 2 + root) = e ^ 2 - r ^ 2 /\
   on_a t x y e r /\ (forall s, on_a s x y e r -> t <= s).
 Proof.
-  intros H O D d root. apply Rge_le in D. destruct (t_a_near x y e r H O D) as (t & T & P & L & A & N & _).
+  intros H O D d root. apply Rge_le in D. destruct (t_a_near x y e r H O D) as (t & T & P & L & A & N).
   assert (M : root = sqrt d) by (unfold root, hit_of_a.root_a; rewrite Rmax_right by exact D; reflexivity).
   pose proof (sqrt_pos d). pose proof (pow2_sqrt d D). rewrite <- M in *. assert (V : t = (e ^ 2 - r ^ 2) / (e ^ 2 + root)) by (rewrite M; generalize (t_a_value x y e r H O D); rewrite T; intro V; apply (f_equal real) in V; exact V).
   pose proof (Rmax_l 0 d). assert (e ^ 2 + root > 0) by nra.

@@ -36,7 +36,7 @@ Proof.
     split; [assert (0 <= i * (albedo * kd + ks * q)) by (apply Rmult_le_pos; [exact I | apply Rplus_le_le_0_compat; apply Rmult_le_pos; assumption]); lra|].
     match type of B with Rabs (?s + 0 - (?t + 0)) <= _ => replace (s + x - (t + y)) with (s + 0 - (t + 0) + (x - y)) by ring end.
     eapply Rle_trans; [apply Rabs_triang|]. lra. }
-  eapply Rle_trans; [apply difference_bound_clip|]. eapply Rle_trans; [apply E|]. apply Rmult_le_compat_l; [apply E | apply normalising_is_lipschitz__bump].
+  eapply Rle_trans; [apply difference_bound_clip|]. eapply Rle_trans; [apply E|]. apply Rmult_le_compat_l; [apply E | apply bump_moved].
 Qed.
 Theorem difference_bound__any_lights__point : exists (lights : list (vector * R)) (model : vector -> vector -> R) (P : vector) (q : R) (p : nat), 0 <= q /\
   forall L i, In (L, i) lights -> 0 <= i /\ 0 < magnitude (difference L P) /\

@@ -102,7 +102,7 @@ Proof.
   { destruct (Rle_lt_dec (dot3 x y (- e) x y (- e)) 0) as [N | P]; [exfalso | exact P]. unfold dot3 in N.
     assert (x = 0 /\ y = 0 /\ e = 0) as (-> & -> & ->) by (repeat split; nra).
     unfold b, hit_of_b.toward_b in B. lra. }
-  destruct (near_root _ b _ d A B C Q D) as (P & _ & S & N & _).
+  destruct (near_root _ b _ d A B C Q D) as (P & _ & S & N).
   eexists. split; [| split; [reflexivity | split; [exact P | split]]].
   - unfold hit_of_b.t_b, hit_of_b.root_b. fold b. fold d. rewrite Rmax_right by exact D.
     destruct both as [_ | [[N1 | N1] | N1]]; [do 2 f_equal; [unfold c_of_b, dot3, hit_of_b.distance |]; ring | | |];

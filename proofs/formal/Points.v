@@ -3,11 +3,9 @@
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump Float.
+From Formal Require Import Preliminaries Formulas Fields Float.
 Open Scope R_scope.
 
-Theorem kink_loci__between__point : exists u v k_u k_v, height_sine.h u v k_u k_v <> 0.
-Proof. exists (1/2), (1/2), 1, 1. unfold_fields. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem elementary_functions__sine__point : exists r : R, - (1/4) <= r <= 1/4.
 Proof. exists 0. lra. Qed.
 Theorem elementary_functions__two_product__point : exists a b : R, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b)).

@@ -183,7 +183,7 @@ Theorem roundoff_bound__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_
 Proof.
   intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v epsilon I V)).
   - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus.
-    rewrite P, M, !(ridges_height s) by assumption. apply (opposite_quotients s _ _ _ 0 S).
+    rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
 Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
@@ -193,7 +193,7 @@ Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_
 Proof.
   intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v epsilon I U)).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). destruct (arguments_in_v v epsilon E P M) as (P' & M' & _).
-    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. apply (opposite_quotients s _ _ 0 _ S).
+    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption. exact (proj2 (opposite_quotients s _ _ 0 _ S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
 

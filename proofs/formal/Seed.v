@@ -59,7 +59,7 @@ Proof.
     destruct both as [[[_ B] _] | _]; [simpl in B; lra |].
     destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
       [lra | destruct (B I)]].
-  - destruct (hit_of_a__no_hit _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as [-> _].
+  - rewrite (no_hit_of_a _ _ 4 1 D).
     destruct both as [[[B _] _] | _]; [destruct B |].
     destruct both as [_ | [B | B]]; [reflexivity | destruct (B I) | destruct Rlt_dec; simpl in B;
       [lra | destruct (B I)]].

@@ -3,11 +3,9 @@
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases Algebraic Points.
+From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases.
 Open Scope R_scope.
 
-Theorem kink_loci__between__false : ~ forall u v k_u k_v, 0 < height_ridges.h u v k_u k_v.
-Proof. intro H. generalize (H 0 0 1 1). unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.
 Theorem elementary_functions__sine__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 56.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z.
@@ -16,11 +14,6 @@ Qed.
 Theorem elementary_functions__zero__false : ~ forall r, half_turn_polynomials.sine_near r = 0.
 Proof.
   intro H. generalize (H (1/4)). apply Rgt_not_eq. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. interval.
-Qed.
-Theorem tangent_frame__by_phi__false : ~ forall theta phi, is_derive (fun p => snd (normal_at theta p)) phi (sin phi).
-Proof.
-  intro H. generalize (is_derive_unique _ _ _ (H 0 (PI / 2))). generalize (tangent_frame__by_phi 0 (PI / 2)). unfold_vectors. intros (_ & _ & D).
-  rewrite (is_derive_unique _ _ _ D), sin_PI2. lra.
 Qed.
 Theorem angle_of_the_bump__arctangent__false : ~ forall theta phi h_u h_v beta,
   acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * magnitude (g theta phi h_u h_v).

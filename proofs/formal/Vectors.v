@@ -16,7 +16,6 @@ Definition scaled (s : R) (a : vector) : vector := let '(x, y, z) := a in (s * x
 Definition vector_sum (a b : vector) : vector :=
   let '(ax, ay, az) := a in let '(bx, by_, bz) := b in (ax + bx, ay + by_, az + bz).
 Definition difference (a b : vector) : vector := vector_sum a (scaled (-1) b).
-Definition zero_vector : vector := (0, 0, 0).
 Definition magnitude (a : vector) : R := sqrt (dot a a).
 
 (* The unit normal N and the tangent frame of the sphere at the angles theta and phi. *)
