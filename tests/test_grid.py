@@ -217,10 +217,6 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
     assert len(results) == len(LONG)
     assert dict(results) == long
     assert len(lines(kept.path)) == len(LONG)
-    again = Inline()
-    with Checkpoint(kept.path) as kept:
-        assert grid.run(LONG, again, kept) == long
-    assert again.tasks == []
 
 
 def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):

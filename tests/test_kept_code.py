@@ -26,16 +26,14 @@ def place(tmp_path, monkeypatch):
     return tmp_path / "new" / "code"
 
 
-@pytest.mark.parametrize(
-    "spoilt",
-    [lambda whole: b"", lambda whole: whole[:-1], lambda whole: whole[:40], lambda whole: whole + b"\0",
-     lambda whole: CODE, lambda whole: whole[:-1] + b"x", lambda whole: kept_code._digest("b", CODE) + CODE],
-    ids=["empty", "cut", "cut short", "longer", "without a digest", "another byte", "of another name"],
-)  # fmt: skip
-def test_a_file_that_is_not_whole_is_none(spoilt, place):
+def test_a_file_that_is_not_whole_is_none(place):
+    """Empty, cut, longer, without a digest, of another byte, of another name."""
     file = place / f"{KEY}.o"
-    file.write_bytes(spoilt(file.read_bytes()))
-    assert kept_code.load(KEY) is None
+    whole = file.read_bytes()
+    of_another = kept_code._digest("b", CODE) + CODE
+    for spoilt in (b"", whole[:40], whole[:-1], whole + b"\0", CODE, whole[:-1] + b"x", of_another):
+        file.write_bytes(spoilt)
+        assert kept_code.load(KEY) is None
     kept_code.save(KEY, CODE)
     assert kept_code.load(KEY) == CODE
 
