@@ -5,7 +5,6 @@ import io
 import os
 import re
 import shlex
-import subprocess
 import sys
 import tomllib
 from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
@@ -22,7 +21,8 @@ from renderer.kernels import FIELDS
 from renderer.picture import views
 from renderer.picture.sweep import sweep, table
 from renderer.scene.scene import DEFAULT_LIGHTS
-from tests.processes import python
+from tests.folders import contents
+from tests.processes import python, started
 from verify.sources import ROOT
 
 
@@ -235,7 +235,7 @@ def test_what_is_refused_is_said_in_one_line(verb, options, tmp_path, monkeypatc
     message, (out, err) = REFUSED[verb][options], capsys.readouterr()
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
     assert err.startswith((f"symbolic-rendering {verb}: error: {message}", f"symbolic-rendering: error: {message}"))
-    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "old")]
+    assert contents(tmp_path) == {"file": b"old"}
 
 
 def test_bounds_are_written(tmp_path, capsys):
@@ -300,13 +300,14 @@ def test_doctor(tmp_path, monkeypatch, capsys):
 
 def test_a_picture_in_a_pipe(tmp_path):
     """Read to its end, or by somebody who has soon had enough; a terminal is refused."""
-    command = [sys.executable, "-m", "renderer", "image", "--size", "300", "--out", "-"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True)
-    np.testing.assert_array_equal(picture(io.BytesIO(done.stdout)), views.image_view(render(Scene(), 300, 300)))
-    assert (done.returncode, done.stderr.decode()) == (0, "wrote -: 300 x 300 pixels\n")
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
+    command = ["-m", "renderer", "image", "--size", "300", "--out", "-"]
+    done = started(*command, encoding=None)
+    out, err = done.communicate()
+    np.testing.assert_array_equal(picture(io.BytesIO(out)), views.image_view(render(Scene(), 300, 300)))
+    assert (done.returncode, err) == (0, b"wrote -: 300 x 300 pixels\n")
+    with started(*command) as child:
         child.stdout.close()
-        assert (child.stderr.read(), child.wait()) == (b"", 141)
+        assert (child.stderr.read(), child.wait()) == ("", 141)
 
 
 def test_a_picture_is_not_written_to_a_terminal(monkeypatch, capsys):
