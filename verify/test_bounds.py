@@ -2,6 +2,7 @@
 
 import itertools
 from dataclasses import replace
+from operator import add, mul, truediv
 from types import SimpleNamespace
 
 import numpy as np
@@ -90,9 +91,9 @@ def test_a_floor_without_squares_is_open(radius, share, by_rows):
 
 WIDE, RATIO = (-50.0, 50.0), (1e-6, 1.0)
 OPERATIONS = {
-    "sum": (lambda a, b: a + b, lambda a, b: a + b, WIDE, WIDE),
-    "product": (lambda a, b: a * b, lambda a, b: a * b, WIDE, WIDE),
-    "quotient": (lambda a, b: a / b, lambda a, b: a / b, WIDE, WIDE),
+    "sum": (add, add, WIDE, WIDE),
+    "product": (mul, mul, WIDE, WIDE),
+    "quotient": (truediv, truediv, WIDE, WIDE),
     "selected": (lambda a, b: operations.where(a > b, 1.0, -1.0), lambda a, b: arb(1 if a > b else -1), WIDE, (3, 3)),
     "both": (
         lambda a, b: operations.where((a > b) & ~(a * a <= 9.0), 1.0, -1.0),
