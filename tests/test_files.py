@@ -3,8 +3,6 @@
 import os
 import signal
 import stat
-import subprocess
-import sys
 import zlib
 from io import BytesIO
 from pathlib import Path
@@ -17,6 +15,8 @@ from renderer import Scene, central, render, whole_files
 from renderer.files import pictures as files
 from renderer.picture import views
 from renderer.whole_files import checked_target, whole_file
+from tests.folders import contents
+from tests.processes import started
 from tests.refusals import rejection
 
 FRAME = render(Scene(), 24, 16, central(1e-3))
@@ -106,9 +106,7 @@ with whole_file(sys.argv[1]) as name:
 @pytest.fixture
 def writer(tmp_path):
     """A process that is in the middle of a file, and that file."""
-    command = [sys.executable, "-c", WRITE_FOR_EVER, str(tmp_path / "a.npy")]
-    root = Path(__file__).resolve().parent.parent
-    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, text=True) as child:
+    with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
         yield child, Path(child.stdout.readline().strip())
         child.kill()
 
@@ -132,7 +130,7 @@ def test_files_of_the_same_process_are_left_alone(tmp_path):
         assert one != other
         Path(one).write_text("one")
         Path(other).write_text("other")
-    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.csv", "one")]
+    assert contents(tmp_path) == {"a.csv": b"one"}
 
 
 def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
@@ -203,4 +201,4 @@ def test_checking_a_target_leaves_nothing_and_the_old_file(tmp_path):
     (tmp_path / "a.png").write_bytes(b"old")
     assert checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES) == tmp_path / "a.png"
     assert checked_target(str(tmp_path / "b.npz"), files.PICTURE_SUFFIXES) == tmp_path / "b.npz"
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.png", b"old")]
+    assert contents(tmp_path) == {"a.png": b"old"}

@@ -1,8 +1,6 @@
 """Kept code: where it is kept, and that whatever is not whole or not the user's own is compiled anew."""
 
 import os
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -10,8 +8,7 @@ import pytest
 
 from renderer.machines import kept_code
 from renderer.whole_files import whole_file
-from tests.processes import python
-from verify.sources import ROOT
+from tests.processes import python, started
 
 KEY, CODE = "a" * 64, b"machine code"
 
@@ -26,16 +23,14 @@ def place(tmp_path, monkeypatch):
     return tmp_path / "new" / "code"
 
 
-@pytest.mark.parametrize(
-    "spoilt",
-    [lambda whole: b"", lambda whole: whole[:-1], lambda whole: whole[:40], lambda whole: whole + b"\0",
-     lambda whole: CODE, lambda whole: whole[:-1] + b"x", lambda whole: kept_code._digest("b", CODE) + CODE],
-    ids=["empty", "cut", "cut short", "longer", "without a digest", "another byte", "of another name"],
-)  # fmt: skip
-def test_a_file_that_is_not_whole_is_none(spoilt, place):
+def test_a_file_that_is_not_whole_is_none(place):
+    """Empty, cut, longer, without a digest, of another byte, of another name."""
     file = place / f"{KEY}.o"
-    file.write_bytes(spoilt(file.read_bytes()))
-    assert kept_code.load(KEY) is None
+    whole = file.read_bytes()
+    of_another = kept_code._digest("b", CODE) + CODE
+    for spoilt in (b"", whole[:40], whole[:-1], whole + b"\0", CODE, whole[:-1] + b"x", of_another):
+        file.write_bytes(spoilt)
+        assert kept_code.load(KEY) is None
     kept_code.save(KEY, CODE)
     assert kept_code.load(KEY) == CODE
 
@@ -127,13 +122,13 @@ def test_written_by_two_at_once(place):
 
 def test_commands_that_start_at_once_and_files_that_are_emptied(tmp_path):
     """The picture is the same, whatever the files hold; nothing else is left in the folder."""
-    command = [sys.executable, "-m", "renderer", "image", "--size", "16", "--out"]
+    command = ["-m", "renderer", "image", "--size", "16", "--out"]
     settings = os.environ | {kept_code.VARIABLE: str(tmp_path / "code")}
-    together = [subprocess.Popen([*command, tmp_path / f"{n}.png"], cwd=ROOT, env=settings) for n in range(3)]
+    together = [started(*command, tmp_path / f"{number}.png", env=settings) for number in range(3)]
     assert [one.wait(60) for one in together] == [0, 0, 0]
     kept = list((tmp_path / "code").iterdir())
     assert [path.suffix for path in kept] == [".o"]
     kept[0].write_bytes(b"")
-    python(*command[1:], tmp_path / "3.png", env=settings)
+    python(*command, tmp_path / "3.png", env=settings)
     assert kept[0].stat().st_size > 0
     assert len({(tmp_path / f"{number}.png").read_bytes() for number in range(4)}) == 1

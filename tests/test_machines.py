@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage_of
@@ -16,23 +16,15 @@ from tests.strategies import methods, rasters, scenes
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
-SCENES = {
+SCENES = {  # beside those that are drawn at random below
     "ridges": (Scene(), exact()),
-    "general": (Scene(field="rings"), exact("general")),
     "central": (Scene(field="sine"), central(1e-3)),
     "forward": (Scene(ku=7.0, kv=3.5), forward(1e-2)),
     "central4": (Scene(field="rings"), central4(1e-2)),
-    "phong": (Scene(model="phong", ku=6.0, kv=3.0), exact()),
-    "odd": (Scene(shininess=7.0), exact()),
-    "diffuse": (Scene(ks=0.0, field="sine"), exact()),
-    "flat": (Scene(beta=0.0), exact()),
-    "no_ball": (Scene(ball=False), exact()),
     "no_floor": (Scene(floor=False), central(1e-2)),
     "fractional": (Scene(shininess=7.5), exact()),
     "fractional_phong": (Scene(shininess=0.7, model="phong"), central(1e-2)),
     "five_lights": (Scene(lights=tuple(Light((3.0 * n - 6, 4, 9), (0.3, 0.4, 0.2)) for n in range(5))), exact()),
-    "dark": (Scene(lights=()), exact()),
-    "one_black": (Scene(lights=(Light((5, 5, 10), (0, 0, 0)), Light((-6, 2, 8)))), exact()),
     "largest": (Scene(ku=2.0**20, kv=-(2.0**20), beta=1e100, ka=1e6, kd=1e6, ks=1e6, shininess=1e6), exact()),
     "least": (Scene(ku=5e-324, kv=1e-300, beta=-5e-324, shininess=1e-3), exact("general")),
     "widest_step": (Scene(beta=1e100), forward(0.5)),
@@ -85,7 +77,6 @@ def test_pictures_by_llvm_are_numpys_to_the_last_bit(lanes, by_numpy):
             assert differing(picture(name), by_numpy[name]) == [], name
 
 
-@settings(max_examples=40)
 @given(scenes(), rasters(40), methods, st.sampled_from(LANES), st.data())
 def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, data):
     crop = None

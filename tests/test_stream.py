@@ -2,9 +2,6 @@
 
 import os
 import signal
-import subprocess
-import sys
-import time
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,8 +15,8 @@ from renderer.command_line.verbs import main
 from renderer.machines import machine
 from renderer.picture import stream, views
 from renderer.scene.raster import MAX_SIDE
-from tests.processes import python
-from verify.sources import ROOT
+from tests.folders import contents
+from tests.processes import python, started, wait_until
 
 
 @pytest.fixture
@@ -107,7 +104,7 @@ def test_an_error_of_a_band_reaches_the_caller_and_leaves_the_old_file(name, thr
     with pytest.raises(ArithmeticError, match="a band"):
         stream.stream(Scene(), 300, 600, tmp_path / name, threads=threads)
     assert len(drawn) == 1
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+    assert contents(tmp_path) == {name: b"old"}
 
 
 def heed_interrupts():
@@ -115,25 +112,16 @@ def heed_interrupts():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-STOPS = {"SIGINT": (130, "interrupted"), "SIGTERM": (143, "terminated")}
-
-
-@pytest.mark.parametrize("name", STOPS)
-def test_a_signal_in_the_middle_of_a_big_picture(name, tmp_path):
+@pytest.mark.parametrize(("number", "status", "told"), [(2, 130, "interrupted"), (15, 143, "terminated")])
+def test_a_signal_in_the_middle_of_a_big_picture(number, status, told, tmp_path):
     (tmp_path / "a.tif").write_bytes(b"old")
-    command = [sys.executable, "-m", "renderer", "image", "--size", "16384", "--out", str(tmp_path / "a.tif")]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    with subprocess.Popen(command, cwd=ROOT, preexec_fn=heed_interrupts, **pipes) as child:
-        deadline = time.monotonic() + 60
-        while not any(path.stat().st_size > 10**5 for path in tmp_path.glob(".a-*")):
-            assert child.poll() is None, child.stderr.read()
-            assert time.monotonic() < deadline
-            time.sleep(0.01)
-        child.send_signal(getattr(signal, name))
+    command = ["-m", "renderer", "image", "--size", "16384", "--out", tmp_path / "a.tif"]
+    with started(*command, preexec_fn=heed_interrupts) as child:
+        wait_until(lambda: any(path.stat().st_size > 10**5 for path in tmp_path.glob(".a-*")), child)
+        child.send_signal(number)
         out, err = child.communicate(timeout=60)
-    status, told = STOPS[name]
     assert (child.returncode, out, err) == (status, "", f"python -m renderer image: {told}\n")
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("a.tif", b"old")]
+    assert contents(tmp_path) == {"a.tif": b"old"}
 
 
 @pytest.mark.parametrize("moment", range(10))
@@ -152,7 +140,7 @@ def test_sigterm_leaves_the_old_file(name, height, moment, small_blocks, tmp_pat
     (tmp_path / name).write_bytes(b"old")
     assert main(["image", "--width", "200", "--height", height, "--out", str(tmp_path / name)]) == 143
     assert capsys.readouterr() == ("", "symbolic-rendering image: terminated\n")
-    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(name, b"old")]
+    assert contents(tmp_path) == {name: b"old"}
     assert signal.getsignal(signal.SIGTERM) == before
 
 

@@ -38,9 +38,7 @@ UNSOUND: list[tuple[list, dict, str]] = [
     ([("define", ONE, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
     ([show({"z": "1"}, "=")], NOTHING, "z stands for nothing"),
     ([show({"x": "1.5"}, "=")], NOTHING, "not a fraction"),
-    ([show({"x": "1/0"}, "=")], NOTHING, "not a fraction"),
     ([show({"x^-1": "0"}, "=")], NOTHING, "exponent"),
-    ([show({"x^0": "0"}, "=")], NOTHING, "exponent"),
     ([show([], "=")], NOTHING, "a polynomial is missing"),
     ([assume(X, "<>"), show({}, "=")], NOTHING, "no relation"),
     ([assume(X, "toString"), show({}, "=")], NOTHING, "no relation"),
@@ -105,7 +103,6 @@ def huge(power: int) -> list:
     return [derivation(*steps, show({"a5": "1"}, "=")), {"proofs": [NOTHING]}]
 
 
-STEP = STATEMENT["steps"][0]
 BROKEN = {
     **{f"inverse {new!r}": inverse(new) for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")},
     "x > 0, as x ≥ 0": [

@@ -93,9 +93,6 @@ def untranslatable():
             q = Symbol("q", **{assumption: is_so})
             shows = (equation(Abs(q), x - 5), greater(q, x - 6))
             yield Claim(f"{assumption} {is_so}", shows, (), defined(q, x - 5)), "plain real"
-        q = Symbol("q", **{assumption: True})
-        yield Claim(f"shown {assumption}", (greater(q, 0),)), "plain real"
-        yield Claim(f"given {assumption}", (greater(x, 0),), (greater(q, 0),)), "plain real"
     for number, other in enumerate((Symbol("x"), Dummy("x", real=True), Symbol("x", extended_real=True))):
         yield Claim(f"another x {number}", (equation(x, other),), (greater(x, 0),)), None
         yield Claim(f"a line of another x {number}", (greater(x, 0),), (), defined(x, other + 1)), None
@@ -106,21 +103,24 @@ def untranslatable():
     positive = Symbol("q", positive=True)  # nor where no relation looks at it
     unused = Program("p", (x, positive), ((p, x + 1), (w, positive)), (p,))
     lemma, bound = CitedLemma(x <= 10, "Dekker1971", (greater(positive, 0),)), Derivative(positive**2, positive)
-    for name, changes in (
-        ("an unused line", {"lines": unused}),
-        ("an unused input", {"lines": Program("p", (x, positive), ((p, x + 1),), (p,))}),
-        ("a lemma's condition", {"cited": (lemma,)}),
-        ("a lemma", {"cited": (CitedLemma(greater(positive + 1, 0), "Dekker1971"),)}),
-        ("a range", {"ranges": ((positive, (0, 1)),)}),
-        ("a coordinate", {"example": ((positive, 1),)}),
-        ("a derivative", {"shows": (equation(bound, bound),)}),
+    for changes in (
+        {"shows": (greater(positive, 0),)},
+        {"given": (greater(positive, 0),)},
+        {"lines": unused},
+        {"lines": Program("p", (x, positive), ((p, x + 1),), (p,))},
+        {"cited": (lemma,)},
+        {"cited": (CitedLemma(greater(positive + 1, 0), "Dekker1971"),)},
+        {"ranges": ((positive, (0, 1)),)},
+        {"example": ((positive, 1),)},
+        {"shows": (equation(bound, bound),)},
     ):
-        yield Claim(name, (greater(x, 0),), (greater(x, 1),)).but(**changes), "plain real"
+        (place,) = changes
+        yield Claim(place, (greater(x, 0),), (greater(x, 1),)).but(**changes), "plain real"
     for number in (Symbol("n", positive=True), Symbol("n", even=True), Symbol("n", integer=True, zero=False)):
         yield Induction("not every whole number", number, (equation(x, 0),), ((x, 0, x),)), "whole, and nothing else"
     # An angle has a value, and no letter of its own: of e·x and the product of x and a symbol E the cosine would have
     # one name.
-    for angle in (1 / x, sqrt(x), Abs(x), cos(x), I * x, E * x, 0.5 * x, (x + 0.5) ** 2, INFINITE):
+    for angle in (1 / x, sqrt(x), Abs(x), I * x, E * x, 0.5 * x, INFINITE):
         square = cos(angle, evaluate=False) ** 2
         yield Claim(f"the angle {angle}", (equation(square + sin(x) ** 2, 1),)), "polynomial"
     yield Claim("exponent", (TO_THE_ONE,)), "no rule"
@@ -210,7 +210,6 @@ WITHOUT_DERIVATIVE = [
     equation(2 * sqrt(x) * Derivative(sqrt(x), x), 1),
     equation(Derivative(1 / x, x), -(x**-2)),
     *(equation(diff(corner, x), d) for corner, d in ((Abs(x), sign(x)), (Abs(x) ** 3 / 3, x**2 * sign(x)))),
-    equation(diff(Abs(x), x) ** 2, 1),
     equation(diff(RAMP, x), STEP),
     at_least(diff(RAMP, x), 0),
 ]
@@ -223,7 +222,6 @@ with evaluate(False):  # obligations come before anything cancels, whichever sid
         equation(1 / x - 1 / x, 0),
         equation(cos(x * y / x), cos(y)),
         equation(sinpi(x * y / x), sinpi(y)),
-        equation(x * sinpi(y) / x, sinpi(y)),
         equation(sqrt(x) * sqrt(x) * sinpi(y), x * sinpi(y)),
         equation(sign(1 + Abs(1 / x)), 1),
         greater(x / x + 1, 1),
@@ -301,10 +299,9 @@ claims = [Claim("written", (relation,)) for relation in relations]
 
 def graded_claims():
     """Yield (the grade, a claim, what else is so of the theorem)."""
-    for relation in (equation(sqrt(x) ** 2, x), equation(x * y / x, y), equation((x - y) / (x - y), 1), equation(x, x)):
-        yield "by definition", Claim("nothing to prove", (relation,)), {}
+    for relation in NOTHING:
+        yield "by definition", Claim("nothing to prove", (relation,), (greater(x, y),)), {}
     yield "by definition", Induction("to nothing", n, (equation(x, x), equation(0, 0))), {}
-    yield "by definition", Claim("what is given", (greater(x, y),), (greater(x, y),)), {}
     for larger in (x, y):  # a branch is taken where the kernel can show it, and shown, whichever is the larger one
         given = (at_least(larger, x + y - larger),)
         yield "proved", Claim("maximum", (equation(Max(x, y), larger),), given), {}
@@ -347,14 +344,12 @@ FALSE_LEMMAS = [
     (at_least(x, sin(x) + TINY), (at_least(x, 0),)),
     (greater(x * y, 0), (at_least(x * y, 0),)),
     (greater((7 * x - 1) ** 2, 0), ()),
-    (at_least(x**2, TINY), (at_least(1, x),)),
     (at_least(20, x), (greater(x, 0),)),
     (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
     (at_least((7 * x - 1) ** 2, TINY), ()),
     (at_least(10**20, x), (x >= 0,)),
     (at_least(5 - x, Rational(1, 10**5)), (x < 5,)),
     (Ne(sin(x), Rational(1, 2), evaluate=False), ()),
-    (greater(sin(x) + 1, 0), ()),
     (at_least(sin(pi * x), TINY), (x > 0, x < 1)),
 ]
 """[(what is false at or beside an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
