@@ -6,7 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, enlarged, symbolic
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic, image_view
 from verify.accuracy.pixels import errors_of, truth_of
@@ -24,10 +24,6 @@ def _errors():
     return np.reshape(errors, (SIDE, SIDE, 3))
 
 
-def _enlarged(picture):
-    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
-
-
 @figure
 def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
@@ -35,7 +31,7 @@ def certified_bounds() -> Drawing:
     bounds = frame.bounds
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")
-    maps = [_enlarged(difference_logarithmic(each, LOW, HIGH)) for each in (bounds, errors)]
+    maps = [enlarged(difference_logarithmic(each, LOW, HIGH), ZOOM) for each in (bounds, errors)]
     pictures = [averaged(image_view(symbolic(size=SIZE * 3))), *maps]
     fig = panels(pictures, ("the picture", "its bound", "its error"), (LOW, HIGH), "largest of a channel")
     numbers = {

@@ -45,6 +45,11 @@ def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
     return np.rint(squares.mean(axis=(1, 3))).astype(np.uint8)
 
 
+def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
+    """Return a picture whose every pixel is a square of `times` pixels."""
+    return picture.repeat(times, axis=0).repeat(times, axis=1)
+
+
 def marked_by_light(marks: Sequence) -> Figure:
     """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top.
 
