@@ -6,7 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, enlarged, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, certified_numbers, enlarged, symbolic
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic, image_view
 from verify.accuracy.pixels import errors_of, truth_of
@@ -41,12 +41,6 @@ def certified_bounds() -> Drawing:
         "median_ratio": np.median(bounds[errors > 0] / errors[errors > 0]),
         "largest_share": (errors[bounds > 0] / bounds[bounds > 0]).max(),
     }
-    for field in FIELD_NAMES:
-        whole = symbolic(field)
-        numbers[field] = {
-            "median_on_a": float(rounded_up(np.median(whole.bounds[whole.stage.on_a]), 2)),
-            "bound": float(rounded_up(whole.bounds.max(), 2)),
-            "open": np.count_nonzero(whole.open),
-        }
+    numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
     data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
     return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, symbolic(size=SIZE * 3)))

@@ -21,7 +21,7 @@ _azimuth, _around = real("azimuth"), (cos_theta, sin_theta, cos_phi)
 _angles = Program(
     "angles",
     (_azimuth, sin_phi),
-    (tuple(zip(_around, (cos(_azimuth), sin(_azimuth), sqrt(1 - sin_phi**2)), strict=True))),
+    tuple(zip(_around, (cos(_azimuth), sin(_azimuth), sqrt(1 - sin_phi**2)), strict=True)),
     _around,
 )
 _known = (*_around, h_u, h_v, *g)
