@@ -88,7 +88,7 @@ def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE) -> St
         on_a, undecided = (flags.reshape(side, pixel, side, pixel) for flags in (there, numeric.open | symbolic.open))
         open_ |= undecided.any(axis=(1, 3))
     within = mean[3] + 4 * (lamp**2 + pixel**2) * UNIT  # of numbers up to 1, their mean's own roundings
-    return Stacked(mean[0], mean[1], mean[2], within, on_a.all(axis=(1, 3)), open_, flips)
+    return Stacked(mean[0], mean[1], mean[2], within, np.array(on_a.all(axis=(1, 3))), open_, flips)
 
 
 def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
