@@ -2,7 +2,7 @@
 
 import pytest
 
-from book.figures import elementary_ulps, reference_pixels, u_curve_apart
+from book.figures import certified_bounds, elementary_ulps, u_curve_apart
 from verify.accuracy.certified_ulps import PIECES
 from verify.accuracy.differences import bounds
 
@@ -11,7 +11,7 @@ CASES = (
     (u_curve_apart, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
      u_curve_apart.below, (u_curve_apart.STEEP,), "steep"),
     (elementary_ulps, {"PIECES": {"cospi": lambda: HALVED}}, elementary_ulps._samples, ("cospi",), "certified is"),
-    (reference_pixels, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, reference_pixels._pixels, (),
+    (certified_bounds, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, certified_bounds._pixels, (),
      "off by more than their bound"),
 )  # fmt: skip
 

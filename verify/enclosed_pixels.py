@@ -30,20 +30,19 @@ class Picture:
     def __init__(self, scene: Scene, width: int, height: int, method: GradientMethod, crop: tuple | None = None):
         self.frame = render(scene, width, height, method, crop, bounds=True)
 
-    def errors(self, column: int, row: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return what each channel is certainly off, and its bound; NaN where that is on an edge, at any digits."""
-        off = errors_of(self.frame, column, row, truth_of(self.frame, column, row))
-        return np.array([float(error.abs_lower()) for error in off]), self.frame.bounds[row, column]
-
-    def missed(self, column: int, row: int) -> bool:
-        """Return whether a chamber is another than the true one, and not open."""
-        true = code_of(self.frame.scene, truth_of(self.frame, column, row))
-        return bool(true != self.frame.chambers[row, column] and not self.frame.open[row, column])
+    def errors(self, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:
+        """Return what each channel is certainly off, NaN where that is on an edge at any digits; its bound; and whether
+        the chamber is another than the true one, and not open.
+        """
+        frame, truth = self.frame, truth_of(self.frame, column, row)
+        off = [float(error.abs_lower()) for error in errors_of(frame, column, row, truth)]
+        missed = code_of(frame.scene, truth) != frame.chambers[row, column] and not frame.open[row, column]
+        return np.array(off), frame.bounds[row, column], bool(missed)
 
     def wrong(self, column: int, row: int) -> bool:
         """Return whether an error is above its bound, or a chamber missed."""
-        off, bounds = self.errors(column, row)
-        return bool((off > bounds).any()) or self.missed(column, row)
+        off, bounds, missed = self.errors(column, row)
+        return bool((off > bounds).any()) or missed
 
 
 def random_picture(seed: int) -> Picture:
@@ -104,11 +103,11 @@ def measure(pictures: int, first: int = 1000) -> dict:
             opened[kind] += int(frame.open.sum())
             drawn[kind] += frame.open.size
         for number, place in enumerate(places(picture, random, EACH)):
-            off, bounds = picture.errors(*place)
+            off, bounds, missed = picture.errors(*place)
             counts["pixels"] += 1
             counts["decided"] += int(np.isfinite(off).all())
             counts["above_bound"] += int((off > bounds).sum())
-            counts["chambers_missed"] += picture.missed(*place)
+            counts["chambers_missed"] += missed
             known = off > 0
             ratios["largest"] += (bounds[known] / off[known]).tolist()
             if number < EACH:

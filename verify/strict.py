@@ -12,30 +12,26 @@ from proofs.formulas.camera import surface
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene, render, stage_of
-from renderer.generate.kernels import function_of
 from renderer.scene.methods import GradientMethod
+from verify.evaluate.arrays import in_float64
 from verify.reference import lights_on, scene_values
 
 
 @cache
 def _program(field, model, lights, outputs):
-    program = pixel(HEIGHT_FIELDS[field], model, lights).keep(*outputs)
-    return function_of(program), [s.name for s in program.inputs]
+    return pixel(HEIGHT_FIELDS[field], model, lights).keep(*outputs)
 
 
 def _run(scene, width, height, *outputs):
     """Return the outputs at every pixel, (height, width) each."""
-    function, names = _program(scene.field, scene.model, len(lights_on(scene)), outputs)
-    values = scene_values(scene, width=float(width), height=float(height))
-    values |= {"column": np.arange(width, dtype=np.float64), "row": np.arange(height, dtype=np.float64)[:, None]}
-    with np.errstate(all="ignore"):
-        results = function(*(values[name] for name in names))
-    return [np.broadcast_to(result, (height, width)) for result in results]
+    program = _program(scene.field, scene.model, len(lights_on(scene)), outputs)
+    place = {"column": np.arange(width), "row": np.arange(height)[:, None]}
+    return in_float64(program, scene_values(scene, width=width, height=height, **place)).values()
 
 
 def strict_rgb(scene: Scene, width: int, height: int) -> np.ndarray:
     """Return the picture by the exact gradient in its general form, (height, width, 3)."""
-    return np.stack(_run(scene, width, height, *rgb), axis=-1)
+    return np.stack([*_run(scene, width, height, *rgb)], axis=-1)
 
 
 def strict_chambers(scene: Scene, width: int, height: int) -> np.ndarray:

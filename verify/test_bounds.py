@@ -61,7 +61,7 @@ def test_the_default_scene(field, model):
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
     found = [picture.errors(*place) for place in random.integers(0, 256, (200, 2)).tolist()]
-    share = np.median([share for off, bounds in found for share in bounds[off > 0] / off[off > 0]])
+    share = np.median([share for off, bounds, _ in found for share in bounds[off > 0] / off[off > 0]])
     assert share <= (300 if scene == Scene() else 1000)
 
 
@@ -201,7 +201,7 @@ def error_on_b(ratio, size):
     scene = replace(scene, ball=True, ball_center=center, ball_radius=size)
     picture = Picture(scene, 64, 64, exact(), (30, 20, 1, 1))
     assert picture.frame.chambers[0, 0] & 3 == 2
-    off, bounds = picture.errors(0, 0)
+    off, bounds, _ = picture.errors(0, 0)
     assert (off <= bounds).all()
     true = truth_of(picture.frame, 0, 0)
 

@@ -1,7 +1,6 @@
 """The report of the proofs' run, which the book prints from: whether it belongs to the sources as they are."""
 
 import hashlib
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -66,9 +65,9 @@ def load() -> dict[str, dict]:
         raise NoReport(f"there is no report of the proofs; {REMEDY}")
     if not is_fresh():
         raise NoReport(f"the report of the proofs is stale: proofs/, renderer/ or verify/ changed since; {REMEDY}")
-    return {entry["id"]: entry for entry in json.loads(REPORT.read_text(encoding="utf-8"))["theorems"]}
+    return {entry["id"]: entry for entry in stamps.table_in(REPORT)["theorems"]}
 
 
 def asked() -> dict[str, bool]:
     """Whether the second checker and Coq have read, on this machine, what the report is about."""
-    return json.loads(REPORT.read_text(encoding="utf-8"))["asked"]
+    return stamps.table_in(REPORT)["asked"]

@@ -4,6 +4,8 @@ A result is up to date when its stamp equals what `verify.sources` finds now.
 """
 
 import json
+import tomllib
+from pathlib import Path
 
 from renderer.whole_files import write_whole
 from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable  # noqa: F401
@@ -18,10 +20,15 @@ class Refused(ValueError):
     status = 2
 
 
+def table_in(path: Path) -> dict:
+    """What a JSON or a TOML file holds."""
+    return (tomllib if path.suffix == ".toml" else json).loads(path.read_text(encoding="utf-8"))
+
+
 def read(name: str) -> dict | None:
     """A stamp's content, or None where there is no readable stamp."""
     try:
-        return json.loads((STAMPS / f"{name}.json").read_text(encoding="utf-8"))
+        return table_in(STAMPS / f"{name}.json")
     except (OSError, ValueError):
         return None
 

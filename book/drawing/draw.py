@@ -19,7 +19,7 @@ from book.drawing.registry import FIGURES, Registered
 
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
-LONGEST = ("eps_sweep", "stability", "u_curve_apart", "reference_pixels", "accuracy_maps", "attribution")
+LONGEST = ("eps_sweep", "stability", "u_curve_apart", "certified_bounds", "accuracy_maps", "attribution")
 
 
 def all_figures() -> dict[str, Registered]:

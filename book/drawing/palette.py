@@ -13,6 +13,7 @@ from matplotlib.colors import to_hex, to_rgb
 CSS_FILE = Path(__file__).parent.parent / "static" / "palette.css"
 CSS_PIXELS_PER_INCH = 96
 TEXT_WIDTH = 640 / CSS_PIXELS_PER_INCH  # inches; the column of prose
+LEAST_CONTRAST = 4.5  # of text with what it stands on
 PAGE_WIDTH = 928 / CSS_PIXELS_PER_INCH  # inches; the column and the margin beside it
 
 # What a colour means is the same everywhere. Okabe and Ito's set, safe for colour-blind readers.
@@ -45,11 +46,11 @@ def drawing_for(mode: str) -> Iterator[None]:
         _mode.reset(token)
 
 
-def readable(colour: str, least: float = 4.5, against: str | None = None) -> str:
+def readable(colour: str, against: str | None = None) -> str:
     """The colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
     colours = palette()
     mixed = (_mix(colour, colours["ink"], step / 100) for step in range(101))
-    return next((c for c in mixed if contrast(c, against or colours["paper"]) >= least), colours["ink"])
+    return next((c for c in mixed if contrast(c, against or colours["paper"]) >= LEAST_CONTRAST), colours["ink"])
 
 
 def _mix(colour: str, other: str, share: float) -> str:

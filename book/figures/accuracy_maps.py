@@ -6,6 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
+from book.figures.chapter_scene import enlarged
 from renderer.picture.views import difference_logarithmic
 from verify.stability import maps
 
@@ -19,8 +20,7 @@ _chart, _image = cache(maps.over_the_chart), cache(maps.over_the_image)
 def _picture(units):
     """Return a map as a picture: one unit and less is black, what is off A grey."""
     picture = difference_logarithmic(np.where(units > 1, units, 0.0), LOW, HIGH)
-    picture = np.where(np.isnan(units)[..., None], np.uint8(OFF), picture)
-    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
+    return enlarged(np.where(np.isnan(units)[..., None], np.uint8(OFF), picture), ZOOM)
 
 
 def _drawing(errors, **numbers) -> Drawing:

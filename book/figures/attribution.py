@@ -6,6 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, decades, palette, panels, pixel_axes, pixel_text, plot
+from book.figures.chapter_scene import enlarged
 from proofs.formulas.step_bounds import TERMS
 from renderer import Scene, render
 from verify.stability import attribution
@@ -21,8 +22,7 @@ KEYS = [name.replace(" ", "_").replace("-", "_") for name in TERMS]
 def _picture(kinds):
     """Return the kinds as colours, black off A and where there is no error."""
     table = np.array([[int(c[i : i + 2], 16) for i in (1, 3, 5)] for c in COLOURS.values()], np.uint8)
-    picture = np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0))
-    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
+    return enlarged(np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0)), ZOOM)
 
 
 _frame = cache(partial(render, Scene(), SIDE, SIDE))

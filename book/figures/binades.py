@@ -5,14 +5,11 @@ from itertools import product
 
 import numpy as np
 from matplotlib import patheffects
-from matplotlib.axes import Axes
-from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, canvas, pixel_axes, pixel_text
-from book.figures.chapter_scene import SCENE, SIZE, numeric, on_picture
+from book.figures.chapter_scene import SCENE, SIZE, numeric, place
 from renderer import Scene, central, render
-from renderer.generate.creases import crease_point
 from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
 from verify.accuracy.binades import dies
@@ -47,25 +44,19 @@ def shares(step: float) -> dict[str, dict[str, float]]:
     return {by: {"u": u.mean(), "v": v.mean(), "both": (u & v).mean()} for by, (u, v) in found.items()}
 
 
-def _place(frame: Frame, u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Return the columns and rows of points of A's chart."""
-    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
-        return on_picture(frame, *crease_point(1.0, 0.0, u, v, SCENE.eye, SCENE.radius))
-
-
-def _edges(frame: Frame, step: float) -> dict[str, dict[str, np.ndarray]]:
+def _edges(frame, step):
     """Return the edge of what a step loses, of the largest binades where it loses none, and the seam, in pixels."""
     powers = 0.5 ** np.arange(1, 8)
     lost = powers[dies(powers, step, at_power=0.5)]
     ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 65)
     lines = [(np.full(2, u), np.array([0.001, 0.999 * RIM])) for u in (*ends, 0.0)]  # straight: A is seen from above
     lines += [(round_a, np.full(65, v)) for v in ends[ends < RIM]]
-    return {str(n): dict(zip("xy", _place(frame, *line), strict=True)) for n, line in enumerate(lines)}
+    return {str(n): dict(zip("xy", place(frame, *line), strict=True)) for n, line in enumerate(lines)}
 
 
-def _write_names(ax: Axes, frame: Frame, step: float) -> None:
+def _write_names(ax, frame, step):
     for name, at in NAMES[step].items():
-        (x,), (y,) = _place(frame, *np.array(at)[:, None])
+        (x,), (y,) = place(frame, *np.array(at)[:, None])
         halo = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
         ax.text(x, y, name, color="white", ha="center", va="center", fontsize=10, path_effects=halo)
 

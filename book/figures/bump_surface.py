@@ -19,7 +19,7 @@ RED, GROUND, AMBIENT, SHADE = (0.72, 0.25, 0.17), (0.8, 0.77, 0.7), 0.08, 0.35
 LIGHT = np.array(SCENE.lights[0].position)
 
 
-def _seen(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _seen(points):
     """Return the finer columns and rows on which points (3, n) fall, and how near to the eye they are."""
     right = np.array([-np.sin(TURN), np.cos(TURN), 0])
     toward = np.array([np.cos(TIP) * np.cos(TURN), np.cos(TIP) * np.sin(TURN), np.sin(TIP)])
@@ -28,7 +28,7 @@ def _seen(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return *(np.rint(each).astype(int) for each in (columns, rows)), toward @ points
 
 
-def _put(picture: np.ndarray, points: np.ndarray, colours: np.ndarray) -> None:
+def _put(picture, points, colours):
     """Put points' colours where they fall: of several on a pixel the nearest to the eye."""
     columns, rows, near = _seen(points)
     inside = (columns >= 0) & (columns < picture.shape[1]) & (rows >= 0) & (rows < picture.shape[0])
@@ -37,7 +37,7 @@ def _put(picture: np.ndarray, points: np.ndarray, colours: np.ndarray) -> None:
 
 
 @cache
-def _stills() -> list[np.ndarray]:
+def _stills():
     """Return the five pictures, (HIGH, SIDE, 4): transparent where there is nothing."""
     u, v = np.meshgrid((np.arange(DENSE) + 0.5) / DENSE, (np.arange(DENSE // 2) + 0.5) / (DENSE // 2))
     values = np.array(surfaces(u.ravel(), v.ravel(), SCENE.ku, SCENE.kv, SCENE.beta, *LIGHT))

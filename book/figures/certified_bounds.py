@@ -1,15 +1,15 @@
-"""The certified bound of every colour over the picture, beside the error itself."""
+"""Certified bounds beside true errors: of every pixel of a small picture, and of pixels by what is hard about them."""
 
 from functools import cache
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import panels
-from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, symbolic
+from book.drawing.style import decades, dots, label_line_end, panels, plot
+from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, certified_numbers, enlarged, symbolic
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic, image_view
-from verify.accuracy.pixels import errors_of, truth_of
+from verify.accuracy.pixels import SCENES, checked_pixels, errors_of, problems, truth_of
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -9
@@ -24,10 +24,6 @@ def _errors():
     return np.reshape(errors, (SIDE, SIDE, 3))
 
 
-def _enlarged(picture):
-    return picture.repeat(ZOOM, axis=0).repeat(ZOOM, axis=1)
-
-
 @figure
 def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
@@ -35,7 +31,7 @@ def certified_bounds() -> Drawing:
     bounds = frame.bounds
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")
-    maps = [_enlarged(difference_logarithmic(each, LOW, HIGH)) for each in (bounds, errors)]
+    maps = [enlarged(difference_logarithmic(each, LOW, HIGH), ZOOM) for each in (bounds, errors)]
     pictures = [averaged(image_view(symbolic(size=SIZE * 3))), *maps]
     fig = panels(pictures, ("the picture", "its bound", "its error"), (LOW, HIGH), "largest of a channel")
     numbers = {
@@ -45,12 +41,40 @@ def certified_bounds() -> Drawing:
         "median_ratio": np.median(bounds[errors > 0] / errors[errors > 0]),
         "largest_share": (errors[bounds > 0] / bounds[bounds > 0]).max(),
     }
-    for field in FIELD_NAMES:
-        whole = symbolic(field)
-        numbers[field] = {
-            "median_on_a": float(rounded_up(np.median(whole.bounds[whole.stage.on_a]), 2)),
-            "bound": float(rounded_up(whole.bounds.max(), 2)),
-            "open": np.count_nonzero(whole.open),
-        }
+    numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
     data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
     return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, symbolic(size=SIZE * 3)))
+
+
+EACH = 15
+
+
+@cache
+def _pixels():
+    pixels = checked_pixels(SCENES, each=EACH)
+    if wrong := problems(pixels):
+        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
+    return pixels
+
+
+@figure
+def reference_pixels() -> Drawing:
+    """The largest channel error of pixels of each kind against 256-bit balls, and the bounds of their frames."""
+    pixels = _pixels()
+    kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
+    fig, ax = plot(height=3.8)
+    decided = [p for p in pixels if not p.undecided]
+    for row, kind in enumerate(kinds):
+        for what, role, marker, shift in (("error", "difference", "o", 0.12), ("bound", "reference", "|", -0.2)):
+            values = [getattr(p, what) for p in decided if p.kind == kind and getattr(p, what) > 0]
+            dots(ax, values, np.full(len(values), row + shift), role, 4, marker)
+    ax.set_yticks(range(len(kinds)), kinds)
+    limits = {"xlim": (1e-20, 1e-8), "ylim": (-0.6, len(kinds) - 0.1)}
+    decades(ax, 2, None, **limits, xlabel="error of a channel, and its bound")
+    label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", "difference", "left")
+    label_line_end(ax, 1e-10, len(kinds) - 1.2, "bound", "reference")
+    numbers = {"pixels": len(pixels), "decided": len(decided), "largest": max(p.error for p in decided)}
+    numbers["largest_share"] = max(p.error / p.bound for p in decided if p.bound > 0)
+    data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "bound")}
+    data["undecided"] = [bool(p.undecided) for p in pixels]
+    return Drawing(fig, numbers, data)

@@ -5,9 +5,12 @@ from functools import cache
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 from book.drawing.style import panels
 from renderer import Scene, central, exact, render
+from renderer.generate.creases import crease_point
+from renderer.picture.differences import rounded_up
 from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
 
@@ -38,11 +41,28 @@ def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, 
     return (x - columns[0]) / step, (rows[0] - y) / step
 
 
+def place(frame: Frame, u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Return points of A's chart as columns and rows of a frame."""
+    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
+        return on_picture(frame, *crease_point(1.0, 0.0, u, v, SCENE.eye, SCENE.radius))
+
+
+def certified_numbers(frame: Frame) -> dict[str, float]:
+    """Return the bounds of a frame, to two digits: their median on A, the largest; and how many pixels are open."""
+    found = {"median_on_a": np.median(frame.bounds[frame.stage.on_a]), "bound": frame.bounds.max()}
+    return {name: float(rounded_up(value, 2)) for name, value in found.items()} | {"open": np.count_nonzero(frame.open)}
+
+
 def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
     """Return a picture of bytes, (high, wide, channels), at a `times`-th of its size: the mean of every square."""
     high, wide, channels = picture.shape
     squares = picture.reshape(high // times, times, wide // times, times, channels)
     return np.rint(squares.mean(axis=(1, 3))).astype(np.uint8)
+
+
+def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
+    """Return a picture whose every pixel is a square of `times` pixels."""
+    return picture.repeat(times, axis=0).repeat(times, axis=1)
 
 
 def marked_by_light(marks: Sequence) -> Figure:

@@ -1,11 +1,12 @@
 """Small pictures beside the words that they are of: a crease enlarged, the four experiments, the pitfalls."""
 
+from collections.abc import Iterable
+
 import numpy as np
-from matplotlib.figure import Figure
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
-from book.figures.chapter_scene import averaged, numeric, symbolic
+from book.figures.chapter_scene import averaged, enlarged, numeric, symbolic
 from renderer import Scene, central, exact, gradient_at, kernels, render
 from renderer.picture.frame import Frame
 from renderer.picture.views import difference_logarithmic, image_view, slope_view
@@ -13,7 +14,8 @@ from verify.accuracy.frontiers import wall
 
 FINE_SIDE = 600  # a raster whose pixels' centres lie on the diagonals, as creases do
 SMALL, LOW, HIGH = 200, -12, 0
-CREASE_STEPS, SWEEP = (1e-2, 3e-3, 1e-3), (1e-1, 1e-3, 1e-6, 1e-16)
+EPS = 1e-2
+CREASE_STEPS = (1e-2, 3e-3, 1e-3)
 BETAS = (0.35, 0.1, 0.02, 0.0)
 TEXELS = 65
 
@@ -24,22 +26,25 @@ def step_name(eps: float) -> str:
     return rf"$\varepsilon = 10^{{{power}}}$" if np.isclose(eps, 10.0**power) else rf"$\varepsilon = {eps:g}$"
 
 
-def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
-    """Return a picture whose every pixel is a square of `times` pixels."""
-    return picture.repeat(times, axis=0).repeat(times, axis=1)
-
-
 def cropped(scene: Scene, crop: tuple[int, int, int, int], *methods) -> list[Frame]:
     """Return the crop of the raster of FINE_SIDE, (left, top, width, height), by each method."""
     return [render(scene, FINE_SIDE, FINE_SIDE, method, crop=crop, bounds=True) for method in methods]
 
 
-def three_of(scene: Scene, crop: tuple[int, int, int, int], eps: float, times: int) -> tuple[Figure, tuple[Frame, ...]]:
-    """Return a crop by a difference, exactly, and their difference, every pixel enlarged; and the two frames."""
-    one, other = cropped(scene, crop, central(eps), exact())
+def three_of(scene: Scene, crop: tuple[int, int, int, int]) -> Drawing:
+    """Draw a crop by a difference, exactly, and their difference, every pixel four times as wide."""
+    one, other = shown = cropped(scene, crop, central(EPS), exact())
     pictures = image_view(one), image_view(other), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
     titles = ("numeric", "symbolic", "difference")
-    return panels([enlarged(each, times) for each in pictures], titles, (LOW, HIGH)), (one, other)
+    return Drawing(panels([enlarged(each, 4) for each in pictures], titles, (LOW, HIGH)), {"eps": EPS}, shown=shown)
+
+
+def differences_of_sine(steps: Iterable[float], low: int = LOW) -> Drawing:
+    """Draw the difference of the pipelines' pictures of sine at each step, from 10^low on."""
+    right = symbolic("sine", SMALL)
+    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
+    pictures = [difference_logarithmic(frame.rgb - right.rgb, low, HIGH) for frame in frames]
+    return Drawing(panels(pictures, [*map(step_name, steps)], (low, HIGH)), shown=(*frames, right))
 
 
 @figure
@@ -55,17 +60,13 @@ def crease_close_up() -> Drawing:
 @figure
 def sweep_of_sine() -> Drawing:
     """The difference of the pipelines' pictures of sine, at four steps."""
-    right = symbolic("sine", SMALL)
-    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in SWEEP]
-    pictures = [difference_logarithmic(frame.rgb - right.rgb, -16, HIGH) for frame in frames]
-    return Drawing(panels(pictures, [*map(step_name, SWEEP)], (-16, HIGH)), shown=(*frames, right))
+    return differences_of_sine((1e-1, 1e-3, 1e-6, 1e-16), -16)
 
 
 @figure
 def pole_of_rings() -> Drawing:
     """The pole of rings, enlarged."""
-    fig, shown = three_of(Scene(field="rings"), (268, 223, 64, 64), 1e-2, 4)
-    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+    return three_of(Scene(field="rings"), (268, 223, 64, 64))
 
 
 @figure
@@ -79,24 +80,19 @@ def flattening() -> Drawing:
 @figure
 def pitfall_step() -> Drawing:
     """The difference of the pipelines on sine, at the best step and at one that is far smaller."""
-    right, steps = symbolic("sine", SMALL), (1e-6, 1e-13)
-    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
-    pictures = [difference_logarithmic(frame.rgb - right.rgb, LOW, HIGH) for frame in frames]
-    return Drawing(panels(pictures, [*map(step_name, steps)], (LOW, HIGH)), shown=(*frames, right))
+    return differences_of_sine((1e-6, 1e-13))
 
 
 @figure
 def pitfall_crease() -> Drawing:
     """A crease of ridges, by a difference, exactly, and their difference."""
-    fig, shown = three_of(Scene(), (207, 303, 44, 44), 1e-2, 4)
-    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+    return three_of(Scene(), (207, 303, 44, 44))
 
 
 @figure
 def pitfall_seam() -> Drawing:
     """Sine with an odd wave number at the seam, which is the ray to the left."""
-    fig, shown = three_of(Scene(field="sine", ku=7), (120, 232, 44, 44), 1e-2, 4)
-    return Drawing(fig, {"eps": 1e-2}, shown=shown)
+    return three_of(Scene(field="sine", ku=7), (120, 232, 44, 44))
 
 
 @figure

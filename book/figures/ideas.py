@@ -1,19 +1,15 @@
 """The still pictures of the small interactives: what paper shows, and a page on which no script runs."""
 
-from typing import Any
-
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Wedge
 from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import canvas, curve, decades, dots, label, palette, pixel_axes, pixel_text, plot
 from book.extension.worked import COLUMN, ROW
-from book.figures.chapter_scene import SCENE, SIZE, on_picture, symbolic
+from book.figures.chapter_scene import SCENE, SIZE, place, symbolic
 from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
 from renderer import Scene, exact, render
-from renderer.generate.creases import crease_point
 from renderer.picture.views import image_view, to_bytes
 
 PARALLEL, POINT = 0.125, 0.453  # v of the circle, u of the point on it
@@ -25,7 +21,7 @@ def along_circle(u: ArrayLike, beta: float = SCENE.beta) -> tuple[np.ndarray, ..
     return bump_at(np.asarray(u, float), PARALLEL, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)
 
 
-def _draw_normals(ax: Axes, u: ArrayLike, size: float, **look: Any) -> None:
+def _draw_normals(ax, u, size, **look):
     """Draw the tilted normals at points of the circle as arrows of so many units of the axes' height."""
     _, slope, _, tilt, _ = along_circle(u)
     turn = np.radians(np.sign(slope) * tilt)
@@ -56,9 +52,7 @@ def slope_is_texture() -> Drawing:
     frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300), bounds=True)
     right = pixel_axes(fig, 628, 8, 300, 300)
     right.imshow(image_view(frame), interpolation="none", aspect="auto")
-    with np.errstate(divide="ignore", invalid="ignore"):  # a selection computes both of its sides
-        on_circle = crease_point(1.0, 0.0, np.append(u, POINT), PARALLEL, SCENE.eye, SCENE.radius)
-    x, y = on_picture(frame, *on_circle)
+    x, y = place(frame, np.append(u, POINT), PARALLEL)
     right.plot(x[:-1], y[:-1], color="white", linewidth=1, linestyle=(0, (3, 4)))
     right.plot(x[-1], y[-1], "o", color=blue, markeredgecolor="white", markersize=8)
     pixel_text(fig, 6, 18, "the height $h$ along the circle, and its slope at the point", "muted")

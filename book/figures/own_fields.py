@@ -6,7 +6,7 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, dots, panels, plot
-from book.figures.chapter_scene import FINE, SIZE, averaged
+from book.figures.chapter_scene import FINE, SIZE, averaged, certified_numbers
 from renderer import HeightField, Scene, render, u, v
 from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
@@ -39,11 +39,7 @@ def own_fields() -> Drawing:
         columns.append(np.vstack([averaged(image_view(fine)), bounds]))
         frames.append(frame)
         data[f"{name}_log10_bound"] = np.log10(np.maximum(frame.bounds.max(axis=2), 10.0**LOW)).astype(np.float16)
-        numbers[name] = {
-            "median_on_a": float(rounded_up(np.median(frame.bounds[frame.stage.on_a]), 2)),
-            "bound": float(rounded_up(frame.bounds.max(), 2)),
-            "open": np.count_nonzero(frame.open),
-        }
+        numbers[name] = certified_numbers(frame)
     fig = panels(columns, tuple(TEXTS), (LOW, HIGH), "bound of a channel")
     return Drawing(fig, numbers | {"side": SIZE}, data, tuple(frames))
 

@@ -1,69 +1,62 @@
 """Toward the pole: the seed's tangent frame against ours, and the clamped difference."""
 
-from functools import cache, partial
-from itertools import product
-
 import numpy as np
-from mpmath import mp, mpf
+from sympy import cos, sin, sqrt
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, curve, decades, plot
+from proofs.engine.program import Program, chain
+from proofs.formulas.bump import bumped_normal, g
+from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.tangent_frame import seed_frame, tangent_frame
+from proofs.formulas.symbols import cos_phi, cos_theta, h_u, h_v, real, sin_phi, sin_theta
+from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, tangent_frame, unit_normal
 from renderer import Scene, central, exact, gradient_at
-from renderer.generate.kernels import function_of
 from verify.accuracy.orders import fitted_slope
-from verify.evaluate import Reference
+from verify.evaluate.arrays import distance, in_balls, in_float64
+from verify.stability.pipelines import SEED_FALLBACK
 
 AZIMUTHS = np.linspace(-3.0, 3.0, 25)
-SEED_FALLBACK = 1e-4
-K_U, K_V = 8, 4
+_azimuth, _around = real("azimuth"), (cos_theta, sin_theta, cos_phi)
+_angles = Program(
+    "angles",
+    (_azimuth, sin_phi),
+    tuple(zip(_around, (cos(_azimuth), sin(_azimuth), sqrt(1 - sin_phi**2)), strict=True)),
+    _around,
+)
+_known = (*_around, h_u, h_v, *g)
+_exact = chain("g", _angles, chart, gradient(HEIGHT_FIELDS["sine"]), bumped_normal, outputs=_known).keep(*_known)
+"""From the azimuth and sin φ: the angles, h_u, h_v and g = h_u e_θ + h_v e_φ."""
 
 
-def _tangent_gradient(frame, slopes):
-    """Return g = h_u e_θ + h_v e_φ from a frame (six numbers) and a gradient."""
-    return np.array([slopes[0] * frame[i] + slopes[1] * frame[i + 3] for i in range(3)])
-
-
-def _by_reference(program, reference, *inputs):
-    """Return the outputs of a program at its inputs, in order, to 50 digits."""
-    lines = reference(dict(zip(reference.inputs, inputs, strict=True)))
-    return [lines[symbol.name] for symbol in program.outputs]
-
-
-@cache
 def _errors(sines):
-    """Return the largest errors of g over the azimuths at each sin φ: seed's frame, with its fallback, ours."""
-    seed, ours = function_of(seed_frame), function_of(tangent_frame)
-    programs = (tangent_frame, gradient(HEIGHT_FIELDS["sine"]))
-    exact_frame, slope = (partial(_by_reference, program, Reference(program)) for program in programs)
-    worst = np.zeros((3, len(sines)))
-    for place, azimuth in product(range(len(sines)), AZIMUTHS):
-        with mp.workdps(50):
-            sine, angle = mpf(float(sines[place])), mpf(float(azimuth))
-            angles = (mp.cos(angle), mp.sin(angle), mp.sqrt(1 - sine**2), sine)
-            point = ((angle + mp.pi) / (2 * mp.pi), mp.asin(sine) / mp.pi)
-            slopes = slope(*point, mpf(K_U), mpf(K_V))
-            right = _tangent_gradient(exact_frame(*angles), slopes)
-            rounded, float_slopes = np.array(angles, dtype=float), np.array(slopes, dtype=float)
-            n = (rounded[3] * rounded[0], rounded[3] * rounded[1], rounded[2])
-            with np.errstate(divide="ignore", invalid="ignore"):
-                plain = _tangent_gradient(seed(*n), float_slopes)
-            fallback = _tangent_gradient((1.0, 0.0, 0.0, 0.0, 1.0, 0.0), float_slopes)
-            guarded = plain if sines[place] > SEED_FALLBACK else fallback
-            for index, value in enumerate((plain, guarded, _tangent_gradient(ours(*rounded), float_slopes))):
-                error = np.nan  # where a frame divides by zero
-                if np.isfinite(value).all():
-                    error = float(max(abs(mpf(float(v)) - r) for v, r in zip(value, right, strict=True)))
-                worst[index, place] = np.maximum(worst[index, place], error)
-    return worst
+    """Return the largest errors of g over the azimuths at each sin φ: seed's frame, with its fallback, ours.
+
+    NaN where the frame divides by zero.
+    """
+    at = {"azimuth": AZIMUTHS, "sin_phi": sines[:, None], "k_u": 8, "k_v": 4}
+    right = in_balls(_exact, at)
+    given = at | {name: balls.astype(float) for name, balls in right.items()}
+
+    def along(frame):
+        return [
+            given["h_u"] * frame[t.name] + given["h_v"] * frame[p.name] for t, p in zip(e_theta, e_phi, strict=True)
+        ]
+
+    with np.errstate(invalid="ignore"):
+        plain = along(in_float64(seed_frame, in_float64(unit_normal, given)))
+    fallback = np.broadcast_arrays(given["h_u"], given["h_v"], 0.0)
+    guarded = np.where(at["sin_phi"] > SEED_FALLBACK, plain, fallback)
+    vectors = plain, guarded, along(in_float64(tangent_frame, given))
+    off = [np.max([distance(part, right[s.name]) for s, part in zip(g, v, strict=True)], axis=(0, 2)) for v in vectors]
+    return np.where(np.isfinite(off), off, np.nan)
 
 
 @figure
 def pole() -> Drawing:
     """The largest error of g near the pole: the seed's frame, with and without its fallback, and the stable one."""
     sines = np.logspace(0, -8, 49)[1:]
-    plain, guarded, stable = _errors(tuple(sines))
+    plain, guarded, stable = _errors(sines)
     fig, ax = plot(height=3.8)
     away, there = sines[30], sines[22]
     curve(ax, sines, guarded, "numeric", "seed, with its fallback", "above", away, linewidth=1.4, linestyle=DASHED)

@@ -3,7 +3,6 @@
 from functools import cache
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
@@ -40,7 +39,7 @@ def _chamber_colour(body, hidden):
     return np.rint(np.array(BODIES[body][1]) * HIDDEN[hidden][1]).astype(np.uint8)
 
 
-def _chamber_legend(fig: Figure, codes: np.ndarray, top: float) -> None:
+def _chamber_legend(fig, codes, top):
     """Write under the pictures what a colour says: a row for each body, a column for the lights that are hidden."""
     for column, (hidden, (name, _)) in enumerate(HIDDEN.items()):
         pixel_text(fig, 180 + 180 * column, top, name, "muted")

@@ -13,21 +13,18 @@ LOWEST = 1e-18
 
 
 def _draw(ax, name, others=(), at=None, sides=("above", "below")):
-    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)]."""
-    swept = sweep(name)
-    for other, text, side, there, dash in others:
-        curve(ax, swept.parameter, swept.worst(other), "numeric", text, side, there, linewidth=1.5, linestyle=dash)
-    ours = np.maximum(swept.worst(), LOWEST)
-    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", sides[0], at)
-    curve(ax, swept.parameter, ours, "symbolic", "ours", sides[1], at, linewidth=1.6)
-    return swept
+    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)].
 
-
-def _data(name):
-    """Return the curves of a sweep by name: the parameter, our error, the bound, the others' errors."""
+    Return its curves by name: the parameter, our error, the bound, the others' errors.
+    """
     swept = sweep(name)
     data = {"parameter": swept.parameter, "ours": np.maximum(swept.worst(), LOWEST), "bound": swept.bounds.max(axis=1)}
-    return data | {other: swept.worst(other) for other in swept.others}
+    data |= {other: swept.worst(other) for other in swept.others}
+    for other, text, side, there, dash in others:
+        curve(ax, swept.parameter, data[other], "numeric", text, side, there, linewidth=1.5, linestyle=dash)
+    curve(ax, swept.parameter, data["bound"], "bound", "bound", sides[0], at)
+    curve(ax, swept.parameter, data["ours"], "symbolic", "ours", sides[1], at, linewidth=1.6)
+    return data
 
 
 def _numbers(*names):
@@ -52,32 +49,32 @@ def stability_pole() -> Drawing:
         ("seed", "seed, without: here it divides by zero", "right", last, SOLID),
         ("seed with fallback", "seed, with its fallback", "above", 1e-60, DASHED),
     )
-    _draw(ax, "pole", others, 1e-75)
+    data = _draw(ax, "pole", others, 1e-75)
     decades(ax, 25, 4, xlim=(1, 1e-150), ylim=(LOWEST, 1e4), xlabel="sin φ", ylabel="error of $g$")
-    return Drawing(fig, _numbers("pole", "pole_general"), _data("pole"))
+    return Drawing(fig, _numbers("pole", "pole_general"), data)
 
 
 @figure
 def stability_silhouette() -> Drawing:
     """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
-    swept = _draw(ax, "silhouette", [("seed", "", "", None, DASHED)], sides=("right", "right"))
+    data = _draw(ax, "silhouette", [("seed", "", "", None, DASHED)], sides=("right", "right"))
     decades(ax, 2, 2, xlim=(1, 1e-14), ylim=(1e-17, 1e-6), ylabel="error of $N$",
             xlabel=r"$s = 1 - (\rho/\rho_s)^2$")  # fmt: skip
     slope_triangle(ax, 1e-12, 3e-12, -0.5, decades=2)
-    label_line_end(ax, swept.parameter[-1], swept.worst("seed")[-1] / 2, "seed", "numeric")
-    scaled = swept.worst() * np.sqrt(swept.parameter) * 2.0**53
-    return Drawing(fig, _numbers("silhouette") | {"in_roundings": scaled.max()}, _data("silhouette"))
+    label_line_end(ax, data["parameter"][-1], data["seed"][-1] / 2, "seed", "numeric")
+    scaled = data["ours"] * np.sqrt(data["parameter"]) * 2.0**53
+    return Drawing(fig, _numbers("silhouette") | {"in_roundings": scaled.max()}, data)
 
 
 @figure
 def stability_near_far() -> Drawing:
     """The error of the normal from the nearest eye to the furthest: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
-    _draw(ax, "near_to_far", [("seed", "seed", "above", 1e-6, DASHED)], 1e-3)
+    data = _draw(ax, "near_to_far", [("seed", "seed", "above", 1e-6, DASHED)], 1e-3)
     decades(ax, 3, 2, ylim=(1e-17, 1e-8), ylabel="error of $N$",
             xlabel="$e/R - 1$: the eye's height above the sphere, in radii")  # fmt: skip
-    return Drawing(fig, _numbers("near_to_far"), _data("near_to_far"))
+    return Drawing(fig, _numbers("near_to_far"), data)
 
 
 @figure
@@ -86,12 +83,13 @@ def stability_wave_numbers() -> Drawing:
     naive, rounded = sweep("wave_numbers").others
     fig, ax = plot(height=3.9)
     others = (naive, "libm, argument rounded", "left", 1e3, SOLID), (rounded, "", "", None, DASHED)
-    swept = _draw(ax, "wave_numbers", others, 1e5)
+    data = _draw(ax, "wave_numbers", others, 1e5)
     decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
-    below = 0.1 * swept.worst(rounded)
-    label_curve(ax, swept.parameter, below, 3e4, "reduced, but the\nproduct rounded", "numeric", "below")
+    label_curve(
+        ax, data["parameter"], 0.1 * data[rounded], 3e4, "reduced, but the\nproduct rounded", "numeric", "below"
+    )
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, _numbers(*names) | {"allowed": GENERAL_GRADIENT * UNIT}, _data("wave_numbers"))
+    return Drawing(fig, _numbers(*names) | {"allowed": GENERAL_GRADIENT * UNIT}, data)
 
 
 _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
@@ -105,12 +103,12 @@ _SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
 @figure
 def stability_shading() -> Drawing:
     """Four errors of the shading with their bounds: against β, the light's distance, |ω + v|, the shininess."""
-    fig, axes = plot(height=5.4, nrows=2, ncols=2)
+    (fig, axes), data = plot(height=5.4, nrows=2, ncols=2), {}
     for ax, (name, (across, up, every, limits)) in zip(axes.flat, _SHADING.items(), strict=True):
         parameter = sweep(name).parameter
-        _draw(ax, name, at=parameter[len(parameter) // 2])
+        data[name] = _draw(ax, name, at=parameter[len(parameter) // 2])
         decades(ax, every, 4, ylim=limits, xlabel=across, title=up)
-    return Drawing(fig, _numbers(*_SHADING, "opposite_light_phong"), {name: _data(name) for name in _SHADING})
+    return Drawing(fig, _numbers(*_SHADING, "opposite_light_phong"), data)
 
 
 @figure

@@ -9,7 +9,6 @@ from book.drawing.style import GAP, TITLE, canvas, panels, pixel_axes, pixel_tex
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
 from renderer import central, exact, render
 from renderer.picture.differences import distance_on_a
-from renderer.picture.frame import Frame
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view
 
 LOW, HIGH = -8, 0
@@ -81,7 +80,7 @@ def views() -> Drawing:
 
 
 @cache
-def _front(numerically: bool, times: int = 1, crop: tuple[int, int, int, int] | None = None) -> Frame:
+def _front(numerically, times=1, crop=None):
     """Return a frame of the front page's scene, of FINE² samples a pixel; `crop` is in pixels of `times` the raster."""
     method, fine = central(HERO_EPS) if numerically else exact(), FINE * times
     finer = crop and tuple(FINE * side for side in crop)

@@ -1,6 +1,5 @@
 """Read the ledger's files into entries, and refuse what no run is needed to refuse: schema.json says what they are."""
 
-import json
 import re
 import tomllib
 from collections.abc import Iterator
@@ -9,16 +8,17 @@ from pathlib import Path
 
 from jsonschema import Draft202012Validator, FormatChecker
 
+from book.assembly.stamps import table_in
 from book.ledger.relations import relation
 
 FOLDER = Path(__file__).resolve().parent
 CONDITIONAL, OUTSIDE = "holds with a condition", "outside this chapter: not checked"
-SCHEMA = json.loads((FOLDER / "schema.json").read_text(encoding="utf-8"))
+SCHEMA = table_in(FOLDER / "schema.json")
 VERDICTS = tuple(SCHEMA["$defs"]["claim"]["properties"]["verdict"]["enum"])  # as a reader meets them
 FORMATS = FormatChecker()
 FORMATS.checks("relation", ValueError)(relation)
-FINDINGS = tomllib.loads((FOLDER / "findings.toml").read_text(encoding="utf-8"))["findings"]  # code → name
-WORDS = tomllib.loads((FOLDER / "words.toml").read_text(encoding="utf-8"))["words"]  # a number → what it says
+FINDINGS = table_in(FOLDER / "findings.toml")["findings"]  # code → name
+WORDS = table_in(FOLDER / "words.toml")["words"]  # a number → what it says
 KINDS = ("theorem", "number", "test", "source")
 NUMBER_ROLE = re.compile(r"\{number\}`([^`|\s]+)[^`]*`")
 
@@ -111,7 +111,7 @@ def load(folder: Path = FOLDER) -> Ledger:
 def _read(path: Path, kind: str, faults: list[str]) -> dict:
     """A file's content; what is wrong with it is added to the faults."""
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        content = table_in(path)
     except tomllib.TOMLDecodeError as error:
         faults.append(f"{path.name}: {error}")
         return {}

@@ -13,16 +13,16 @@ from book.ledger.check import Run
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)
 
 
-def last_run(root: Path = stamps.ROOT) -> Run:
+def last_run() -> Run:
     """The last run over the sources as they are; raises report.NoReport where there is none."""
-    book, entries = root / "book", report.load()
+    book, entries = stamps.ROOT / "book", report.load()
     return Run(
         grades={id: entry["grade"] for id, entry in entries.items()},
         expected={id: entry["expected"] for id, entry in entries.items()},
         pages=frozenset(page_files(book)),
         sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *parse(name)[:2]),
-        test=lambda node: node_exists(root, node),
+        test=lambda node: node_exists(stamps.ROOT, node),
     )
 
 

@@ -32,7 +32,7 @@ def read(version: str) -> dict:
     path = RELEASES / f"{version}.json"
     if not path.is_file():
         raise stamps.Refused(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")
-    content = json.loads(path.read_text(encoding="utf-8"))
+    content = stamps.table_in(path)
     if content["format"] != record.FORMAT:
         raise stamps.Refused(f"{path.name} has format {content['format']}, this program reads {record.FORMAT}")
     return content

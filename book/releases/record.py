@@ -5,8 +5,6 @@ results of `make bench`; it has no date and no commit, so that the same sources 
 """
 
 import hashlib
-import json
-import tomllib
 from pathlib import Path
 
 from book.assembly import report, stamps
@@ -20,14 +18,13 @@ LABELS = ("machine", "processor", "date", "commit")
 
 
 def version() -> str:
-    content = tomllib.loads((stamps.ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    return content["project"]["version"]
+    return stamps.table_in(stamps.ROOT / "pyproject.toml")["project"]["version"]
 
 
 def make() -> dict:
     """The record of what is built now. NoReport if the theorems' report is missing or stale."""
     paths = [path for path in sorted(GENERATED.glob("*.json")) if path.name != report.REPORT.name]
-    figures = [json.loads(path.read_text(encoding="utf-8")) for path in paths]
+    figures = [stamps.table_in(path) for path in paths]
     return {
         "format": FORMAT,
         "version": version(),
@@ -55,7 +52,7 @@ def _numbers(source: str, numbers: dict) -> dict[str, dict]:
 
 
 def _measured(path: Path) -> dict:
-    content = json.loads(path.read_text(encoding="utf-8"))
+    content = stamps.table_in(path)
     label = {key: content["label"][key] for key in LABELS if key in content["label"]}
     return {"label": label, "numbers": _numbers(f"bench:{path.stem}", content["numbers"])}
 

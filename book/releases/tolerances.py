@@ -1,9 +1,10 @@
 """The tolerance that each number states: how far it may move between releases without being named."""
 
-import tomllib
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
+
+from book.assembly.stamps import table_in
 
 RULES = Path(__file__).with_name("tolerances.toml")
 ANY = "any"  # of a label, which may be anything
@@ -12,7 +13,7 @@ ANY = "any"  # of a label, which may be anything
 @cache
 def rules(path: Path = RULES) -> dict:
     """The file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
-    content = tomllib.loads(path.read_text(encoding="utf-8"))
+    content = table_in(path)
     for rule in content["rule"]:
         if not rule.get("why", "").strip():
             raise ValueError(f"{path.name}: the rule for {rule['numbers']} needs a why")

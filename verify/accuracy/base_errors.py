@@ -105,9 +105,9 @@ def _largest(*parts):
     return float(np.max(OverBoxes(0.0, operations.sqrt(sum(part * part for part in parts))).error.value))
 
 
-def errors_around(count: int = ANGLES) -> tuple[float, float]:
+def errors_around() -> tuple[float, float]:
     """Return by how much the base of u, and ρ of itself, are off at most: over a quarter of the circle ρ = 1."""
-    angle = boxes(np.linspace(0, 0.5, count + 1))
+    angle = boxes(np.linspace(0, 0.5, ANGLES + 1))
     at = {"x": OverBoxes(kernels.cospi(angle)), "y": OverBoxes(kernels.sinpi(angle)), "eye": OverBoxes(1.0)}
     *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": (Enclosed(1.0),)})
     return _largest(*of_u), _largest(of_rho)

@@ -90,10 +90,10 @@ def _logarithm_piece(code, series, number, doublings, low, high):
 
 
 @cache
-def power_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
+def power_pieces() -> list[Piece]:
     """Return the Pieces of base^p over |ln(base^p)|: those of exp where its argument is off in proportion to itself."""
     with ctx.workprec(PRECISION):
-        relative = (worst(logarithm_pieces(program)) - HALF) * UNIT  # of what is rounded last in log, and here is not
+        relative = (worst(logarithm_pieces()) - HALF) * UNIT  # of what is rounded last in log, and here is not
         off = [math.nextafter(float(relative * high), 1) for high in SIZES]
         ulps = [worst(exponential_pieces(moved=moved)) for moved in off[1:]]
         return [Piece(arb(low), arb(high), u) for (low, high), u in zip(pairwise(SIZES), ulps, strict=True)]

@@ -58,20 +58,21 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
     return off
 
 
-def _wave_numbers(field, waves):
-    """Return k_u and k_v with which the field has these wave numbers; one on which it does not depend, as it is."""
+def _errors(field, waves, ratios, points, sides_certain=True):
+    """Return `errors_at` image points of the field with these wave numbers; one that it has not is k_u or k_v."""
     multiples = [float(wave.subs({k_u: 1, k_v: 1})) for wave in field.wave_numbers or ()]
-    return tuple(wave / (multiple or 1) for wave, multiple in zip(waves, multiples, strict=True))
+    at = dict(zip(("x", "y"), points, strict=True)) | {"eye": 1 / ratios, "radius": 1.0}
+    for name, wave, multiple in zip(("k_u", "k_v"), waves, multiples, strict=True):
+        at[name] = wave / (multiple or 1)
+    return errors_at(field, at, sides_certain)
 
 
 def worst_at_image_points(field: HeightField, sides_certain: bool = True) -> float:
     """Return the largest of `errors_at` random points, over R/e and k."""
     rng, found = np.random.default_rng(SEED), []
     for ratio, waves in product(RATIOS, WAVE_NUMBERS):
-        at_u, at_v = _wave_numbers(field, waves)
-        x, y = image_points(rng, 1 / ratio, 1.0, EACH)
-        at = {"eye": 1 / ratio, "radius": 1.0, "x": x, "y": y, "k_u": at_u, "k_v": at_v}
-        found.append(errors_at(field, at, sides_certain).max())
+        points = image_points(rng, 1 / ratio, 1.0, EACH)
+        found.append(_errors(field, waves, ratio, points, sides_certain).max())
     return float(np.max(found))
 
 
@@ -82,8 +83,7 @@ def worst_at_ratios(ratios: np.ndarray) -> np.ndarray:
     """
     rng, found = np.random.default_rng(SEED), []
     for field in (field for field in HEIGHT_FIELDS.values() if field.wave_numbers):
-        x, y = np.concatenate([image_points(rng, 1 / ratio, 1.0, 1) for ratio in ratios.flat], axis=1)
-        at_u, at_v = _wave_numbers(field, WAVE_NUMBERS[rng.integers(len(WAVE_NUMBERS))])
-        at = {"eye": 1 / ratios.ravel(), "radius": 1.0, "x": x, "y": y, "k_u": at_u, "k_v": at_v}
-        found.append(errors_at(field, at))
+        points = np.concatenate([image_points(rng, 1 / ratio, 1.0, 1) for ratio in ratios.flat], axis=1)
+        waves = WAVE_NUMBERS[rng.integers(len(WAVE_NUMBERS))]
+        found.append(_errors(field, waves, ratios.ravel(), points))
     return np.max(found, axis=0).reshape(ratios.shape)

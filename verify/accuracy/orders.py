@@ -84,9 +84,9 @@ def on_the_raster(component: str, step: float, frame: Frame) -> float:
     return rms(_errors(frame.scene, component, step, at))
 
 
-def clamped_errors(field: str, ratio: float = 0.5, steps: np.ndarray = STEPS) -> np.ndarray:
-    """Return |D − h_v| at v = ratio · ε for each step, in exact arithmetic: k = (8, 4), u = 0.31."""
-    at = {"u": 0.31, "v": ratio * steps, "k_u": 8.0, "k_v": 4.0, "epsilon": steps}
+def clamped_errors(field: str) -> np.ndarray:
+    """Return |D − h_v| at v = ε/2 for each of STEPS, in exact arithmetic: k = (8, 4), u = 0.31."""
+    at = {"u": 0.31, "v": STEPS / 2, "k_u": 8.0, "k_v": 4.0, "epsilon": STEPS}
     programs = central_difference(FIELDS[field]), gradient(FIELDS[field])
     return distance(*(in_balls(program, at)["h_v"] for program in programs))
 

@@ -57,9 +57,9 @@ def steepest(scene: Scene) -> np.ndarray:
     return sum(_bound(np.array(light.color), albedo, scene.kd, scene.ks, of_highlight) for light in scene.lights)
 
 
-def lamp_points(light: Light, count: int, half: float = HALF) -> list[Light]:
+def lamp_points(light: Light, count: int) -> list[Light]:
     """Return count² lights on a level square lamp about a light, at the middles of equal squares."""
-    steps = half * ((2 * np.arange(count) + 1) / count - 1)
+    steps = HALF * ((2 * np.arange(count) + 1) / count - 1)
     x, y, z = light.position
     return [replace(light, position=(x + across, y + along, z)) for across in steps for along in steps]
 
@@ -70,13 +70,14 @@ def _boxes(samples, count):
     return samples.reshape(*samples.shape[:-3], side, count, side, count, 3).mean(axis=(-4, -2))
 
 
-def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE, eps: float = EPS) -> Stacked:
+def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE) -> Stacked:
     """Return the mean over lamp² points of a lamp in place of the first light, and over pixel² points of each pixel."""
     mean, flips, open_ = np.zeros((4, side, side, 3)), 0, np.zeros((side, side), bool)
     for number, light in enumerate(lamp_points(scene.lights[0], lamp), start=1):
         lit = replace(scene, lights=(light, *scene.lights[1:]))
-        pair = (render(lit, side * pixel, side * pixel, method, bounds=True) for method in (central(eps), exact()))
-        numeric, symbolic = pair
+        numeric, symbolic = (
+            render(lit, side * pixel, side * pixel, method, bounds=True) for method in (central(EPS), exact())
+        )
         bound, there = np.zeros_like(symbolic.rgb), symbolic.stage.on_a
         apart = np.hypot(*(numeric.planes_on_a[4:] - symbolic.planes_on_a[4:]))  # |Δg|: the frame is orthonormal
         bound[there] = abs(lit.beta) * apart[:, None] * steepest(lit)
@@ -106,7 +107,7 @@ def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
     return np.where((ray * point).sum(axis=0) < 0, ITSELF, np.where(on_ball, BALL, found))
 
 
-def mirrors_apart(scene: Scene, side: int = SIDE, eps: float = EPS) -> tuple[int, int]:
+def mirrors_apart(scene: Scene, side: int = SIDE) -> tuple[int, int]:
     """Return of how many pixels of A the mirrored rays of the two pipelines meet something else, and A's pixels."""
-    one, other = (mirrored(scene, render(scene, side, side, way).planes_on_a) for way in (central(eps), exact()))
+    one, other = (mirrored(scene, render(scene, side, side, way).planes_on_a) for way in (central(EPS), exact()))
     return int(np.count_nonzero(one != other)), one.size

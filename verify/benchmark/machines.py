@@ -51,10 +51,7 @@ def measure(rounds: int) -> dict[str, Any]:
     return {"numbers": numbers | {"side": SIDE, "differing": sum(map(differing_bytes, METHODS))}}
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, print, write."""
-    command("machines", __doc__, measure, arguments, rounds=ROUNDS)
-
+main = partial(command, "machines", __doc__, measure, rounds=ROUNDS)
 
 if __name__ == "__main__":
     main()

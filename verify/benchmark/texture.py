@@ -146,10 +146,7 @@ def measure(rounds: int) -> dict[str, Any]:
     return {"numbers": numbers | {"points": count, "small": SMALL, "large": LARGE, "eps": EPS}}
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, print, write."""
-    command("texture", __doc__, measure, arguments, rounds=ROUNDS)
-
+main = partial(command, "texture", __doc__, measure, rounds=ROUNDS)
 
 if __name__ == "__main__":
     main()

@@ -161,10 +161,7 @@ def measure(rounds: int, pixels: int) -> dict[str, Any]:
     return {"label": more, "gradients": gradients, "frames": frames}
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, print, write."""
-    command("work_precision", __doc__, measure, arguments, rounds=ROUNDS, pixels=PIXELS)
-
+main = partial(command, "work_precision", __doc__, measure, rounds=ROUNDS, pixels=PIXELS)
 
 if __name__ == "__main__":
     main()

@@ -14,6 +14,7 @@ from typing import Any
 from proofs.check import FOLDER
 from verify.checkers.kernels import accepted
 
+BATCH = 2000  # pairs that the kernels are asked about at once
 LARGEST = 20_000  # characters: of the stored pairs the shorter ones are broken
 TEXTS = """x x^2 x^1 x^02 x^1000 x^-1 x^ ^2 ẋ pi root_1 cos(x) cos(x^2) cos() __proto__ constructor toString
     1 -1 0 -0 +1 01 1e0 0.5 1/2 2/4 1/-2 1/0 1/1 -1/2 --1 1_000 ١ = != > >= < assume show define root inverse ideal
@@ -95,11 +96,11 @@ def short_pairs() -> list[list]:
     return [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
 
 
-def campaign(count: int, seed: int, batch: int = 2000) -> int:
+def campaign(count: int, seed: int) -> int:
     """Break `count` pairs; return how many all kernels accept. Raises AssertionError where two kernels differ."""
     rng, pairs, good = random.Random(seed), short_pairs(), 0
-    for start in range(0, count, batch):
-        texts = [broken(rng.choice(pairs), rng) for _ in range(min(batch, count - start))]
+    for start in range(0, count, BATCH):
+        texts = [broken(rng.choice(pairs), rng) for _ in range(min(BATCH, count - start))]
         for text, verdicts in zip(texts, accepted(texts), strict=True):
             assert len(set(verdicts.values())) == 1, f"{verdicts}: {text}"
             good += all(verdicts.values())

@@ -45,10 +45,10 @@ def over_the_image(frame: Frame, eps: float) -> np.ndarray:
     return result
 
 
-def shares_by_step(frame: Frame, steps: Iterable[float], points: int = POINTS, seed: int = 10) -> dict[str, np.ndarray]:
-    """Return {term: its share for each step}, over random pixels of A in the frame."""
+def shares_by_step(frame: Frame, steps: Iterable[float]) -> dict[str, np.ndarray]:
+    """Return {term: its share for each step}, over POINTS random pixels of A in the frame."""
     data, on_a = frame.surface_data, frame.stage.on_a
-    chosen = np.random.default_rng(seed).choice(np.flatnonzero(on_a), points, replace=False)
+    chosen = np.random.default_rng(10).choice(np.flatnonzero(on_a), POINTS, replace=False)
     u, v = data["u"].ravel()[chosen], data["v"].ravel()[chosen]
     table = [shares(dominant(frame.scene, u, v, eps)) for eps in steps]
     return {name: np.array([row[name] for row in table]) for name in TERMS}

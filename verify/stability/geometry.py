@@ -42,27 +42,26 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     return measured(sines, ours, tangent_vector("ridges", "general"), inputs, VECTOR, others)
 
 
-def toward_the_silhouette(samples: int = 40, values: int = 57, seed: int = 2) -> Sweep:
+def toward_the_silhouette() -> Sweep:
     """N against s = 1 − (ρ/ρ_s)² from 0.99 to 10⁻¹⁴.
 
     Reason of the bound: the root is taken of (ρ_s − ρ)(ρ_s + ρ), whose factors are each right to a few roundings of
     ρ_s; the root turns δ/s into δ/√s, and no form can do better, since ρ_s itself is rounded.
     """
-    share = np.logspace(np.log10(0.99), -14, values)
+    share = np.logspace(np.log10(0.99), -14, 57)
     (edge,) = in_float64(silhouette_of_a, {"eye": EYE, "radius": RADIUS}).values()
-    return _of_normal(share, image_points(edge * np.sqrt(1 - share), samples, seed))
+    return _of_normal(share, image_points(edge * np.sqrt(1 - share), samples=40, seed=2))
 
 
-def from_near_to_far(samples: int = 60, values: int = 61, seed: int = 3) -> Sweep:
+def from_near_to_far() -> Sweep:
     """N against e/R − 1 from 10⁻⁹ to 10⁶, at image points with 1 − (ρ/ρ_s)² ≥ 0.1.
 
     Reason of the bound: t is a quotient of positive terms, and e² − R² is a product; nothing cancels at either end.
     """
-    above = np.logspace(-9 + 1e-6, 6 - 1e-6, values)
+    samples, seed = 60, 3
+    above = np.logspace(-9 + 1e-6, 6 - 1e-6, 61)
     eye = RADIUS + above
     edge = in_float64(silhouette_of_a, {"eye": eye, "radius": RADIUS})["rho_silhouette"]
-    inputs, inside = (
-        image_points(edge, samples, seed, eye[:, None]),
-        np.random.default_rng(seed).uniform(0, 0.9, (values, samples)),
-    )
+    inputs = image_points(edge, samples, seed, eye[:, None])
+    inside = np.random.default_rng(seed).uniform(0, 0.9, inputs["x"].shape)
     return _of_normal(above, inputs | {axis: inputs[axis] * np.sqrt(inside) for axis in "xy"})

@@ -39,12 +39,12 @@ def over_the_chart(side: int = 128) -> dict[str, np.ndarray]:
     return {name: relative(in_float64(program, inputs)["h_u"], truth) for name, program in programs.items()}
 
 
-def over_the_image(scene: Scene | None = None, size: int = 192, reach: float = 1.0) -> dict[str, np.ndarray]:
+def over_the_image(size: int, reach: float = 1.0) -> dict[str, np.ndarray]:
     """Return {"seed", "ours"}: (size, size) maps of |g − exact| in units of 2⁻⁵³ π k, NaN off A.
 
     reach: the half-width of the view in silhouette radii, centred on the axis; the pole is the centre.
     """
-    scene = scene or Scene()
+    scene = Scene()
     (edge,) = in_float64(silhouette_of_a, {"eye": scene.eye, "radius": scene.radius}).values()
     offsets = reach * edge * (2 * np.arange(size) + 1 - size) / size
     x, y = np.broadcast_arrays(offsets[None, :], -offsets[:, None])

@@ -1,5 +1,6 @@
 """The normal under any amplitude, and the light: close, far, opposite to the eye, with any shininess."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,6 +16,8 @@ from renderer.machines.enclosing import Enclosed
 from verify.evaluate.arrays import in_float64, with_bounds
 from verify.stability.sweep import Sweep, measured
 
+SAMPLES = 24  # at each value of a sweep's parameter
+
 
 def angles(random: np.random.Generator, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
     """Return {cos θ, sin θ, cos φ, sin φ} of random points of the upper half of A."""
@@ -22,56 +25,57 @@ def angles(random: np.random.Generator, shape: tuple[int, ...]) -> dict[str, np.
     return {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
 
 
-def any_amplitude(values: int = 109, samples: int = 24, seed: int = 5) -> Sweep:
+def coordinates(vectors: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Return {name_x, name_y, name_z: component} of {name: vectors (3, …)}."""
+    return {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
+
+
+def any_amplitude() -> Sweep:
     """N' against |β| from the least denormal to 10¹⁰⁰, for slopes of up to π 2²⁰.
 
     Reason of the bound: M = N + βg with g ⟂ N, so |M| ≥ 1 and dividing by it amplifies nothing.
     """
-    random = np.random.default_rng(seed)
-    sizes = np.concatenate([[2.0**-1074, 1e-310], np.logspace(-300, 100, values - 2)])
-    at = angles(random, (values, samples))
+    random, sizes = np.random.default_rng(5), np.concatenate([[2.0**-1074, 1e-310], np.logspace(-300, 100, 107)])
+    at = angles(random, shape := (len(sizes), SAMPLES))
     tangents = chain("tangents", unit_normal, tangent_frame, outputs=(*normal, *tangent_frame.outputs))
     frame = in_float64(tangents, at)
-    slopes = random.uniform(-1, 1, (2, values, samples)) * 10.0 ** random.uniform(0, 6.5, (values, samples))
-    along, down = np.array([frame[t.name] for t in tangent_frame.outputs]).reshape(2, 3, values, samples)
+    slopes = random.uniform(-1, 1, (2, *shape)) * 10.0 ** random.uniform(0, 6.5, shape)
+    along, down = np.array([frame[t.name] for t in tangent_frame.outputs]).reshape(2, 3, *shape)
     inputs = frame | dict(zip((n.name for n in g), slopes[0] * along + slopes[1] * down, strict=True))
-    inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], (values, samples))
+    inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], shape)
     return measured(sizes, with_bounds(perturbed, inputs), perturbed, inputs, {s.name: 1.0 for s in bumped})
 
 
-def near_and_far_lights(values: int = 73, samples: int = 24, seed: int = 6) -> Sweep:
+def near_and_far_lights() -> Sweep:
     """μ against the light's distance from the surface, from 2·10⁻⁹ to 10⁹ radii.
 
     Reason of the bound: the point is known to some 2⁻⁵³ R, so that a light at distance d is seen in a direction known
     to 2⁻⁵³ R/d; far away nothing is lost.
     """
-    random = np.random.default_rng(seed)
-    distances = np.geomspace(2e-9, 0.999e9, values)
-    at = angles(random, (values, samples))
+    random, distances = np.random.default_rng(6), np.geomspace(2e-9, 0.999e9, 73)
+    at = angles(random, shape := (len(distances), SAMPLES))
     n = np.array([*in_float64(unit_normal, at).values()])
     aside = across(n, random.normal(size=n.shape))
-    tilt = random.uniform(0, 1.4, (values, samples))
+    tilt = random.uniform(0, 1.4, shape)
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
-    inputs = at | {"radius": 1.0} | {f"light_{axis}": c for axis, c in zip("xyz", light, strict=True)}
+    inputs = at | {"radius": 1.0} | coordinates({"light": light})
     onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
     lit_point = chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
     return measured(distances, with_bounds(lit_point, inputs), lit_point, inputs, {mu.name: 1.0})
 
 
-def opposite_light(model: str = "blinn", values: int = 65, samples: int = 24, seed: int = 7) -> Sweep:
+def opposite_light(model: str) -> Sweep:
     """The highlight's base against |ω + v̂|, from 1 to 10⁻¹⁶: the light behind the point, seen from the eye.
 
     Reason of the bound: ω and v̂ are each known to 2⁻⁵³, their sum to 2⁻⁵³/|ω + v̂| of its length; the base itself is
     a cosine, so that the bound never has to exceed 2.
     """
-    random = np.random.default_rng(seed)
-    gaps = np.geomspace(1, 1e-16, values)
-    view, aside, up = random.normal(size=(3, 3, values, samples))
+    gaps = np.geomspace(1, 1e-16, 65)
+    view, aside, up = np.random.default_rng(7).normal(size=(3, 3, len(gaps), SAMPLES))
     view, up = (vector / np.sqrt((vector**2).sum(axis=0)) for vector in (view, up))
     towards = -view + gaps[:, None] * across(view, aside)
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
-    inputs = {f"{name}_{axis}": c for name, triple in vectors.items() for axis, c in zip("xyz", triple, strict=True)}
-    program = LIGHT_MODELS[model].program
+    inputs, program = coordinates(vectors), LIGHT_MODELS[model].program
     found = measured(gaps, with_bounds(program, inputs), program, inputs, {specular_base.name: 1.0})
     return replace(found, bounds=np.minimum(found.bounds, 2.0))
 
@@ -92,16 +96,15 @@ def by_squaring(base: Any, whole: int) -> Any:
     return result
 
 
-def any_shininess(whole: bool = True, values: int = 91, samples: int = 24, seed: int = 8) -> Sweep:
+def any_shininess(whole: bool = True) -> Sweep:
     """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1; whole p, from 1 on, by repeated squaring.
 
     Reason of the bound: each of p multiplications rounds by at most 2⁻⁵³ of the result, so base^p is off by p 2⁻⁵³
     base^p, and an inherited error δ of the base by p base^(p−1) δ; δ = 2⁻⁵³ here: p is what a highlight costs.
     """
-    random = np.random.default_rng(seed)
-    powers = np.geomspace(1e-3, 1e6, values)
+    powers = np.geomspace(1e-3, 1e6, 91)
     powers = np.where((powers >= 1) & whole, np.rint(powers), powers)
-    base = 1 - random.uniform(0, 1, (values, samples)) * np.minimum(1, 8 / powers)[:, None]
+    base = 1 - np.random.default_rng(8).uniform(0, 1, (91, SAMPLES)) * np.minimum(1, 8 / powers)[:, None]
     inputs = {"specular_base": base, "shininess": powers[:, None]}
     ours = with_bounds(highlight, inputs)
     for row in np.flatnonzero(powers == np.rint(powers)):

@@ -116,18 +116,18 @@ def shadow_remainders(betas: np.ndarray, light: np.ndarray) -> tuple[np.ndarray,
     return np.abs(moved).max(axis=1), np.abs(left).max(axis=1)
 
 
-def outline(scene: Scene, azimuths: np.ndarray, beta: float, samples: int = 2001) -> np.ndarray:
+def outline(scene: Scene, azimuths: np.ndarray, beta: float) -> np.ndarray:
     """Return the image radius of the displaced surface's outline at each azimuth, the largest of a grid in φ."""
-    polar = np.linspace(0, np.pi / 2, samples)[:, None]
+    polar = np.linspace(0, np.pi / 2, 2001)[:, None]
     direction = np.sin(polar) * np.cos(azimuths), np.sin(polar) * np.sin(azimuths), np.cos(polar) + 0 * azimuths
     far = 1 + beta * height_towards(scene, *direction)
     return (scene.eye * far * np.sin(polar) / (scene.eye - far * np.cos(polar))).max(axis=0)
 
 
-def first_surface(scene: Scene, beta: float, side: int, samples: int = 400) -> np.ndarray:
+def first_surface(scene: Scene, beta: float, side: int) -> np.ndarray:
     """Return which surface a pixel's ray meets first, (side, side): 1 the displaced A, 2 B, 3 the floor.
 
-    The ray is looked at in `samples` points; a bulge that it crosses between two of them is missed.
+    The ray is looked at in 400 points; a bulge that it crosses between two of them is missed.
     """
     x, y = np.meshgrid(*Raster(side, side).image_points(scene))
     to_b = in_float64(hit_of_b, scene_values(scene) | {"x": x, "y": y})["t_b"]
@@ -136,7 +136,7 @@ def first_surface(scene: Scene, beta: float, side: int, samples: int = 400) -> n
     x, y, last = (plane[near] for plane in (x, y, np.minimum(to_b, 1.0)))
     first = 1 - most / scene.eye  # above that height there is nothing of A
     met = np.zeros(x.shape, bool)
-    for share in np.linspace(0, 1, samples):
+    for share in np.linspace(0, 1, 400):
         t = first + share * np.maximum(0, last - first)
         met |= above(scene, beta, np.array([t * x, t * y, scene.eye * (1 - t)])) < 0
     found[near] = np.where(met, 1, found[near])

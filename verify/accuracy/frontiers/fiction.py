@@ -63,14 +63,14 @@ def _outline(field):
     return {name: lambdify((phi, beta, u, k_u, k_v, eye), e, "numpy") for name, e in orders.items()}
 
 
-def silhouette_remainders(betas: Iterable[float], scene: Scene | None = None) -> np.ndarray:
+def silhouette_remainders(betas: Iterable[float]) -> np.ndarray:
     """Return (moved, first, second): the largest, over the azimuths, of how far displacement moves the silhouette,
     and of what is left after the terms of first and second order in β; each an array over `betas`.
 
     A displaced point keeps its azimuth, so that the outline at u is the largest image radius along its meridian:
     ρ_s + β ρ_β + β² (ρ_ββ − ρ_φβ²/ρ_φφ)/2 + …, the derivatives taken at cos φ = R/e. Sine, R = 1.
     """
-    scene, azimuths = scene or Scene(field="sine"), np.arange(96) / 96
+    scene, azimuths = Scene(field="sine"), np.arange(96) / 96
     of, rest = _outline(scene.field), (azimuths, scene.ku, scene.kv, scene.eye)
     start = np.full(len(azimuths), np.arccos(1 / scene.eye))
     at_rest = {name: derivative(start, 0.0, *rest) for name, derivative in of.items()}

@@ -26,24 +26,24 @@ def linear(share: np.ndarray) -> tuple[np.ndarray, ...]:
     return 1 - share, share
 
 
-def linear_slope(share: np.ndarray) -> tuple[np.ndarray, ...]:
+def _linear_slope(share):
     """Return their derivatives by the share."""
     return -np.ones_like(share), np.ones_like(share)
 
 
-def cubic(share: np.ndarray) -> tuple[np.ndarray, ...]:
+def _cubic(share):
     """Return the weights of the four nearest coefficients of a cubic B-spline."""
     s, t = share, 1 - share
     return t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6
 
 
-def cubic_slope(share: np.ndarray) -> tuple[np.ndarray, ...]:
+def _cubic_slope(share):
     """Return their derivatives by the share."""
     s, t = share, 1 - share
     return -(t**2) / 2, (3 * s**2 - 4 * s) / 2, (4 * t - 3 * t**2) / 2, s**2 / 2
 
 
-def spline_coefficients(table: np.ndarray) -> np.ndarray:
+def _spline_coefficients(table):
     """Return the coefficients of the periodic cubic B-spline through a table: its samples are (c₋ + 4c + c₊)/6."""
     spectrum = np.fft.rfft2(table)
     for axis, frequencies in ((0, np.fft.fftfreq(table.shape[0])), (1, np.fft.rfftfreq(table.shape[1]))):
@@ -68,7 +68,10 @@ def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) 
     return np.einsum("...ijn,in,jn->...n", coefficients, *weights)
 
 
-KINDS = {"bilinear": (lambda table: table, linear_slope, linear), "cubic": (spline_coefficients, cubic_slope, cubic)}
+KINDS = {
+    "bilinear": (lambda table: table, _linear_slope, linear),
+    "cubic": (_spline_coefficients, _cubic_slope, _cubic),
+}
 """{kind of interpolation: (a table's coefficients, the derivatives of their weights, the weights)}"""
 
 

@@ -37,35 +37,32 @@ def pixels(share: float = 1.0) -> Measurement:
     )
 
 
-@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}})
-def general_gradient(form: str | None = None) -> Measurement:
-    """The general form, |k| to 2^20, at random and beside the creases."""
-    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
-    return Measurement(
-        samples=sum(seen.points for seen in found.values()),
-        seed=SWEEP_SEED,
-        worst=max(np.nanmax(seen.worst(form)) for seen in found.values()) / UNIT,
-        bound=float(GENERAL_GRADIENT),
-        holds=not any(seen.escaped for seen in found.values()),
-        what="the general form: the largest error over π max(1, |k|) 2^-53",
-        numbers={name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()},
-    )
-
-
-@measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
-def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
-    """The general form where k_u and k_v differ, have other signs, or one is zero."""
-    found = {field: large_wave_numbers(field, PAIRS, samples=64) for field in HEIGHT_FIELDS}
-    units = {field: np.nanmax(seen.worst()) / UNIT for field, seen in found.items()}
+def _of_sweeps(found, bound, what, form=None):
+    """Return the Measurement of {name: sweep}, of our form or another."""
+    units = {name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()}
     return Measurement(
         samples=sum(seen.points for seen in found.values()),
         seed=SWEEP_SEED,
         worst=max(units.values()),
         bound=bound,
         holds=not any(seen.escaped for seen in found.values()),
-        what="the general form where k_u is not k_v: the largest error over π max(1, |k|) 2^-53",
-        numbers={f"unequal_{field}": value for field, value in units.items()},
+        what=f"the general form{what}: the largest error over π max(1, |k|) 2^-53",
+        numbers=units,
     )
+
+
+@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}})
+def general_gradient(form: str | None = None) -> Measurement:
+    """The general form, |k| to 2^20, at random and beside the creases."""
+    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
+    return _of_sweeps(found, float(GENERAL_GRADIENT), "", form)
+
+
+@measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
+def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
+    """The general form where k_u and k_v differ, have other signs, or one is zero."""
+    found = {f"unequal_{field}": large_wave_numbers(field, PAIRS, samples=64) for field in HEIGHT_FIELDS}
+    return _of_sweeps(found, bound, " where k_u is not k_v")
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})
