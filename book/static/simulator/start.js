@@ -170,11 +170,14 @@ function simulator_start(root, compiled, module) {
       readouts.apart(apart(replies), is_whole);
       if (!by_page) refined.push(ready);
       if (is_whole) shown = of;
-      if (root.hidden) setTimeout(() => (root.hidden = false), 100); // once all is in place, so that nothing is seen to move
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
       timed_of = times_key(of);
-      requestAnimationFrame(() => frames.push({ ready }));
+      requestAnimationFrame(() => {
+        frames.push({ ready });
+        // Seen first in a frame of its own: what gets its place and is shown in one frame counts as moved.
+        requestAnimationFrame(() => (root.hidden = false));
+      });
     },
     // What the workers do while nothing moves.
     resting(of) {
@@ -297,6 +300,7 @@ function simulator_start(root, compiled, module) {
   watch_closer();
   engine.start();
   controls.show(state);
+  layout.fit(state.size); // before anything is drawn in it, which else moves once more
   engine.ask(state);
   panels();
   if (from_address()) root.scrollIntoView();
@@ -304,7 +308,6 @@ function simulator_start(root, compiled, module) {
   const fitting = new ResizeObserver(() => drawn_size && layout.fit(state.size));
   for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
   window.addEventListener("resize", () => layout.fit(state.size));
-  layout.fit(state.size);
   document.addEventListener("visibilitychange", show_or_hide);
   return {
     act,
