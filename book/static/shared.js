@@ -70,6 +70,21 @@ const scientific = (number, digits) => with_minus(number.toExponential(digits)).
 /** A whole number in raised digits. @param {number} number */
 const raised = (number) => String(number).replace(/./g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
 
+/** A power of ten as print has it. @param {number} exponent */
+const ten_to = (exponent) => `10${raised(exponent)}`;
+
+/** A number as print has it, with a power of ten. @param {number} number @param {number} digits at most, after the point */
+function in_powers(number, digits) {
+  const [size, exponent] = number.toExponential(digits).split("e").map(Number);
+  return size === 1 ? ten_to(exponent) : `${size} · ${ten_to(exponent)}`;
+}
+
+/** The sum of what is counted of each. @template Item @param {Item[]} items @param {(item: Item) => number} count */
+const total = (items, count) => items.reduce((sum, item) => sum + count(item), 0);
+
+/** The first for which a measure is least. @template Item @param {Item[]} items @param {(item: Item) => number} measure */
+const least_of = (items, measure) => items.reduce((best, item) => (measure(item) < measure(best) ? item : best));
+
 /** Where the pointer is in an element, and how large that is. @param {Element} element @param {MouseEvent} event */
 function pointer_in(element, { clientX, clientY }) {
   const { left, top, width, height } = element.getBoundingClientRect();
@@ -126,8 +141,16 @@ function when_ready(work) {
 /** What is said of what was thrown. @param {unknown} error */
 const error_text = (error) => (error instanceof Error ? error.message : String(error));
 
-/** @param {Point[]} points */
-const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
+/** A line through points, with a gap where one is NaN. @param {Point[]} points */
+function line_path(points) {
+  let letter = "M";
+  const parts = points.map(([x, y]) => {
+    const part = Number.isNaN(y) ? "" : `${letter}${x.toFixed(2)} ${y.toFixed(2)}`;
+    letter = part ? "L" : "M";
+    return part;
+  });
+  return parts.join("");
+}
 
 /** @param {string} look @param {string} path */
 const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;

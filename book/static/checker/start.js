@@ -41,8 +41,8 @@ function check_all(place, theorems, clerk) {
     theorem,
     cases: claims.flatMap(({ statements }) => statements)
   }));
-  const total = listed.reduce((sum, { cases }) => sum + cases.length, 0);
-  const bar = make_element("progress", { max: total, value: 0, "aria-label": "Certificates checked" });
+  const certificates = total(listed, ({ cases }) => cases.length);
+  const bar = make_element("progress", { max: certificates, value: 0, "aria-label": "Certificates checked" });
   const verdict = verdict_box();
   const button = make_button("Check all", () => show_verdict(button, verdict, check));
 
@@ -68,7 +68,7 @@ function check_all(place, theorems, clerk) {
       line?.append(make_element("span", { class: `check-mark check-${said}` }, words));
     });
     await Promise.all(asked);
-    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
+    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${certificates} in all`;
     const spent = seconds(performance.now() - begin);
     const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
     const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;

@@ -197,7 +197,8 @@ function idea_stage(figure) {
     const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
     /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
     return (module, state, raster) => {
-      const { stage } = module.render(state, { name: "exact" }, raster);
+      const stage = module.make_stage(state, raster);
+      module.render(state, { name: "exact" }, stage);
       module.paint("paint_colors", stage, "picture", { whole: true });
       const image = new ImageData(stage.pitch, raster.high);
       image.data.set(module.bytes(stage, "picture", [0, raster.high]));

@@ -22,12 +22,6 @@ IDEAS.two_slopes = (stage, module, data) => {
   let u = 0.139;
   let eps = 0.03;
 
-  /** @param {number} number */
-  function in_powers(number) {
-    const [digits, power] = number.toExponential(1).split("e");
-    return `${digits} · 10${raised(Number(power))}`;
-  }
-
   /** @param {number} to_u @param {number} to_eps */
   function set(to_u, to_eps) {
     u = clamp(FROM + 0.02, to_u, TO - 0.02);
@@ -46,7 +40,7 @@ IDEAS.two_slopes = (stage, module, data) => {
     "step ε",
     range,
     (to) => set(u, 10 ** to),
-    (exponent) => in_powers(10 ** exponent)
+    (exponent) => in_powers(10 ** exponent, 1)
   );
   const says = stage.says();
   /** @param {number} at @param {number} height @returns {Point} */
@@ -102,7 +96,7 @@ IDEAS.two_slopes = (stage, module, data) => {
       );
     });
     lens.show(
-      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps)} times`) +
+      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps, 1)} times`) +
         line_markup(
           "height",
           Array.from(across, (x, n) => at(x, heights[n]))
@@ -144,11 +138,9 @@ IDEAS.two_slopes = (stage, module, data) => {
       text_at(foot, down, "too far");
     const grid = [-12, -8, -4, 0].map((power) => {
       const [, y] = at(1, 10 ** power);
-      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, `10${raised(power)}`, "tick");
+      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, ten_to(power), "tick");
     });
-    const feet = [-16, -12, -8, -4].map((power) =>
-      text_at(at(10 ** power, 1)[0] - 12, 240, `10${raised(power)}`, "tick")
-    );
+    const feet = [-16, -12, -8, -4].map((power) => text_at(at(10 ** power, 1)[0] - 12, 240, ten_to(power), "tick"));
     const dots = Array.from(found, (size, n) => (size ? circle_markup("end", at(steps[n], size), 1.3) : ""));
     const now = at(eps, Math.abs(module.own.kernel("two_slopes", u, V, ku, kv, eps)[3] - exact));
     curve_of_errors.show(
@@ -186,9 +178,9 @@ IDEAS.two_slopes = (stage, module, data) => {
     says.innerHTML =
       `The difference over 2ε is <b class="numeric">${decimal(numeric, digits)}</b>, ` +
       `the slope is <b class="symbolic">${decimal(exact, digits)}</b>: they are ` +
-      `<b class="difference">${apart < 0.01 ? in_powers(apart) : decimal(apart)}</b> apart` +
+      `<b class="difference">${apart < 0.01 ? in_powers(apart, 1) : decimal(apart)}</b> apart` +
       `${straddles ? ", since the step reaches across the crease" : ""}${u + eps === u ? ": float64 takes no step" : ""}.`;
     put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
-    put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
+    put_step(end, eps, `ε ${in_powers(eps, 1)}, difference ${decimal(numeric)}`);
   };
 };

@@ -35,9 +35,10 @@ function simulator_controls(root, states, act) {
   /** @param {Holder} holder @param {HTMLInputElement} input */
   function attempt(holder, input) {
     try {
-      act.set({ [holder.name]: value_of(holder, input) });
+      const value = value_of(holder, input);
       say(holder, "");
-      put_all(holder, act.state());
+      shown = { ...shown, [holder.name]: null }; // what was typed is written anew
+      act.set({ [holder.name]: value });
     } catch (error) {
       say(holder, error_text(error));
     }

@@ -59,7 +59,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     const reach = module.radius_of_a;
     const [, y] = module.image_points(raster);
     const cost = y.map((at) => Math.sqrt(Math.max(0, reach * reach - at * at)) + 0.02 * reach);
-    const whole = cost.reduce((a, b) => a + b);
+    const whole = total(Array.from(cost), Number);
     let sum = 0;
     const band_of = cost.map((part) => {
       sum += part;

@@ -9,8 +9,6 @@
  */
 function simulator_pictures(root, states, data, module) {
   const NAMES = ["numeric", "symbolic", "difference"];
-  const SURFACE = 3;
-  const A = 1;
   const POINTS = 257;
   const TICK = 10; // pixels of the page
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
@@ -67,7 +65,7 @@ function simulator_pictures(root, states, data, module) {
     }
     if (!codes) return;
     const on_a = new ImageData(band.wide, band.high);
-    for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & SURFACE) === A ? 255 : 0;
+    for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = module.is_on_a(codes[i]) ? 255 : 0;
     context_of(into.mask).putImageData(on_a, 0, part.begin);
     decorated = "";
   }
