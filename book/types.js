@@ -58,7 +58,7 @@
 
 // simulator/engine.js
 /**
- * @typedef {{ post(task: Task): void, stop(): void }} Drawer
+ * @typedef {{ postMessage(task: Task): void }} Drawer a worker, or the page itself
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,

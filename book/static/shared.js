@@ -15,6 +15,15 @@ function find_element(root, selector) {
 }
 
 /**
+ * Return all elements of a selector.
+ * @template {Element} [E=HTMLElement]
+ * @param {ParentNode} root
+ * @param {string} selector
+ * @returns {E[]}
+ */
+const find_all = (root, selector) => [...root.querySelectorAll(/** @type {any} */ (selector))];
+
+/**
  * Return a new element: make_element("p", { class: "x" }, child, "text", …).
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
@@ -45,6 +54,9 @@ function make_button(label, work, attributes) {
 function set_attributes(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
 }
+
+/** Where a number of one range is in another. @param {number} number @param {number} from @param {number} to @param {number} first @param {number} last */
+const rescaled = (number, from, to, first, last) => first + ((number - from) / (to - from)) * (last - first);
 
 /** @param {number} low @param {number} number @param {number} high */
 const clamp = (low, number, high) => Math.max(low, Math.min(high, number));
@@ -89,6 +101,30 @@ const least_of = (items, measure) => items.reduce((best, item) => (measure(item)
 function pointer_in(element, { clientX, clientY }) {
   const { left, top, width, height } = element.getBoundingClientRect();
   return { x: clientX - left, y: clientY - top, width, height };
+}
+
+/**
+ * Tell of every place of a pressed pointer in an element, wherever it goes.
+ * @param {HTMLElement} target what is pressed
+ * @param {Element} origin
+ * @param {Moved} moved
+ */
+function follow_pointer(target, origin, moved) {
+  /** @param {PointerEvent} event @param {boolean} begins */
+  function tell(event, begins) {
+    const { x, y } = pointer_in(origin, event);
+    moved(x, y, begins);
+  }
+  target.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    event.stopPropagation();
+    target.setPointerCapture(event.pointerId);
+    target.focus({ preventScroll: true });
+    tell(event, true);
+  });
+  target.addEventListener("pointermove", (event) => {
+    if (target.hasPointerCapture(event.pointerId)) tell(event, false);
+  });
 }
 
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */

@@ -85,7 +85,7 @@ async function start_checker() {
     const script = find_element(place, "script[type='application/gzip']");
     return parsed_canonical(await unpacked(script.textContent).text());
   }
-  const places = [...document.querySelectorAll(".checker[data-theorem]")];
+  const places = find_all(document, ".checker[data-theorem]");
   /** @type {CardData[]} */
   const cards = await Promise.all(places.map(data_of));
   for (const [n, place] of places.entries()) checker_card(place, cards[n], clerk);

@@ -3,10 +3,10 @@
 
 /** @param {HTMLElement} root @param {States} states @param {Act} act */
 function simulator_controls(root, states, act) {
-  const holders = Array.from(root.querySelectorAll("[data-parameter]"), (holder) => {
-    /** @type {NodeListOf<HTMLInputElement>} */
-    const inputs = holder.querySelectorAll("input, select");
-    return { name: holder.getAttribute("data-parameter") ?? "", complaint: holder.querySelector(".sim-error"), inputs };
+  const holders = find_all(root, "[data-parameter]").map((holder) => {
+    /** @type {HTMLInputElement[]} */
+    const inputs = find_all(holder, "input, select");
+    return { name: holder.dataset.parameter ?? "", complaint: holder.querySelector(".sim-error"), inputs };
   });
   /** @typedef {typeof holders[number]} Holder */
   /** @type {Partial<State>} */

@@ -70,10 +70,9 @@ function simulator_curve(root, module) {
   }
 
   /** @param {number} eps */
-  const x_of = (eps) => inset + ((Math.log10(eps) - LEFT) / (RIGHT - LEFT)) * (width - 2 * inset);
+  const x_of = (eps) => rescaled(Math.log10(eps), LEFT, RIGHT, inset, width - inset);
   /** @param {number} size */
-  const y_of = (size) =>
-    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (bottom - TOP);
+  const y_of = (size) => rescaled(clamp(LOWEST, Math.log10(size), HIGHEST), HIGHEST, LOWEST, TOP, bottom);
 
   function axes() {
     let text = "";
@@ -184,8 +183,8 @@ function simulator_curve(root, module) {
 
   /** Read the step under the pointer. @param {PointerEvent} event */
   function hover(event) {
-    const share = (pointer_in(box, event).x - inset) / (width - 2 * inset);
-    const eps = power_of_ten(clamp(LEFT, LEFT + share * (RIGHT - LEFT), RIGHT));
+    const exponent = rescaled(pointer_in(box, event).x, inset, width - inset, LEFT, RIGHT);
+    const eps = power_of_ten(clamp(LEFT, exponent, RIGHT));
     pointer.style.transform = `translateX(${x_of(eps)}px)`;
     pointer.hidden = false;
     reading.textContent = read(eps);

@@ -322,8 +322,8 @@ function simulator_start(root, compiled, module) {
  * @returns {Promise<CloserParts>}
  */
 async function closer_parts(data, compiled) {
-  /** @type {NodeListOf<HTMLScriptElement>} */
-  const later = document.querySelectorAll("script[data-later][src]");
+  /** @type {HTMLScriptElement[]} */
+  const later = find_all(document, "script[data-later][src]");
   for (const { src } of later) {
     await new Promise((onload, onerror) => {
       const script = make_element("script");

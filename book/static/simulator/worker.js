@@ -162,13 +162,6 @@ function simulator_worker(post) {
     post({ kind: "drawn", id, band, part, images, ...apart, count: stage.count, codes }, moved);
   }
 
-  /** How long A takes by a method, drawn again from nothing. @param {Method} method @param {State} state @param {Stage} stage */
-  function time_of(method, state, stage) {
-    const begin = performance.now();
-    module.draw_a(state, method, stage, "spare");
-    return performance.now() - begin;
-  }
-
   /**
    * Flips: pixels whose chamber, computed afresh for either side, is not the one that was drawn with. Attached: pixels
    * of A that the bump turns to the other side of a light.
@@ -200,9 +193,11 @@ function simulator_worker(post) {
       yield { kind: "followed", id, index, ...sizes, count, still: still_of(state, stage) };
     }
     for (let index = 0; index < ROUNDS; index++) {
-      const [numeric, symbolic] = Object.values(module.methods_of(state)).map((method) =>
-        time_of(method, state, stage)
-      );
+      const [numeric, symbolic] = Object.values(module.methods_of(state)).map((method) => {
+        const begin = performance.now();
+        module.draw_a(state, method, stage, "spare"); // drawn again from nothing
+        return performance.now() - begin;
+      });
       yield { kind: "timed", id, index, numeric, symbolic };
     }
   }
