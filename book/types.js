@@ -133,8 +133,7 @@
 
 // checker/worker.js
 /**
- * @typedef {{ id: number, statement: Statement, certificate: Certificate }} Question
- * @typedef {Verdict & { id: number, time: number }} Answer with the milliseconds that it took
+ * @typedef {Verdict & { time: number }} Answer with the milliseconds that it took
  * @typedef {ReturnType<typeof checking_clerk>} Clerk
  */
 
