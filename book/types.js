@@ -58,7 +58,7 @@
 
 // simulator/engine.js
 /**
- * @typedef {{ post(task: Task): void, stop(): void }} Drawer
+ * @typedef {{ postMessage(task: Task): void }} Drawer a worker, or the page itself
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
@@ -133,8 +133,7 @@
 
 // checker/worker.js
 /**
- * @typedef {{ id: number, statement: Statement, certificate: Certificate }} Question
- * @typedef {Verdict & { id: number, time: number }} Answer with the milliseconds that it took
+ * @typedef {Verdict & { time: number }} Answer with the milliseconds that it took
  * @typedef {ReturnType<typeof checking_clerk>} Clerk
  */
 

@@ -9,15 +9,15 @@ import pytest
 from mpmath import mpf, workdps
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, height
-from renderer import Scene, central, central4, exact, forward, pixel, render
+from renderer import Scene, central, exact, pixel, render
 from renderer.kernels import FIELDS
 from renderer.picture.differences import certain_digits, distance_on_a
 from renderer.shader.gradients import gradient_at
 from tests.tabs import PHONE, RUNNING, go, state
 from tests.test_browser import violations, with_axe
+from tests.test_simulator_numbers import METHODS
 from verify.evaluate import Reference
 
-METHODS = {"central": central, "forward": forward, "central4": central4}
 SIDE = 256
 # The loupe's and the certifier's own parts, on the page's data.
 READY = """async () => {

@@ -23,13 +23,13 @@ WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
 # The last one of some pictures, all on one stage.
 RENDER = """async ([steps, raster]) => {
-    const { module } = Simulator.running;
-    let drawn = {};
-    for (const [state, method] of steps) drawn = module.render(state, method, raster, drawn.stage);
+    const { module } = Simulator.running, stage = module.make_stage(steps[0][0], raster);
+    let planes = [];
+    for (const [state, method] of steps) planes = module.render(state, method, stage);
     const address = await new Promise(done => {
         const reader = new FileReader();
         reader.onload = () => done(reader.result);
-        reader.readAsDataURL(new Blob([...drawn.planes, drawn.codes]));
+        reader.readAsDataURL(new Blob([...planes, stage.codes]));
     });
     return address.slice(address.indexOf(',') + 1);
 }"""

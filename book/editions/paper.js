@@ -13,25 +13,20 @@ async function put_on_paper(names) {
     names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)
   );
   document.body.replaceChildren(...pages.map((page) => find_element(page, ".bd-article")));
-  for (const simulator of select_all(".simulator"))
+  for (const simulator of find_all(document, ".simulator"))
     simulator.replaceWith(make_element("p", { class: "on-paper" }, still));
-  for (const element of select_all(active)) element.remove();
-  for (const details of select_all("details")) details.setAttribute("open", "");
+  for (const element of find_all(document, active)) element.remove();
+  for (const details of find_all(document, "details")) details.setAttribute("open", "");
   // A heading gets its section's name: it may stand on the page after the one on which the section begins.
-  for (const section of select_all("section[id]:has(> :is(h1, h2, h3))")) {
+  for (const section of find_all(document, "section[id]:has(> :is(h1, h2, h3))")) {
     const { id } = section;
     section.id = "";
     find_element(section, ":scope > :is(h1, h2, h3)").id = id;
   }
   list_contents();
-  for (const graph of document.querySelectorAll(/** @type {"svg"} */ (".graph > svg"))) cut_graph(graph);
-  for (const link of select_all("a, .not-mailed")) if (!leads_on(link)) drop_link(link);
+  for (const graph of /** @type {SVGSVGElement[]} */ (find_all(document, ".graph > svg"))) cut_graph(graph);
+  for (const link of find_all(document, "a, .not-mailed")) if (!leads_on(link)) drop_link(link);
   await fit_to_page();
-
-  /** @param {string} selector */
-  function select_all(selector) {
-    return [...document.querySelectorAll(/** @type {"div"} */ (selector))];
-  }
 
   // The table of contents: pages, and their sections. The front's title is the whole chapter's.
   function list_contents() {
@@ -86,7 +81,7 @@ async function put_on_paper(names) {
     await document.fonts.ready;
     await Promise.all([...document.images].map((image) => image.decode()));
     // Measured first and changed afterwards: the whole document is laid out once, not once for each formula.
-    const formulas = select_all("math").map((formula) => {
+    const formulas = find_all(document, "math").map((formula) => {
       const block = formula.closest("li, dd, td, th, p, figcaption, .theorem, div, section") ?? document.body;
       const { paddingLeft, paddingRight } = getComputedStyle(block);
       const room = block.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
@@ -96,7 +91,7 @@ async function put_on_paper(names) {
         size: parseFloat(getComputedStyle(formula).fontSize)
       };
     });
-    const tables = select_all("table").map((table) => ({
+    const tables = find_all(document, "table").map((table) => ({
       table,
       share: (table.parentElement?.clientWidth ?? 0) / width_of(table)
     }));

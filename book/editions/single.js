@@ -2,8 +2,7 @@
 // first shown. Without this script all pages stand one below the other.
 "use strict";
 (() => {
-  /** @type {HTMLElement[]} */
-  const pages = [...document.querySelectorAll(/** @type {"div"} */ (".chapter-page"))];
+  const pages = find_all(document, ".chapter-page");
   const root = document.documentElement;
   const title = document.title;
   const hiding = "onbeforematch" in root ? "until-found" : "";
@@ -30,8 +29,8 @@
   /** A dark drawing is its light neighbour with some parts replaced. @param {Element} page */
   function darken(page) {
     if (root.dataset.theme !== "dark") return;
-    /** @type {NodeListOf<HTMLImageElement>} */
-    const images = page.querySelectorAll("img[data-dark]");
+    /** @type {HTMLImageElement[]} */
+    const images = find_all(page, "img[data-dark]");
     for (const image of images) {
       const parts = image.previousElementSibling?.getAttribute("src")?.split("<") ?? [];
       for (const change of (image.dataset.dark ?? "").matchAll(/(\d+) (\d+) (\d+) ([^<]*)/g)) {
@@ -54,8 +53,8 @@
     }
     for (const part of document.querySelectorAll("[data-of]"))
       part.toggleAttribute("hidden", part.getAttribute("data-of") !== page.dataset.page);
-    /** @type {NodeListOf<HTMLAnchorElement>} */
-    const links = document.querySelectorAll(".bd-docs-nav a");
+    /** @type {HTMLAnchorElement[]} */
+    const links = find_all(document, ".bd-docs-nav a");
     for (const link of links) {
       const here = page.contains(document.getElementById(plain(link.hash.slice(1))));
       for (const name of ["current", "active"]) link.parentElement?.classList.toggle(name, here);

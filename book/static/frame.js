@@ -70,12 +70,12 @@ when_ready(() => {
     }
   }
 
-  const sections = [...document.querySelectorAll(".bd-article section > h2")];
+  const sections = find_all(document, ".bd-article section > h2");
   function mark_section() {
     const above = sections
       .filter((title) => title.checkVisibility() && title.getBoundingClientRect().top < innerHeight / 3)
       .pop();
-    for (const link of document.querySelectorAll(/** @type {"a"} */ ("#pst-page-toc-nav a")))
+    for (const link of /** @type {HTMLAnchorElement[]} */ (find_all(document, "#pst-page-toc-nav a")))
       link.classList.toggle("active", link.hash.slice(1) === above?.parentElement?.id);
   }
 
@@ -84,7 +84,7 @@ when_ready(() => {
     const contents = document.querySelector(".bd-sidebar-secondary");
     contents?.classList.remove("folded");
     const end = contents?.getBoundingClientRect().bottom ?? 0;
-    const wide = [...document.querySelectorAll(".bd-article :is(.page-width, .full-width, .simulator)")];
+    const wide = find_all(document, ".bd-article :is(.page-width, .full-width, .simulator)");
     const reaches = wide.some((part) => part.checkVisibility() && part.getBoundingClientRect().top < end);
     contents?.classList.toggle("folded", reaches);
   }
@@ -93,7 +93,7 @@ when_ready(() => {
   dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
   on_click(".theme-switch-button", next_colour);
   on_click(".search-button__button", search);
-  document.querySelectorAll(/** @type {"dialog"} */ ("#pst-search-dialog")).forEach(close_beside);
+  /** @type {HTMLDialogElement[]} */ (find_all(document, "#pst-search-dialog")).forEach(close_beside);
   menu("primary", 992);
   menu("secondary", 1200);
   addEventListener("click", ({ target }) => drop_down(target instanceof Node ? target : null));

@@ -58,7 +58,7 @@
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
     const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
-    for (const cell of table.querySelectorAll(/** @type {"td"} */ ("tbody td:not(:first-child)")))
+    for (const cell of /** @type {HTMLTableCellElement[]} */ (find_all(table, "tbody td:not(:first-child)")))
       cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");
   }
@@ -66,8 +66,8 @@
   /** @param {Element} page */
   function mend(page) {
     if (PHONE.matches) {
-      page.querySelectorAll(/** @type {"img"} */ ("img[data-panels][src]")).forEach(stack);
-      page.querySelectorAll(/** @type {"table"} */ ("table.table:not(.as-list)")).forEach(list);
+      /** @type {HTMLImageElement[]} */ (find_all(page, "img[data-panels][src]")).forEach(stack);
+      /** @type {HTMLTableElement[]} */ (find_all(page, "table.table:not(.as-list)")).forEach(list);
     }
     page.querySelectorAll(SCROLLS).forEach(put_into_reach);
     page.querySelectorAll(SCROLLS).forEach(fade);

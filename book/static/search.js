@@ -30,7 +30,7 @@ addEventListener("DOMContentLoaded", () => {
   const count = (text) => words.filter((word) => text.toLowerCase().includes(word)).length;
 
   /** The first text with the most words, of some with what belongs to them. @param {[string, string][]} texts */
-  const best_of = (texts) => texts.reduce((best, found) => (count(found[1]) > count(best[1]) ? found : best), ["", ""]);
+  const best_of = (texts) => least_of([["", ""], ...texts], ([, text]) => -count(text));
 
   /** @param {string} page */
   function best_sentence(page) {

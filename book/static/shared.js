@@ -15,6 +15,15 @@ function find_element(root, selector) {
 }
 
 /**
+ * Return all elements of a selector.
+ * @template {Element} [E=HTMLElement]
+ * @param {ParentNode} root
+ * @param {string} selector
+ * @returns {E[]}
+ */
+const find_all = (root, selector) => [...root.querySelectorAll(/** @type {any} */ (selector))];
+
+/**
  * Return a new element: make_element("p", { class: "x" }, child, "text", …).
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
@@ -46,6 +55,9 @@ function set_attributes(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
 }
 
+/** Where a number of one range is in another. @param {number} number @param {number} from @param {number} to @param {number} first @param {number} last */
+const rescaled = (number, from, to, first, last) => first + ((number - from) / (to - from)) * (last - first);
+
 /** @param {number} low @param {number} number @param {number} high */
 const clamp = (low, number, high) => Math.max(low, Math.min(high, number));
 
@@ -70,10 +82,49 @@ const scientific = (number, digits) => with_minus(number.toExponential(digits)).
 /** A whole number in raised digits. @param {number} number */
 const raised = (number) => String(number).replace(/./g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
 
+/** A power of ten as print has it. @param {number} exponent */
+const ten_to = (exponent) => `10${raised(exponent)}`;
+
+/** A number as print has it, with a power of ten. @param {number} number @param {number} digits at most, after the point */
+function in_powers(number, digits) {
+  const [size, exponent] = number.toExponential(digits).split("e").map(Number);
+  return size === 1 ? ten_to(exponent) : `${size} · ${ten_to(exponent)}`;
+}
+
+/** The sum of what is counted of each. @template Item @param {Item[]} items @param {(item: Item) => number} count */
+const total = (items, count) => items.reduce((sum, item) => sum + count(item), 0);
+
+/** The first for which a measure is least. @template Item @param {Item[]} items @param {(item: Item) => number} measure */
+const least_of = (items, measure) => items.reduce((best, item) => (measure(item) < measure(best) ? item : best));
+
 /** Where the pointer is in an element, and how large that is. @param {Element} element @param {MouseEvent} event */
 function pointer_in(element, { clientX, clientY }) {
   const { left, top, width, height } = element.getBoundingClientRect();
   return { x: clientX - left, y: clientY - top, width, height };
+}
+
+/**
+ * Tell of every place of a pressed pointer in an element, wherever it goes.
+ * @param {HTMLElement} target what is pressed
+ * @param {Element} origin
+ * @param {Moved} moved
+ */
+function follow_pointer(target, origin, moved) {
+  /** @param {PointerEvent} event @param {boolean} begins */
+  function tell(event, begins) {
+    const { x, y } = pointer_in(origin, event);
+    moved(x, y, begins);
+  }
+  target.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    event.stopPropagation();
+    target.setPointerCapture(event.pointerId);
+    target.focus({ preventScroll: true });
+    tell(event, true);
+  });
+  target.addEventListener("pointermove", (event) => {
+    if (target.hasPointerCapture(event.pointerId)) tell(event, false);
+  });
 }
 
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
@@ -126,8 +177,16 @@ function when_ready(work) {
 /** What is said of what was thrown. @param {unknown} error */
 const error_text = (error) => (error instanceof Error ? error.message : String(error));
 
-/** @param {Point[]} points */
-const line_path = (points) => `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}`;
+/** A line through points, with a gap where one is NaN. @param {Point[]} points */
+function line_path(points) {
+  let letter = "M";
+  const parts = points.map(([x, y]) => {
+    const part = Number.isNaN(y) ? "" : `${letter}${x.toFixed(2)} ${y.toFixed(2)}`;
+    letter = part ? "L" : "M";
+    return part;
+  });
+  return parts.join("");
+}
 
 /** @param {string} look @param {string} path */
 const path_markup = (look, path) => `<path class="${look}" d="${path}"/>`;

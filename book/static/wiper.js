@@ -20,14 +20,7 @@ function make_wiper(box) {
     set_attributes(knob, { "aria-valuenow": Math.round(share), "aria-valuetext": `${Math.round(share)} %` });
   }
 
-  knob.addEventListener("pointerdown", (event) => {
-    if (event.button === 0) knob.setPointerCapture(event.pointerId);
-  });
-  knob.addEventListener("pointermove", (event) => {
-    if (!knob.hasPointerCapture(event.pointerId)) return;
-    const { x, width } = pointer_in(box, event);
-    put((100 * x) / width);
-  });
+  follow_pointer(knob, box, (x, _, begins) => begins || put((100 * x) / box.clientWidth));
   knob.addEventListener("keydown", (event) => {
     const arrow = arrow_of(event);
     const to = arrow ? share + arrow[0] + arrow[1] : { Home: 0, End: 100 }[event.key];
@@ -39,4 +32,4 @@ function make_wiper(box) {
   box.append(knob);
 }
 
-when_ready(() => document.querySelectorAll(/** @type {"div"} */ ("[data-wiper]")).forEach(make_wiper));
+when_ready(() => find_all(document, "[data-wiper]").forEach(make_wiper));

@@ -23,8 +23,6 @@ function checker_card(place, data, clerk) {
   const number = (n, word, plural = `${word}s`) => `${n.toLocaleString("en-GB")} ${n === 1 ? word : plural}`;
   /** @param {number} time */
   const took = (time) => (time < 1 ? "less than 1 ms" : time < 1000 ? `${Math.round(time)} ms` : seconds(time));
-  /** @template Item @param {Item[]} items @param {(item: Item) => number} count */
-  const total = (items, count) => items.reduce((sum, item) => sum + count(item), 0);
   /** @param {Statement} statement @param {...string} kinds */
   const steps = (statement, ...kinds) => (statement.steps ?? []).filter(({ step = "" }) => kinds.includes(step));
 

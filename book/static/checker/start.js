@@ -41,8 +41,8 @@ function check_all(place, theorems, clerk) {
     theorem,
     cases: claims.flatMap(({ statements }) => statements)
   }));
-  const total = listed.reduce((sum, { cases }) => sum + cases.length, 0);
-  const bar = make_element("progress", { max: total, value: 0, "aria-label": "Certificates checked" });
+  const certificates = total(listed, ({ cases }) => cases.length);
+  const bar = make_element("progress", { max: certificates, value: 0, "aria-label": "Certificates checked" });
   const verdict = verdict_box();
   const button = make_button("Check all", () => show_verdict(button, verdict, check));
 
@@ -68,7 +68,7 @@ function check_all(place, theorems, clerk) {
       line?.append(make_element("span", { class: `check-mark check-${said}` }, words));
     });
     await Promise.all(asked);
-    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${total} in all`;
+    const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${certificates} in all`;
     const spent = seconds(performance.now() - begin);
     const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
     const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;
@@ -85,7 +85,7 @@ async function start_checker() {
     const script = find_element(place, "script[type='application/gzip']");
     return parsed_canonical(await unpacked(script.textContent).text());
   }
-  const places = [...document.querySelectorAll(".checker[data-theorem]")];
+  const places = find_all(document, ".checker[data-theorem]");
   /** @type {CardData[]} */
   const cards = await Promise.all(places.map(data_of));
   for (const [n, place] of places.entries()) checker_card(place, cards[n], clerk);

@@ -32,12 +32,12 @@ IDEAS.bump_surface = (stage, module, data) => {
   if (!gl) return null;
 
   /** @param {number} kind @param {string} text */
-  function shader(kind, text) {
-    const made = /** @type {WebGLShader} */ (gl?.createShader(kind));
-    gl?.shaderSource(made, text);
-    gl?.compileShader(made);
+  const shader = (kind, text) => {
+    const made = /** @type {WebGLShader} */ (gl.createShader(kind));
+    gl.shaderSource(made, text);
+    gl.compileShader(made);
     return made;
-  }
+  };
   const program = gl.createProgram();
   const VERTEX = `attribute vec3 at; attribute float light; uniform mat4 view; varying float lit;
     void main() { gl_Position = view * vec4(at, 1.0); lit = light; }`;
@@ -55,12 +55,12 @@ IDEAS.bump_surface = (stage, module, data) => {
   const tint_at = gl.getUniformLocation(program, "tint");
 
   /** @param {AllowSharedBufferSource} values */
-  function buffer(values, target = gl?.ARRAY_BUFFER ?? 0) {
-    const made = /** @type {WebGLBuffer} */ (gl?.createBuffer());
-    gl?.bindBuffer(target, made);
-    gl?.bufferData(target, values, gl.STATIC_DRAW);
+  const buffer = (values, /** @type {number} */ target = gl.ARRAY_BUFFER) => {
+    const made = gl.createBuffer();
+    gl.bindBuffer(target, made);
+    gl.bufferData(target, values, gl.STATIC_DRAW);
     return made;
-  }
+  };
 
   // A row of points on each parallel, half a cell off every crease; the first and the last all but at the poles.
   const count = AROUND * (ALONG + 2);
@@ -127,8 +127,7 @@ IDEAS.bump_surface = (stage, module, data) => {
    * @param {number[]} tint
    * @param {number} [lit]
    */
-  function draw(points, tint, lit) {
-    if (!gl) return;
+  const draw = (points, tint, lit) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, points);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
     gl.uniform3fv(tint_at, tint);
@@ -142,7 +141,7 @@ IDEAS.bump_surface = (stage, module, data) => {
     }
     if (points === floor) gl.drawArrays(gl.TRIANGLE_FAN, 0, circle.length);
     else gl.drawElements(gl.TRIANGLES, corners.length, gl.UNSIGNED_SHORT, 0);
-  }
+  };
 
   return () => {
     const wide = panel.width();

@@ -34,8 +34,8 @@ function decimal(number, digits = 2) {
   return Number(text) === 0 ? text.replace("-", "") : with_minus(text);
 }
 
-/** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to */
-function arrow_path([x, y], [end_x, end_y], look = "", size = 6) {
+/** An arrow: a line and its head, at most as long as half the arrow. @param {Point} from @param {Point} to @param {string} look @param {number} size */
+function arrow_path([x, y], [end_x, end_y], look, size) {
   const [dx, dy] = [end_x - x, end_y - y];
   const length = Math.hypot(dx, dy);
   const share = length && Math.min(size, length / 2) / length;
@@ -76,21 +76,7 @@ const vector_of = (lines, name) => ["x", "y", "z"].map((axis) => lines[`${name}_
  * @param {Stepped} stepped
  */
 function listen_to_hand(target, origin, moved, stepped) {
-  /** @param {PointerEvent} event @param {boolean} begins */
-  function tell(event, begins) {
-    const { x, y } = pointer_in(origin, event);
-    moved(x, y, begins);
-  }
-  target.addEventListener("pointerdown", (event) => {
-    if (event.button) return;
-    event.stopPropagation();
-    target.setPointerCapture(event.pointerId);
-    target.focus({ preventScroll: true });
-    tell(event, true);
-  });
-  target.addEventListener("pointermove", (event) => {
-    if (target.hasPointerCapture(event.pointerId)) tell(event, false);
-  });
+  follow_pointer(/** @type {any} */ (target), origin, moved);
   target.addEventListener("keydown", (event) => {
     const arrow = arrow_of(event);
     if (!arrow) return;
@@ -197,7 +183,8 @@ function idea_stage(figure) {
     const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
     /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
     return (module, state, raster) => {
-      const { stage } = module.render(state, { name: "exact" }, raster);
+      const stage = module.make_stage(state, raster);
+      module.render(state, { name: "exact" }, stage);
       module.paint("paint_colors", stage, "picture", { whole: true });
       const image = new ImageData(stage.pitch, raster.high);
       image.data.set(module.bytes(stage, "picture", [0, raster.high]));
@@ -240,8 +227,7 @@ async function ideas_module(data) {
 }
 
 document.addEventListener("DOMContentLoaded", async () => {
-  /** @type {NodeListOf<HTMLElement>} */
-  const figures = document.querySelectorAll("figure.idea");
+  const figures = find_all(document, "figure.idea");
   if (!figures.length) return;
   const data = { ...Simulator.data, ...Ideas.data };
   try {

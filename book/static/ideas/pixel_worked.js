@@ -5,8 +5,7 @@ IDEAS.pixel_worked = (stage, module, data) => {
   const SIZE = 256;
   const raster = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE };
   const [xs, ys] = module.image_points(raster);
-  /** @type {NodeListOf<HTMLElement>} */
-  const outputs = stage.figure.querySelectorAll("[data-line]");
+  const outputs = find_all(stage.figure, "[data-line]");
   let column = 104;
   let row = 92;
 

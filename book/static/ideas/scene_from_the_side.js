@@ -52,15 +52,12 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
         const size = center === ball_center ? ball_radius : radius;
         return module.own.kernel_over("shadow", x, y, z, ...lights[light].position, ...center, size)[0];
       });
-      let path = "";
-      let drawing = false;
-      for (const [n, at] of points.entries()) {
+      /** @type {Point[]} */
+      const line = points.map((at, n) => {
         const is_dark = is_open(at) && hidden.some((flags) => flags[n]);
-        const [right, below] = place(point(n, beside));
-        if (is_dark) path += `${drawing ? "L" : "M"}${right.toFixed(1)} ${below.toFixed(1)}`;
-        drawing = is_dark;
-      }
-      return path_markup(`dark light-${light}`, path);
+        return is_dark ? place(point(n, beside)) : [NaN, NaN];
+      });
+      return line_markup(`dark light-${light}`, line);
     }
 
     /** @param {Vector} center @param {number} size @returns {(n: number, beside: number) => Point} */

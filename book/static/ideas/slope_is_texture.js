@@ -56,8 +56,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
 
   /** @param {number} x @param {number} y */
   function nearest(x, y) {
-    const distances = circle.map(([a, b]) => Math.hypot(a - x, b - y));
-    return all[distances.indexOf(Math.min(...distances))];
+    return all[circle.indexOf(least_of(circle, ([a, b]) => Math.hypot(a - x, b - y)))];
   }
 
   /** @param {number} top @param {number} high @param {Float64Array} cosines */

@@ -22,11 +22,8 @@ IDEAS.two_slopes = (stage, module, data) => {
   let u = 0.139;
   let eps = 0.03;
 
-  /** @param {number} number */
-  function in_powers(number) {
-    const [digits, power] = number.toExponential(1).split("e");
-    return `${digits} · 10${raised(Number(power))}`;
-  }
+  /** @param {number | Float64Array} at @param {number | Float64Array} step */
+  const slopes = (at, step) => module.own.kernel_over("two_slopes", at, V, ku, kv, step);
 
   /** @param {number} to_u @param {number} to_eps */
   function set(to_u, to_eps) {
@@ -46,13 +43,13 @@ IDEAS.two_slopes = (stage, module, data) => {
     "step ε",
     range,
     (to) => set(u, 10 ** to),
-    (exponent) => in_powers(10 ** exponent)
+    (exponent) => in_powers(10 ** exponent, 1)
   );
   const says = stage.says();
   /** @param {number} at @param {number} height @returns {Point} */
-  const place = (at, height) => [((at - FROM) / (TO - FROM)) * panel.width(), BASE - TALL * height];
+  const place = (at, height) => [rescaled(at, FROM, TO, 0, panel.width()), BASE - TALL * height];
   /** @param {number} x */
-  const at_x = (x) => FROM + (x / panel.width()) * (TO - FROM);
+  const at_x = (x) => rescaled(x, 0, panel.width(), FROM, TO);
   const put_point = panel.handle(
     "the point, u",
     (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
@@ -86,7 +83,7 @@ IDEAS.two_slopes = (stage, module, data) => {
     /** @param {number} x @param {number} height @returns {Point} */
     const at = (x, height) => [unit * (x + 2), clamp(18, 112 - (46 * (height - h)) / (Math.PI * ku * eps), 206)];
     const asked = across.map((x) => u + x * eps);
-    const [, heights] = module.own.kernel_over("two_slopes", asked, V, ku, kv, eps);
+    const [, heights] = slopes(asked, eps);
     const spacing = 2 ** (Math.floor(Math.log2(u)) - 52);
     const few = Math.ceil((2 * eps) / spacing);
     const ticks = Array.from(
@@ -102,7 +99,7 @@ IDEAS.two_slopes = (stage, module, data) => {
       );
     });
     lens.show(
-      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps)} times`) +
+      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps, 1)} times`) +
         line_markup(
           "height",
           Array.from(across, (x, n) => at(x, heights[n]))
@@ -124,12 +121,10 @@ IDEAS.two_slopes = (stage, module, data) => {
     const wide = curve_of_errors.width() - 30;
     /** @param {number} step @param {number} size @returns {Point} */
     const at = (step, size) => [
-      26 + ((Math.log10(step) - LEAST) / (MOST - LEAST)) * wide,
-      20 + ((LARGEST - clamp(SMALLEST, Math.log10(size), LARGEST)) / (LARGEST - SMALLEST)) * 200
+      rescaled(Math.log10(step), LEAST, MOST, 26, 26 + wide),
+      rescaled(clamp(SMALLEST, Math.log10(size), LARGEST), LARGEST, SMALLEST, 20, 220)
     ];
-    const found = module.own
-      .kernel_over("two_slopes", u, V, ku, kv, steps)[3]
-      .map((numeric) => Math.abs(numeric - exact));
+    const found = slopes(u, steps)[3].map((numeric) => Math.abs(numeric - exact));
     const parts = module.own.kernel_over("slope_parts", u, V, ku, kv, steps);
     const bounds = parts.map((sizes) =>
       line_markup(
@@ -144,13 +139,11 @@ IDEAS.two_slopes = (stage, module, data) => {
       text_at(foot, down, "too far");
     const grid = [-12, -8, -4, 0].map((power) => {
       const [, y] = at(1, 10 ** power);
-      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, `10${raised(power)}`, "tick");
+      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, ten_to(power), "tick");
     });
-    const feet = [-16, -12, -8, -4].map((power) =>
-      text_at(at(10 ** power, 1)[0] - 12, 240, `10${raised(power)}`, "tick")
-    );
+    const feet = [-16, -12, -8, -4].map((power) => text_at(at(10 ** power, 1)[0] - 12, 240, ten_to(power), "tick"));
     const dots = Array.from(found, (size, n) => (size ? circle_markup("end", at(steps[n], size), 1.3) : ""));
-    const now = at(eps, Math.abs(module.own.kernel("two_slopes", u, V, ku, kv, eps)[3] - exact));
+    const now = at(eps, Math.abs(slopes(u, eps)[3][0] - exact));
     curve_of_errors.show(
       text_at(26, 12, "the error against ε") +
         grid.join("") +
@@ -163,8 +156,8 @@ IDEAS.two_slopes = (stage, module, data) => {
   }
 
   return () => {
-    const [, heights] = module.own.kernel_over("two_slopes", curve, V, ku, kv, eps);
-    const [left, h, right, numeric, exact, straddles] = module.own.kernel("two_slopes", u, V, ku, kv, eps);
+    const [, heights] = slopes(curve, eps);
+    const [left, h, right, numeric, exact, straddles] = slopes(u, eps).map(([number]) => number);
     const point = place(u, h);
     const start = place(u - eps, left);
     const end = place(u + eps, right);
@@ -186,9 +179,9 @@ IDEAS.two_slopes = (stage, module, data) => {
     says.innerHTML =
       `The difference over 2ε is <b class="numeric">${decimal(numeric, digits)}</b>, ` +
       `the slope is <b class="symbolic">${decimal(exact, digits)}</b>: they are ` +
-      `<b class="difference">${apart < 0.01 ? in_powers(apart) : decimal(apart)}</b> apart` +
+      `<b class="difference">${apart < 0.01 ? in_powers(apart, 1) : decimal(apart)}</b> apart` +
       `${straddles ? ", since the step reaches across the crease" : ""}${u + eps === u ? ": float64 takes no step" : ""}.`;
     put_point(point, u, `u ${decimal(u, 4)}, slope ${decimal(exact)}`);
-    put_step(end, eps, `ε ${in_powers(eps)}, difference ${decimal(numeric)}`);
+    put_step(end, eps, `ε ${in_powers(eps, 1)}, difference ${decimal(numeric)}`);
   };
 };

@@ -8,18 +8,16 @@
  * @returns {(task: CertifiedTask) => Promise<void>}
  */
 function simulator_certifier(post) {
-  const A = 1;
-  const SURFACE = 3;
   const OPEN = 0xff739e00; // the palette's green, which the map has nowhere
   return async ({ key, parts, state, raster }) => {
     const module = await simulator_module(...parts);
     const { inferno } = parts[0].tables;
     const stage = module.make_stage(state, raster);
-    const methods = [{ name: state.method, eps: state.eps }, { name: "exact" }];
+    const methods = Object.values(module.methods_of(state));
     const pictures = methods.map((method) => module.draw_bounded(state, method, stage));
     const [numeric, symbolic] = pictures;
     const is_open = numeric.open.map((flag, i) => flag | symbolic.open[i]);
-    const is_a = stage.codes.map((code) => Number((code & SURFACE) === A));
+    const is_a = stage.codes.map((code) => Number(module.is_on_a(code)));
     // An open pixel may be one of A or not: either end is that of the worse choice.
     const counted = [is_a.map((flag, i) => flag & ~is_open[i]), is_a.map((flag, i) => flag | is_open[i])];
     const [certain, possible] = counted.map((flags) => 3 * flags.filter(Boolean).length);

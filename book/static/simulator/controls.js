@@ -3,10 +3,10 @@
 
 /** @param {HTMLElement} root @param {States} states @param {Act} act */
 function simulator_controls(root, states, act) {
-  const holders = Array.from(root.querySelectorAll("[data-parameter]"), (holder) => {
-    /** @type {NodeListOf<HTMLInputElement>} */
-    const inputs = holder.querySelectorAll("input, select");
-    return { name: holder.getAttribute("data-parameter") ?? "", complaint: holder.querySelector(".sim-error"), inputs };
+  const holders = find_all(root, "[data-parameter]").map((holder) => {
+    /** @type {HTMLInputElement[]} */
+    const inputs = find_all(holder, "input, select");
+    return { name: holder.dataset.parameter ?? "", complaint: holder.querySelector(".sim-error"), inputs };
   });
   /** @typedef {typeof holders[number]} Holder */
   /** @type {Partial<State>} */
@@ -35,9 +35,10 @@ function simulator_controls(root, states, act) {
   /** @param {Holder} holder @param {HTMLInputElement} input */
   function attempt(holder, input) {
     try {
-      act.set({ [holder.name]: value_of(holder, input) });
+      const value = value_of(holder, input);
       say(holder, "");
-      put_all(holder, act.state());
+      shown = { ...shown, [holder.name]: null }; // what was typed is written anew
+      act.set({ [holder.name]: value });
     } catch (error) {
       say(holder, error_text(error));
     }

@@ -41,8 +41,7 @@ function simulator_cursor(root, states, data, module) {
   /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */
   function records(state) {
     const raster = states.crop(state);
-    const methods = [{ name: state.method, eps: state.eps }, { name: "exact" }];
-    return methods.map((method) => module.pixel(state, method, raster, state.column, state.row));
+    return Object.values(module.methods_of(state)).map((method) => module.pixel(state, method, raster));
   }
 
   /** What both pipelines share. @param {PixelRecord} one @param {State} state */

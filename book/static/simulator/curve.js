@@ -1,14 +1,15 @@
 // The U-curve: error against ε, of the gradient at the cursor and of the picture, with what the theorems allow behind.
-// It is a control too: a click, a drag or an arrow key sets ε, and pointing at it reads it.
+// A slider lies over it, which sets ε by a click, a drag or a key; pointing at it reads it.
 "use strict";
 
-/** @param {HTMLElement} root @param {SimulatorModule} module @param {Act} act */
-function simulator_curve(root, module, act) {
+/** @param {HTMLElement} root @param {SimulatorModule} module */
+function simulator_curve(root, module) {
   const box = find_element(root, ".sim-curve");
   /** @type {SVGSVGElement} */
   const svg = find_element(box, "svg");
   /** @type {HTMLCanvasElement} */
   const strip = find_element(box, "canvas");
+  const slider = find_element(box, "input");
   const reading = find_element(root, "[data-reading]");
   const [pointer, now, dot] = ["hover", "now", "dot"].map((name) => find_element(box, `.sim-${name}`));
   const LEFT = -18; // powers of ten: of ε,
@@ -39,10 +40,10 @@ function simulator_curve(root, module, act) {
    * @returns {Lines}
    */
   function at_pixel(state, raster) {
-    const stage = module.make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
+    const stage = module.stage_of_pixel(state, raster);
     if (!stage.count) return {};
     const [u, v] = module.chart(stage);
-    const exact = module.gradients(state, { name: "exact" }, stage);
+    const exact = module.gradients(state, module.methods_of(state).symbolic, stage);
     const numeric = FINE.map((eps) => {
       const slopes = module.gradients(state, { name: state.method, eps }, stage);
       return { eps, size: Math.max(...slopes.map(([slope], axis) => Math.abs(slope - exact[axis][0]))) };
@@ -58,7 +59,7 @@ function simulator_curve(root, module, act) {
     const found = Object.entries({ bound: "best by theorem", numeric: "least here" }).flatMap(([name, words]) => {
       const points = lines[name] ?? [];
       if (!points.some(({ size }) => size > 0)) return [];
-      const { eps, size } = points.reduce((best, point) => (point.size < best.size ? point : best));
+      const { eps, size } = least_of(points, (point) => point.size);
       const place = `translate(${x_of(eps).toFixed(1)} ${y_of(size).toFixed(1)})`;
       const markup = `<path class="least ${name}" transform="${place}" d="M0 -5L4 3H-4Z"/>`;
       return [{ markup, words: `${words}: ε = ${scientific(eps, 1)}` }];
@@ -69,34 +70,19 @@ function simulator_curve(root, module, act) {
   }
 
   /** @param {number} eps */
-  const x_of = (eps) => inset + ((Math.log10(eps) - LEFT) / (RIGHT - LEFT)) * (width - 2 * inset);
+  const x_of = (eps) => rescaled(Math.log10(eps), LEFT, RIGHT, inset, width - inset);
   /** @param {number} size */
-  const y_of = (size) =>
-    TOP + ((HIGHEST - clamp(LOWEST, Math.log10(size), HIGHEST)) / (HIGHEST - LOWEST)) * (bottom - TOP);
-
-  /** @param {LinePoint[]} points */
-  function path(points) {
-    let text = "";
-    let drawing = false;
-    for (const { eps, size } of points) {
-      if (size > 0) text += `${drawing ? "L" : "M"}${x_of(eps).toFixed(1)} ${y_of(size).toFixed(1)}`;
-      drawing = size > 0;
-    }
-    return text;
-  }
+  const y_of = (size) => rescaled(clamp(LOWEST, Math.log10(size), HIGHEST), HIGHEST, LOWEST, TOP, bottom);
 
   function axes() {
-    /** @param {number} n @param {number} x @param {number} y @param {string} side */
-    const tick = (n, x, y, side) =>
-      text_at(x, y, `10<tspan dy="-5" font-size="9">${with_minus(String(n))}</tspan>`, `tick ${side}`);
     let text = "";
     for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
       text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
-      text += tick(n, inset - 8, y + 4, "beside");
+      text += text_at(inset - 8, y + 4, ten_to(n), "beside");
     }
     for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
-      text += tick(n, x_of(10 ** n), height - 4, "below");
+      text += text_at(x_of(10 ** n), height - 4, ten_to(n), "below");
     }
     return text;
   }
@@ -105,7 +91,7 @@ function simulator_curve(root, module, act) {
   function names() {
     const ends = Object.entries(lines).filter(([, points]) => points.some(({ size }) => size > 0));
     const placed = ends.map(([name, points]) => {
-      const { size } = points.reduce((end, point) => (point.eps > end.eps ? point : end));
+      const { size } = least_of(points, ({ eps }) => -eps);
       return { name, y: y_of(size || 1e-16) + 4 };
     });
     placed.sort((one, other) => one.y - other.y);
@@ -150,7 +136,12 @@ function simulator_curve(root, module, act) {
     inset = 0.5 * parseFloat(getComputedStyle(root).getPropertyValue("--thumb")); // where the slider's thumb stops
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     lines = difference.length ? { ...pixel, difference } : pixel;
-    const paths = Object.entries(lines).map(([name, points]) => path_markup(name, path(points)));
+    const paths = Object.entries(lines).map(([name, points]) =>
+      line_markup(
+        name,
+        points.map(({ eps, size }) => [x_of(eps), size > 0 ? y_of(size) : NaN])
+      )
+    );
     const dots = difference
       .filter(({ size }) => size > 0)
       .map(({ eps, size }) => circle_markup("difference", [x_of(eps), y_of(size)], 2));
@@ -165,14 +156,12 @@ function simulator_curve(root, module, act) {
     now.style.transform = `translateX(${x_of(eps)}px)`;
     dot.style.transform = `translate(${x_of(eps)}px, ${y_of(error || 1)}px)`;
     dot.hidden = !error;
-    set_attributes(box, { "aria-valuenow": Math.log10(eps).toFixed(2), "aria-valuetext": read(eps) });
+    slider.setAttribute("aria-valuetext", read(eps));
   }
 
   /** The size at the step of a line that is nearest to a step. @param {LinePoint[]} points @param {number} eps */
   function size_at(points, eps) {
-    /** @param {LinePoint} point */
-    const away = (point) => Math.abs(Math.log(point.eps / eps));
-    return points.reduce((best, point) => (away(point) < away(best) ? point : best)).size;
+    return least_of(points, (point) => Math.abs(Math.log(point.eps / eps))).size;
   }
 
   /** @param {number} eps */
@@ -192,47 +181,19 @@ function simulator_curve(root, module, act) {
     return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
   }
 
-  /** @param {number} exponent */
-  const step_at = (exponent) => power_of_ten(clamp(LEFT, exponent, RIGHT));
-
-  /** The step under the pointer. @param {PointerEvent} event */
-  function pointed(event) {
-    const share = (pointer_in(box, event).x - inset) / (width - 2 * inset);
-    return step_at(LEFT + share * (RIGHT - LEFT));
-  }
-
-  /** @param {PointerEvent} event */
+  /** Read the step under the pointer. @param {PointerEvent} event */
   function hover(event) {
-    const eps = pointed(event);
+    const exponent = rescaled(pointer_in(box, event).x, inset, width - inset, LEFT, RIGHT);
+    const eps = power_of_ten(clamp(LEFT, exponent, RIGHT));
     pointer.style.transform = `translateX(${x_of(eps)}px)`;
     pointer.hidden = false;
     reading.textContent = read(eps);
-    if (event.buttons === 1) act.set({ eps });
   }
 
-  /** @param {KeyboardEvent} event */
-  function press(event) {
-    const at = Math.log10(act.state().eps);
-    const arrow = arrow_of(event);
-    const to = arrow
-      ? at + 0.125 * Math.sign(arrow[0] + arrow[1])
-      : { PageUp: at + 1, PageDown: at - 1, Home: LEFT, End: RIGHT }[event.key];
-    if (to === undefined || is_shortcut(event)) return;
-    event.preventDefault();
-    act.set({ eps: step_at(to) });
-  }
-
-  box.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    box.setPointerCapture(event.pointerId);
-    act.set({ eps: pointed(event) });
-    hover(event);
-  });
   box.addEventListener("pointermove", hover);
   box.addEventListener("pointerleave", () => {
     pointer.hidden = true;
     reading.textContent = at_rest;
   });
-  box.addEventListener("keydown", press);
-  return { COARSE, FINE, at_pixel, show, mark, csv };
+  return { COARSE, at_pixel, show, mark, csv };
 }

@@ -14,7 +14,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   const REFINED_AFTER = 80; // milliseconds
   const IDLE_AFTER = 150;
   const SMALL = 256; // pixels
-  /** @type {Drawer[]} */
+  /** @type {Worker[]} */
   let workers = [];
   /** @type {{ id: number, state: State, asked: number, replies: Drawn[] }} */
   let waiting = { id: 0, state: states.start(), asked: 0, replies: [] };
@@ -29,27 +29,25 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let resting = 0;
   let refined = ""; // the raster that the workers were last asked for
   /** @type {Drawer} */
-  const page = { post: simulator_worker((reply) => receive(reply, page)), stop() {} };
-  page.post({ kind: "begin", data, compiled });
+  const page = { postMessage: simulator_worker((reply) => receive(reply, page)) };
+  page.postMessage({ kind: "begin", data, compiled });
 
   // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
     if (workers.length) return;
     workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
       const worker = worker_of(float64s, simulator_module, simulator_worker);
-      /** @type {Drawer} */
-      const drawer = { post: (task) => worker.postMessage(task), stop: () => worker.terminate() };
-      worker.onmessage = ({ data }) => receive(data, drawer);
+      worker.onmessage = ({ data }) => receive(data, worker);
       worker.postMessage({ kind: "begin", data, compiled });
       worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
-      return drawer;
+      return worker;
     });
     ask(last);
   }
 
   function stop() {
     clearTimeout(timer);
-    for (const worker of workers) worker.stop();
+    for (const worker of workers) worker.terminate();
     workers = [];
   }
 
@@ -59,7 +57,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     const reach = module.radius_of_a;
     const [, y] = module.image_points(raster);
     const cost = y.map((at) => Math.sqrt(Math.max(0, reach * reach - at * at)) + 0.02 * reach);
-    const whole = cost.reduce((a, b) => a + b);
+    const whole = total(Array.from(cost), Number);
     let sum = 0;
     const band_of = cost.map((part) => {
       sum += part;
@@ -83,7 +81,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
       if (next) ask(next);
     });
     next = null;
-    if (resting) for (const { post } of workers) post({ kind: "stop" });
+    if (resting) for (const worker of workers) worker.postMessage({ kind: "stop" });
     resting = 0;
     send(state, [page], [states.crop(state, Math.max(1, state.size / SMALL))]);
   }
@@ -93,7 +91,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     waiting = { id: ++id, state, asked: performance.now(), replies: [] };
     for (const [n, band] of bands.entries()) {
       const part = { raster: refined, bands: bands.length, begin: band.top - bands[0].top };
-      drawers[n].post({ kind: "draw", id, state, band, part });
+      drawers[n].postMessage({ kind: "draw", id, state, band, part });
     }
   }
 
@@ -131,7 +129,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     const bands = bands_of(state);
     resting = bands.length;
     pieces = {};
-    for (const [n, band] of bands.entries()) workers[n].post({ kind: "idle", id, state, band, steps });
+    for (const [n, band] of bands.entries()) workers[n].postMessage({ kind: "idle", id, state, band, steps });
   }
 
   return { start, stop, ask };

@@ -46,15 +46,14 @@ function simulator_layout(root, resized) {
     const bar =
       document.fullscreenElement === root ? 0 : (document.querySelector(".bd-header-article")?.clientHeight ?? 0);
     const high = window.innerHeight - bar - above - TITLE;
-    if (wide < NARROW) return { large: side_for(wide, size), small: side_for(wide, size), is_tall: false };
-    if (is_apart) {
-      const side = side_for(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE), size);
+    /** @param {number} room */
+    function alike(room) {
+      const side = side_for(room, size);
       return { large: side, small: side, is_tall: false };
     }
-    if (wide < COMPACT) {
-      const side = side_for(Math.min((wide - SCENE) / 2 - GAP, high - PLOT), size);
-      return { large: side, small: side, is_tall: false };
-    }
+    if (wide < NARROW) return alike(wide);
+    if (is_apart) return alike(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE));
+    if (wide < COMPACT) return alike(Math.min((wide - SCENE) / 2 - GAP, high - PLOT));
     const [below, beside] = [Math.min(high - TABLE, wide - BESIDE), Math.min(high, wide - PIXEL)].map((room) =>
       side_for(room, size)
     );

@@ -16,7 +16,6 @@ function simulator_loupe(root, states, data, module, act) {
   const FIRST = 7; // places of the ruler: the bit of place n counts 2^n
   const LAST = -120;
   const FINEST = 200; // of a number no more than 2^-200 is looked at
-  const EXACT = { name: "exact" };
   const box = find_element(root, "#loupe");
   const frame = find_element(box, ".sim-lenses");
   /** @type {HTMLCanvasElement} */
@@ -42,11 +41,10 @@ function simulator_loupe(root, states, data, module, act) {
       high: SIDE
     };
     const stage = module.make_stage(state, raster);
-    colors = [{ name: state.method, eps: state.eps }, EXACT].map((each, n) => {
-      module.draw_elsewhere(state, stage, NAMES[n]);
-      module.draw_a(state, each, stage, NAMES[n]);
-      module.paint("paint_colors", stage, NAMES[n], { whole: true });
-      return module.colors_of(stage, NAMES[n]);
+    colors = Object.entries(module.methods_of(state)).map(([name, method]) => {
+      const planes = module.render(state, method, stage, name);
+      module.paint("paint_colors", stage, name, { whole: true });
+      return planes;
     });
     const pair = { whole: true, of: "numeric", other: "symbolic", table: "sizes", palette: "inferno" };
     module.paint("paint_difference_logarithmic", stage, "difference", pair);
@@ -162,12 +160,12 @@ function simulator_loupe(root, states, data, module, act) {
 
   /** Show a state's pixel: the ruler, if it is on A. @param {State} state */
   function show(state) {
-    const { field, method, axis, ku, kv, eps, column, row } = state;
+    const { field, method, axis, ku, kv, eps } = state;
     shown = state;
     draw_lenses(state);
     tell(told);
     body.replaceChildren();
-    const stage = module.make_stage(state, { ...states.crop(state), left: column, top: row, wide: 1, high: 1 });
+    const stage = module.stage_of_pixel(state, states.crop(state));
     if (!stage.count) return;
     const n = axis === "v" ? 1 : 0;
     const [u, v] = module.chart(stage).map(([number]) => number);
@@ -187,7 +185,7 @@ function simulator_loupe(root, states, data, module, act) {
       );
       add_difference(heights, noise);
     }
-    const exact = module.gradients(state, EXACT, stage)[n][0];
+    const exact = module.gradients(state, module.methods_of(state).symbolic, stage)[n][0];
     const proved = Number.isNaN(bound) ? "no theorem covers this" : `proved: at most ${scientific(bound, 2)}`;
     const off = `off by ${scientific(Math.abs(numeric - exact), 2)}; ${proved}`;
     add_pair([`h${"ᵤᵥ"[n]}`, "exact"], [numeric, exact], [off]);

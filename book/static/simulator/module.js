@@ -114,7 +114,7 @@ async function simulator_module(data, ...programs) {
    */
   function kernel_over(name, ...inputs) {
     const [taken, made] = data.kernels[name];
-    const [{ length }] = inputs.filter((input) => typeof input !== "number");
+    const [{ length } = { length: 1 }] = inputs.filter((input) => typeof input !== "number");
     const outputs = Array.from({ length: made }, () => new Float64Array(length));
     for (let start = 0; start < length; start += CHUNK) {
       const count = Math.min(CHUNK, length - start);
@@ -130,7 +130,7 @@ async function simulator_module(data, ...programs) {
   }
 
   /** What a kernel makes of numbers: the list of its outputs. @param {string} name @param {...number} inputs */
-  const kernel = (name, ...inputs) => kernel_over(name, ...inputs.map((input) => Float64Array.of(input))).map(first_of);
+  const kernel = (name, ...inputs) => kernel_over(name, ...inputs).map(first_of);
 
   /** @param {Raster} raster */
   function image_points({ width, height, left, top, wide, high }) {
@@ -146,6 +146,12 @@ async function simulator_module(data, ...programs) {
     /** @param {number} x @param {number} y @returns {[number, number]} */
     return (x, y) => [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
   }
+
+  /** How each picture of a state takes its gradient. @param {{ method: string, eps: number }} state @returns {Record<string, Method>} */
+  const methods_of = ({ method, eps }) => ({ numeric: { name: method, eps }, symbolic: EXACT });
+
+  /** Whether a pixel of this chamber shows A. @param {number} code */
+  const is_on_a = (code) => (code & SURFACE) === A;
 
   /** The numbers by which h depends on u and on v, or null. @param {SceneState} state */
   const wave_numbers = ({ field, ku, kv }) =>
@@ -277,7 +283,7 @@ async function simulator_module(data, ...programs) {
     for (let row = 0; row < high; row++) {
       const before = at.length;
       for (let column = 0; column < wide; column++) {
-        if ((codes[row * wide + column] & SURFACE) === A) at.push(row * pitch + column);
+        if (is_on_a(codes[row * wide + column])) at.push(row * pitch + column);
       }
       if (at.length === before) continue;
       const [first, end] = [at[before] - row * pitch, at[at.length - 1] + 1 - row * pitch];
@@ -295,6 +301,10 @@ async function simulator_module(data, ...programs) {
       targets: {}
     };
   }
+
+  /** The stage of the one pixel that is under a state's cursor. @param {State} state @param {Raster} raster of all pixels */
+  const stage_of_pixel = (state, raster) =>
+    make_stage(state, { ...raster, left: state.column, top: state.row, wide: 1, high: 1 });
 
   /** The address of a stage's plane of a name. @param {Stage} stage @param {string} name @param {string} plane */
   function place(stage, name, plane) {
@@ -371,15 +381,15 @@ async function simulator_module(data, ...programs) {
   const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));
 
   /**
-   * A whole picture, three planes, as the renderer's frame.rgb; on the stage of another one, a step from it.
+   * A whole picture, three planes, as the renderer's frame.rgb; where its name has been drawn before, a step from that.
    * @param {SceneState} state
    * @param {Method} method
-   * @param {Raster} raster
+   * @param {Stage} stage
    */
-  function render(state, method, raster, stage = make_stage(state, raster)) {
-    draw_elsewhere(state, stage, "picture");
-    draw_a(state, method, stage, "picture");
-    return { planes: colors_of(stage, "picture"), codes: stage.codes, stage };
+  function render(state, method, stage, name = "picture") {
+    draw_elsewhere(state, stage, name);
+    draw_a(state, method, stage, name);
+    return colors_of(stage, name);
   }
 
   /** The colours of a name, three planes. @param {Stage} stage @param {string} name */
@@ -495,22 +505,20 @@ async function simulator_module(data, ...programs) {
   }
 
   /**
-   * What renderer.pixel records, for one pixel of the whole raster.
-   * @param {SceneState} state
+   * What renderer.pixel records, for the pixel of the whole raster that is under the cursor.
+   * @param {State} state
    * @param {Method} method
    * @param {Raster} raster
-   * @param {number} column
-   * @param {number} row
    * @returns {PixelRecord}
    */
-  function pixel(state, method, { width, height }, column, row) {
-    const raster = { width, height, left: column, top: row, wide: 1, high: 1 };
-    const { planes, codes, stage } = render(state, method, raster);
-    const surface = ["none", "A", "B", "floor"][codes[0] & SURFACE];
-    const record = { column, row, surface, rgb: planes.map(first_of) };
+  function pixel(state, method, raster) {
+    const stage = stage_of_pixel(state, raster);
+    const surface = ["none", "A", "B", "floor"][stage.codes[0] & SURFACE];
+    const rgb = render(state, method, stage).map(first_of);
+    const record = { column: state.column, row: state.row, surface, rgb };
     if (surface === "none") return record;
     if (surface === "A") return { ...record, ...record_on_a(state, method, stage) };
-    const [x, y] = image_points(raster).map(first_of);
+    const [x, y] = image_points(stage.raster).map(first_of);
     const ball = [...data.scene.ball_center, data.scene.ball_radius];
     const six = surface === "B" ? kernel("normal_of_b", x, y, eye, ...ball) : kernel("normal_of_floor", x, y);
     return { ...record, point: six.slice(0, 3), normal: six.slice(3) };
@@ -534,8 +542,7 @@ async function simulator_module(data, ...programs) {
     return {
       point: kernel("point_on_a", ...angles, radius),
       normal: kernel("bumped_normal", ...angles, ...gradient, beta),
-      ...{ gradient, u, v, h },
-      ...{ theta, phi },
+      ...{ gradient, u, v, h, theta, phi },
       kink: kink === 1,
       straddling: straddling === 1
     };
@@ -545,11 +552,14 @@ async function simulator_module(data, ...programs) {
   return {
     kernel,
     kernel_over,
+    methods_of,
+    is_on_a,
     image_points,
     placing_in,
     radius_of_a,
     wave_numbers,
     make_stage,
+    stage_of_pixel,
     chambers_of,
     draw_a,
     draw_elsewhere,

@@ -9,8 +9,6 @@
  */
 function simulator_pictures(root, states, data, module) {
   const NAMES = ["numeric", "symbolic", "difference"];
-  const SURFACE = 3;
-  const A = 1;
   const POINTS = 257;
   const TICK = 10; // pixels of the page
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
@@ -67,7 +65,7 @@ function simulator_pictures(root, states, data, module) {
     }
     if (!codes) return;
     const on_a = new ImageData(band.wide, band.high);
-    for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = (codes[i] & SURFACE) === A ? 255 : 0;
+    for (let i = 0; i < codes.length; i++) on_a.data[4 * i + 3] = module.is_on_a(codes[i]) ? 255 : 0;
     context_of(into.mask).putImageData(on_a, 0, part.begin);
     decorated = "";
   }
@@ -112,27 +110,30 @@ function simulator_pictures(root, states, data, module) {
     const { width } = context.canvas;
     const zoom = width / state.size;
     const ratio = width / context.canvas.clientWidth;
-    const [middle_x, middle_y] = place(0, 0).map((at) => at * zoom);
-    context.beginPath();
+    /** @param {number} x @param {number} y @returns {Point} */
+    const scaled = (x, y) => {
+      const [right, below] = place(x, y);
+      return [right * zoom, below * zoom];
+    };
+    const [middle_x, middle_y] = scaled(0, 0);
+    let path = "";
     for (const { a, b, level } of module.crease_lines(state)) {
       const [x, y] = module.kernel_over("crease_point", a, b, level, along, eye, radius);
-      let last = [NaN, NaN];
-      for (let n = 0; n < POINTS; n++) {
-        const [right, below] = place(x[n], y[n]).map((at) => at * zoom);
-        const is_end = Number.isNaN(right) && !Number.isNaN(last[0]);
-        if (whole && !Number.isNaN(right + last[0])) context.lineTo(right, below);
-        else if (whole && !Number.isNaN(right)) context.moveTo(right, below);
-        else if (!whole && is_end) {
-          const far = 1 + (TICK * ratio) / Math.hypot(last[0] - middle_x, last[1] - middle_y);
-          context.moveTo(last[0], last[1]);
-          context.lineTo(middle_x + far * (last[0] - middle_x), middle_y + far * (last[1] - middle_y));
+      const points = Array.from(x, (_, n) => scaled(x[n], y[n]));
+      if (whole) path += line_path(points);
+      else {
+        const ends = points.filter(
+          ([right], n) => !Number.isNaN(right) && n + 1 < POINTS && Number.isNaN(points[n + 1][0])
+        );
+        for (const [right, below] of ends) {
+          const share = (TICK * ratio) / Math.hypot(right - middle_x, below - middle_y);
+          path += `M${right} ${below}l${share * (right - middle_x)} ${share * (below - middle_y)}`;
         }
-        last = [right, below];
       }
     }
     context.lineWidth = Math.max(1, ratio);
     context.strokeStyle = "white";
-    context.stroke();
+    context.stroke(new Path2D(path));
     if (!whole) return;
     context.globalCompositeOperation = "destination-in";
     context.imageSmoothingEnabled = false;

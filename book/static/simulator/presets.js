@@ -62,7 +62,7 @@ function simulator_presets(root, states, act) {
     if (!now) return;
     share = clamp(0, to, 1);
     bar.value = String(share);
-    act.change(now.at(now.from + (now.to - now.from) * share));
+    act.change(now.at(rescaled(share, 0, 1, now.from, now.to)));
   }
 
   function pause() {
@@ -110,7 +110,7 @@ function simulator_presets(root, states, act) {
       share = 0;
       return go_on();
     }
-    put((now.still - now.from) / (now.to - now.from));
+    put(rescaled(now.still, now.from, now.to, 0, 1));
   }
 
   function reset() {

@@ -7,24 +7,20 @@ function simulator_readouts(root, data, module) {
   const $ = (selector) => find_element(root, selector);
   /** @param {string} selector @param {string} text */
   function put(selector, text) {
-    $(selector).textContent = text;
+    const place = $(selector);
+    if (place.textContent !== text) place.textContent = text; // else some screen readers say it again
   }
   const ENOUGH = 8;
   const MOST = 24;
   const SPREAD = 0.25; // times are shown when so many agree so far
   /** @type {Record<string, number[]>} */
   let times = {};
-  let captioned = "";
 
   /** @param {number} x */
   const number = (x) => (x === 0 ? "0" : scientific(x, 2));
 
   /** @param {number} x */
-  function short(x) {
-    if (x >= 0.01 && x < 1000) return String(x);
-    const [digits, power] = x.toExponential().split("e").map(Number);
-    return digits === 1 ? `10${raised(power)}` : `${Number(digits.toPrecision(3))} · 10${raised(power)}`;
-  }
+  const short = (x) => (x >= 0.01 && x < 1000 ? String(x) : in_powers(x, 2));
 
   /**
    * The largest difference, and the root mean square: about, while a coarser picture stands for the one that is asked for.
@@ -86,10 +82,7 @@ function simulator_readouts(root, data, module) {
 
   /** @param {State} state */
   function captions(state) {
-    const { method, eps, scale, zoom, view, field } = state;
-    const key = [method, eps, scale, zoom, view, field].join();
-    if (key === captioned) return;
-    captioned = key;
+    const { method, eps, scale, zoom, view } = state;
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);

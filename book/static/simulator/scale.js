@@ -17,9 +17,6 @@ function simulator_scale(root, data) {
   let colors = Uint32Array.from(inferno);
   let shown = "";
 
-  /** @param {number} a @param {number} b */
-  const sum = (a, b) => a + b;
-
   /** How many pixels have each level; of a linear difference, in the colour in which it is the largest. @param {Uint8Array} levels */
   function count(levels) {
     const counts = new Uint32Array(LEVELS);
@@ -31,9 +28,9 @@ function simulator_scale(root, data) {
   /** The whole decades that a fitted scale shows, two at least: those of more than a thousandth of what is not 0. @param {Uint32Array} counts */
   function fitted(counts) {
     const many = Array.from({ length: DECADE }, (_, n) =>
-      counts.subarray(n * DECADE || 1, (n + 1) * DECADE).reduce(sum)
+      total([...counts.subarray(n * DECADE || 1, (n + 1) * DECADE)], Number)
     );
-    const some = many.map((number) => number > 0.001 * many.reduce(sum));
+    const some = many.map((number) => number > 0.001 * total(many, Number));
     const last = Math.max(2, some.lastIndexOf(true) + 1);
     return [clamp(0, some.indexOf(true), last - 2), last];
   }
@@ -51,8 +48,8 @@ function simulator_scale(root, data) {
       .filter((_, n) => n % 15 === 0)
       .map((color) => `rgb(${[0, 8, 16].map((shift) => (color >>> shift) & 255)})`);
     const powers = [0, 0.25, 0.5, 0.75, 1].map((share) => first + share * (last - first) - DECADE);
-    const texts = powers.filter(Number.isInteger).map((power) => (power ? `10${raised(power)}` : "1"));
-    const ends = ["0", scale === "1e0" ? "1" : `10${raised(-Math.log10(Number(scale)))}`];
+    const texts = powers.filter(Number.isInteger).map((power) => (power ? ten_to(power) : "1"));
+    const ends = ["0", scale === "1e0" ? "1" : ten_to(-Math.log10(Number(scale)))];
     bar.style.background = `linear-gradient(to right, ${css})`;
     marks.replaceChildren(...(is_linear ? ends : texts).map((mark) => make_element("span", {}, mark)));
   }

@@ -26,7 +26,7 @@ function simulator_start(root, compiled, module) {
   let wanted = 0;
   let saved = 0;
   let shown_panels = 0;
-  let drawn_size = 0;
+  let drawn_size = state.size;
   /** @type {{ ready: number }[]} */
   const frames = []; // milliseconds from a change to its pictures in the canvases
   /** @type {number[]} */
@@ -41,12 +41,6 @@ function simulator_start(root, compiled, module) {
     for (const name of Object.keys(data.models)) {
       if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
     }
-  }
-
-  /** @param {string} text */
-  function message(text) {
-    $(".sim-message").textContent = text;
-    $(".sim-message").hidden = !text;
   }
 
   /** @param {string} left_out */
@@ -95,12 +89,12 @@ function simulator_start(root, compiled, module) {
       const next = "size" in changes ? states.zoomed(state, changes) : state;
       take(states.changed(next, changes));
       presets.stop();
-      message("");
+      say(root, "");
     },
     change: (changes) => take(states.changed(state, changes)),
     replace(next) {
       controls.clear();
-      message("");
+      say(root, "");
       take(states.changed(next, {}));
     },
     // The shown part, or the cursor, as near to a place as may be.
@@ -126,7 +120,7 @@ function simulator_start(root, compiled, module) {
   const pictures = simulator_pictures(root, states, data, module);
   const layout = simulator_layout(root, resized);
   const hand = simulator_hand(pictures, act);
-  const curve = simulator_curve(root, module, act);
+  const curve = simulator_curve(root, module);
   const cursor = simulator_cursor(root, states, data, module);
 
   function panels() {
@@ -147,14 +141,12 @@ function simulator_start(root, compiled, module) {
   }
 
   /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
-  const total = (replies, name) => replies.reduce((sum, reply) => sum + reply[name], 0);
-  /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
   const largest = (replies, name) => Math.max(...replies.map((reply) => reply[name]));
 
   /** What the workers found of their bands, of all of them. @param {(Drawn | Followed)[]} replies */
   function apart(replies) {
-    const count = total(replies, "count");
-    const rms = count && Math.sqrt(total(replies, "squares") / 3 / count);
+    const count = total(replies, (reply) => reply.count);
+    const rms = count && Math.sqrt(total(replies, (reply) => reply.squares) / 3 / count);
     return { count, max: largest(replies, "largest"), size: rms };
   }
 
@@ -170,11 +162,14 @@ function simulator_start(root, compiled, module) {
       readouts.apart(apart(replies), is_whole);
       if (!by_page) refined.push(ready);
       if (is_whole) shown = of;
-      if (root.hidden) setTimeout(() => (root.hidden = false), 100); // once all is in place, so that nothing is seen to move
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
       timed_of = times_key(of);
-      requestAnimationFrame(() => frames.push({ ready }));
+      requestAnimationFrame(() => {
+        frames.push({ ready });
+        // Seen first in a frame of its own: what gets its place and is shown in one frame counts as moved.
+        requestAnimationFrame(() => (root.hidden = false));
+      });
     },
     // What the workers do while nothing moves.
     resting(of) {
@@ -185,8 +180,8 @@ function simulator_start(root, compiled, module) {
       return curve.COARSE;
     },
     counted(all) {
-      const attached = all[0].attached.map((_, n) => all.reduce((sum, { attached }) => sum + attached[n], 0));
-      readouts.counted({ count: total(all, "count"), flips: total(all, "flips"), attached });
+      const attached = all[0].attached.map((_, n) => total(all, (reply) => reply.attached[n]));
+      readouts.counted({ count: total(all, ({ count }) => count), flips: total(all, ({ flips }) => flips), attached });
     },
     followed(all) {
       const eps = curve.COARSE[all[0].index];
@@ -278,7 +273,7 @@ function simulator_start(root, compiled, module) {
       }
       return next !== null;
     } catch (error) {
-      message(`${error_text(error)}. Nothing was changed.`);
+      say(root, `${error_text(error)}. Nothing was changed.`);
       return true;
     }
   }
@@ -297,14 +292,14 @@ function simulator_start(root, compiled, module) {
   watch_closer();
   engine.start();
   controls.show(state);
+  layout.fit(state.size); // before anything is drawn in it, which else moves once more
   engine.ask(state);
   panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
-  const fitting = new ResizeObserver(() => drawn_size && layout.fit(state.size));
+  const fitting = new ResizeObserver(() => layout.fit(state.size));
   for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
   window.addEventListener("resize", () => layout.fit(state.size));
-  layout.fit(state.size);
   document.addEventListener("visibilitychange", show_or_hide);
   return {
     act,
@@ -327,8 +322,8 @@ function simulator_start(root, compiled, module) {
  * @returns {Promise<CloserParts>}
  */
 async function closer_parts(data, compiled) {
-  /** @type {NodeListOf<HTMLScriptElement>} */
-  const later = document.querySelectorAll("script[data-later][src]");
+  /** @type {HTMLScriptElement[]} */
+  const later = find_all(document, "script[data-later][src]");
   for (const { src } of later) {
     await new Promise((onload, onerror) => {
       const script = make_element("script");
@@ -340,11 +335,16 @@ async function closer_parts(data, compiled) {
 }
 
 /** @param {HTMLElement} root @param {string} text */
-function say_failure(root, text) {
+function say(root, text) {
   const message = find_element(root, ".sim-message");
+  message.textContent = text;
+  message.hidden = !text;
+}
+
+/** @param {HTMLElement} root @param {string} text */
+function say_failure(root, text) {
   root.classList.add("sim-failed");
-  message.textContent = `The simulator could not start (${text}). The figure below shows the three fields.`;
-  message.hidden = false;
+  say(root, `The simulator could not start (${text}). The figure below shows the three fields.`);
 }
 
 document.addEventListener("DOMContentLoaded", async () => {

@@ -10,7 +10,6 @@
 function simulator_worker(post) {
   const ROUNDS = 12;
   const SIDE = 32; // of a still
-  const EXACT = { name: "exact" };
   /** @type {Record<string, { key: Key, value: any, version: number, fresh: boolean }>} */
   const kept = {};
   let apart = { largest: 0, squares: 0 };
@@ -36,9 +35,6 @@ function simulator_worker(post) {
     return kept[name];
   }
 
-  /** @param {State} state */
-  const difference = (state) => ({ name: state.method, eps: state.eps });
-
   /**
    * The chambers and the chart, and what is around A: what no bump changes.
    * @param {State} state
@@ -55,13 +51,13 @@ function simulator_worker(post) {
   }
 
   /**
-   * Draw A by one method, if anything that it depends on has changed.
+   * Draw A for one picture, if anything that it depends on has changed.
    * @param {string} name
-   * @param {Method} method
    * @param {State} state
    * @param {Stage} stage
    */
-  function draw_anew(name, method, state, stage) {
+  function draw_anew(name, state, stage) {
+    const method = module.methods_of(state)[name];
     const key = [kept.around.version, state.field, state.ku, state.kv, state.beta, method.name, method.eps ?? 0];
     keep(name, key, () => module.draw_a(state, method, stage, name));
   }
@@ -78,7 +74,7 @@ function simulator_worker(post) {
     const [u, v] = module.chart(stage);
     if (view === "straddle") return module.kernel_over(`straddling_${field}`, u, v, ku, kv, eps)[0];
     if (view === "kink") return module.kernel_over(`kink_${field}`, module.angles_of(stage)[3], u, v, ku, kv)[0];
-    const method = name === "numeric" ? difference(state) : EXACT;
+    const method = module.methods_of(state)[name];
     if (view === "slope") return module.kernel_over("slope", ...module.gradients(state, method, stage))[0];
     const bounds = name === "numeric" && module.bounds_of(state);
     return bounds ? module.kernel_over(bounds, u, v, ku, kv, eps)[1] : null;
@@ -134,8 +130,8 @@ function simulator_worker(post) {
     const moved = codes ? [codes.buffer] : [];
     /** @type {Drawn["images"]} */
     const images = {};
-    draw_anew("numeric", difference(state), state, stage);
-    draw_anew("symbolic", EXACT, state, stage);
+    draw_anew("numeric", state, stage);
+    draw_anew("symbolic", state, stage);
 
     /**
      * Paint a picture if what it shows has changed: all of it if what is around A has, too.
@@ -166,13 +162,6 @@ function simulator_worker(post) {
     post({ kind: "drawn", id, band, part, images, ...apart, count: stage.count, codes }, moved);
   }
 
-  /** How long A takes by a method, drawn again from nothing. @param {Method} method @param {State} state @param {Stage} stage */
-  function time_of(method, state, stage) {
-    const begin = performance.now();
-    module.draw_a(state, method, stage, "spare");
-    return performance.now() - begin;
-  }
-
   /**
    * Flips: pixels whose chamber, computed afresh for either side, is not the one that was drawn with. Attached: pixels
    * of A that the bump turns to the other side of a light.
@@ -196,7 +185,7 @@ function simulator_worker(post) {
   function* idle({ id, state, band, steps }) {
     const stage = staged(state, band);
     const { count } = stage;
-    draw_anew("symbolic", EXACT, state, stage);
+    draw_anew("symbolic", state, stage);
     yield { kind: "counted", id, index: 0, ...count_flips(state, stage), count };
     for (const [index, eps] of (steps ?? []).entries()) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
@@ -204,7 +193,11 @@ function simulator_worker(post) {
       yield { kind: "followed", id, index, ...sizes, count, still: still_of(state, stage) };
     }
     for (let index = 0; index < ROUNDS; index++) {
-      const [numeric, symbolic] = [difference(state), EXACT].map((method) => time_of(method, state, stage));
+      const [numeric, symbolic] = Object.values(module.methods_of(state)).map((method) => {
+        const begin = performance.now();
+        module.draw_a(state, method, stage, "spare"); // drawn again from nothing
+        return performance.now() - begin;
+      });
       yield { kind: "timed", id, index, numeric, symbolic };
     }
   }
