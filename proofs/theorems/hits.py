@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sympy import Expr, Piecewise, Rational, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import Program, chain, evaluated
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas import camera, symbols
@@ -85,7 +85,7 @@ _solves_a = Claim(
 _near_a = Claim(
     "near",
     (
-        greater(rho**2 + eye**2, 0),
+        rho**2 + eye**2 > 0,
         equation((rho**2 + eye**2) * t_a, eye**2 - root_a),
         (rho**2 + eye**2) * t - eye**2 + root_a >= 0,
         t >= t_a,
@@ -155,7 +155,7 @@ _solves_b = Claim(
 _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
     "near",
-    (greater(_length, 0), equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
+    (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
     (eye > 0, *_sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
@@ -171,7 +171,7 @@ _from_the_center = [p - c for p, c in zip(along(t_b), ball_center, strict=True)]
 _outward_b = Claim(
     "outward",
     (
-        greater(ray_length_squared, 0),
+        ray_length_squared > 0,
         *(equation(r, p) for r, p in zip(radius_vector, _from_the_center, strict=True)),
         equation(radius_length, ball_radius),
         *(equation(ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
@@ -252,19 +252,19 @@ _false_c, _true_c, _squared = (part.xreplace(_default) for part in (_seed_c, _c,
 b, d = real("b d")
 _covers = Claim(
     "covers",
-    (greater(_b, 35 * QUARTER), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _squared * _false_c, 0)),
+    (_b > 35 * QUARTER, _b**2 > Rational(1225, 16), _b**2 - _squared * _false_c > 0),
     (x >= -2, x <= 2, y >= -2, y <= 2),
 )
 _root = _false_c / (b + sqrt(d))
 _before = Claim(
     "before",
-    (greater(b + sqrt(d), 35 * QUARTER), greater(_root, 0), greater(QUARTER, _root)),
+    (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)),
     (b > 35 * QUARTER, d > 0),
     ranges=((b, (9, 12)), (d, (0, 100))),
 )
 _behind = Claim(
     "behind",
-    (at_least(radius, eye * (1 - t)), at_least(eye * t, eye - radius)),
+    (radius >= eye * (1 - t), eye * t >= eye - radius),
     (radius > 0, equation(dot(along(t), along(t)), radius**2)),
     squares=(x * t, y * t),
 )
@@ -284,9 +284,9 @@ hidden = Theorem(
         Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
     ),
     mutants=(
-        variant("with the true c too", _covers, greater(_b**2 - _squared * _true_c, 0)),
-        variant("the root is beyond 1/4", _before, greater(_root, QUARTER)),
-        variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
+        variant("with the true c too", _covers, _b**2 - _squared * _true_c > 0),
+        variant("the root is beyond 1/4", _before, _root > QUARTER),
+        variant("A's points have t ≥ 1", _behind, t >= 1, squares=()),
     ),
     side_conditions=(
         SideCondition(r"$|x|, |y| \le 2$", "covers", holds=[{x: -2, y: Rational(-19, 10)}], fails=[{x: -3, y: -3}]),

@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Clause, Step, Theorem, variant
 from proofs.formulas.algebraic_form import (
     complex_product,
@@ -53,7 +53,7 @@ _square = Claim(
     (
         equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
         *nonnegative(excess**2 - first**2, excess**2 - second**2),
-        at_least(excess**2 * _modulus**2, off_first**2 + off_second**2),
+        excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
     (
         equation(off_first, first * complex_square.expand(product_real)),
@@ -70,10 +70,10 @@ _product = Claim(
     (
         equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
         *nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
-        at_least(2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2), off_first**2),
-        at_least(2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2), off_second**2),
-        at_least(excess**2, 2 * _twice**2),
-        at_least(excess**2 * _moduli, off_first**2 + off_second**2),
+        2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
+        2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
+        excess**2 >= 2 * _twice**2,
+        excess**2 * _moduli >= off_first**2 + off_second**2,
     ),
     (
         unit >= 0,
@@ -88,12 +88,12 @@ _product = Claim(
 _power = Claim(
     "power",
     (
-        at_least(most, size),
-        at_least(most_other, other_size),
-        at_least(most * most_other, size * other_size),
-        at_least(excess * most * most_other, own),
-        at_least((most - 1) * most_other, off_first * other_size),
-        at_least((1 + excess) * most * most_other - 1, off),
+        most >= size,
+        most_other >= other_size,
+        most * most_other >= size * other_size,
+        excess * most * most_other >= own,
+        (most - 1) * most_other >= off_first * other_size,
+        (1 + excess) * most * most_other - 1 >= off,
     ),
     (
         *(part >= 0 for part in (excess, size, other_size, off_first, off_second)),
@@ -166,7 +166,7 @@ theorem = Theorem(
         variant(
             "a product costs one rounding",
             _product,
-            at_least(unit**2 * _moduli, off_first**2 + off_second**2),
+            unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
                 (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
                 (first, second, third, fourth): (Rational(17, 64), 0, 0, 0),
@@ -176,7 +176,7 @@ theorem = Theorem(
         variant(
             "errors add without a second order",
             _power,
-            at_least(excess + most + most_other - 2, off),
+            excess + most + most_other - 2 >= off,
             at={
                 (excess, off_first, off_second): (1, 1, 1),
                 (size, other_size, most, most_other): (2, 2, 2, 2),

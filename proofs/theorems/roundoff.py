@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
@@ -135,13 +135,13 @@ theorem = Theorem(
         variant(
             "one rounding for two",
             _two,
-            at_least(unit, growth - 1),
+            unit >= growth - 1,
             at={(unit, first, second): [QUARTER] * 3, growth: Rational(25, 16)},
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
-            at_least(2 * unit + unit**2, growth - 1),
+            2 * unit + unit**2 >= growth - 1,
             at={(unit, first, second): [QUARTER] * 3, third: -QUARTER, growth: Rational(25, 12)},
         ),
     ),
@@ -163,7 +163,7 @@ _least = Claim(
         *nonnegative(
             truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
         ),
-        at_least(truncation * epsilon**2 + rounding / epsilon, _least_value),
+        truncation * epsilon**2 + rounding / epsilon >= _least_value,
         equation(truncation * best**2 + rounding / best, _least_value),
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
@@ -189,9 +189,7 @@ best_step_theorem = Theorem(
     ),
     mutants=(
         variant("at (E/T)^{1/3}", _least, given=(*_positive[:3], equation(rounding, truncation * best**3))),
-        variant(
-            "the floor 4Tε₀²", _least, at_least(truncation * epsilon**2 + rounding / epsilon, 4 * truncation * best**2)
-        ),
+        variant("the floor 4Tε₀²", _least, truncation * epsilon**2 + rounding / epsilon >= 4 * truncation * best**2),
     ),
     side_conditions=(
         SideCondition(r"$\varepsilon > 0$", "least", undefined=[{truncation: 1, best: 1, rounding: 2, epsilon: 0}]),

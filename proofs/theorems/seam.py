@@ -2,7 +2,7 @@
 
 from sympy import Expr, Rational, S, cos, pi, sin
 
-from proofs.engine.claim import Claim, Induction, at_least, equation
+from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
@@ -57,8 +57,8 @@ _crease = Claim(
     (
         equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2),
         equation(_beside[1] ** 2, _beside[0] ** 2),
-        at_least(_beside[0], _beside[1]),
-        at_least(_beside[1], _beside[0]),
+        _beside[0] >= _beside[1],
+        _beside[1] >= _beside[0],
     ),
     (_whole,),
     squares=(named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),),
