@@ -25,6 +25,7 @@ from proofs.formulas.symbols import (
     real,
     specular,
     vector,
+    where,
 )
 
 CHANNELS = ("red", "green", "blue")
@@ -112,7 +113,7 @@ def _shadows(number):
     ball = {**dict(zip(shadow.center, ball_center, strict=True)), shadow.body_radius: camera.ball_radius}
     by_a = instance(shadow.shadow, f"by_a_{number}", given=position | origin)
     by_b = instance(shadow.shadow, f"by_b_{number}", given=position | ball)
-    a, b = by_a.outputs[0], Piecewise((by_b.outputs[0], ball_on > 0), (0, True))
+    a, b = by_a.outputs[0], where(ball_on > 0, by_b.outputs[0], 0)
     return [by_a, by_b, _program(f"occlusion_{number}", (occlusion(number), _by_surface(b, a, Max(a, b))))]
 
 
@@ -125,10 +126,7 @@ def _light(number, model, before):
     colors = dict(zip(shading.light_colors, light_color(number), strict=True))
     term = instance(shading.light_term, number, given=own | colors | dict(zip(shading.colors, before, strict=True)))
     after = real(" ".join(f"{c}_after_{number}" for c in CHANNELS))
-    lines = (
-        (s, Piecewise((b, occlusion(number) > 0), (lit, True)))
-        for s, b, lit in zip(after, before, term.outputs, strict=True)
-    )
+    lines = ((s, where(occlusion(number) > 0, b, lit)) for s, b, lit in zip(after, before, term.outputs, strict=True))
     return [base, power, term, _program(f"after_{number}", *lines)], after
 
 

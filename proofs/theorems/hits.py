@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sympy import Expr, Piecewise, Rational, sqrt
+from sympy import Expr, Rational, sqrt
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import Program, chain, evaluated
@@ -35,6 +35,7 @@ from proofs.formulas.symbols import (
     radius,
     real,
     rho,
+    where,
     x,
     y,
 )
@@ -55,7 +56,7 @@ def met(program: Program) -> Program:
     for symbol, line in program.definitions:
         if symbol in _APART:
             line, condition = line.args[0]
-            lines.append((_APART[symbol][0], Piecewise((1, condition), (0, True))))
+            lines.append((_APART[symbol][0], where(condition, 1, 0)))
         lines.append((symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)))
     return Program(program.name, program.inputs, tuple(lines), tuple(s.xreplace(_NUMBERS) for s in program.outputs))
 
