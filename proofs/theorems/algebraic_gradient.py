@@ -17,11 +17,11 @@ from proofs.formulas.algebraic_form import (
     real_part,
 )
 from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
-from proofs.formulas.symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
+from proofs.formulas.symbols import k_u, k_v, phi, real, theta, u, v
+from proofs.theorems.frame import angles
 from proofs.theorems.relations import equations
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
-_angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
 _chart = {u: (theta + pi) / (2 * pi), v: phi / pi}
 _alternating = (sign, 1, -sign)
 
@@ -34,7 +34,7 @@ def _product(parts, others):
 
 def _powers(base):
     """Return the states of baseⁿ, by repeated `complex_product`."""
-    base = [b.xreplace(_angles) for b in base]
+    base = [b.xreplace(angles) for b in base]
     following = _product((real_part, imaginary_part), base)
     return tuple(zip((real_part, imaginary_part), (1, 0), following, strict=True))
 
@@ -76,8 +76,8 @@ _rings_in_v = _in_v.but(
 )
 
 
-def _on_circle(program, angles, total):
-    parts = (f(a) for a in angles for f in (cos, sin))
+def _on_circle(program, turned, total):
+    parts = (f(a) for a in turned for f in (cos, sin))
     given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), parts, strict=False))
     return equations(_parts, (cos(total), sin(total))), (), program.at(given)
 

@@ -29,7 +29,7 @@ apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
 _gap = (equation(apart**2, dot(n - m, n - m)),)
-x, z = real("x"), real("z")
+x, z = real("x z")
 
 
 _scalar = Claim(

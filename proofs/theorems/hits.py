@@ -24,6 +24,7 @@ from proofs.formulas.camera import (
     toward_b,
 )
 from proofs.formulas.symbols import (
+    Vector,
     ball_center,
     ball_on,
     ball_radius,
@@ -39,7 +40,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.theorems.relations import HALF, QUARTER
+from proofs.theorems.relations import HALF, QUARTER, equations
 
 t, t_a, t_b, hits_a, hits_b = real("t t_a t_b hits_a hits_b")
 _APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}
@@ -136,7 +137,6 @@ theorem_a = Theorem(
 )
 
 _eye = (0, 0, eye)
-_half = Rational(1, 2)
 
 
 def _on_the_axis(eye, z, ball_radius):
@@ -168,15 +168,15 @@ _behind_b = Claim(
     squares=(x * t, y * t, eye * t),
 )
 _whole = met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b))
-_from_the_center = [p - c for p, c in zip(along(t_b), ball_center, strict=True)]
+_from_the_center = Vector(along(t_b)) - ball_center
 _outward_b = Claim(
     "outward",
     (
         ray_length_squared > 0,
-        *(equation(r, p) for r, p in zip(radius_vector, _from_the_center, strict=True)),
+        *equations(radius_vector, _from_the_center),
         equation(radius_length, ball_radius),
-        *(equation(ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
-        *(equation(p, q) for p, q in zip(point, along(t_b), strict=True)),
+        *equations(ball_radius * normal, _from_the_center),
+        *equations(point, along(t_b)),
     ),
     (*_sees_b, ball_radius > 0),
     _whole,
@@ -211,11 +211,7 @@ theorem_b = Theorem(
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
-        variant(
-            "the inward normal",
-            _outward_b,
-            *(equation(-ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
-        ),
+        variant("the inward normal", _outward_b, *equations(-ball_radius * normal, _from_the_center)),
         variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
     ),
     side_conditions=(
@@ -226,11 +222,7 @@ theorem_b = Theorem(
         ),
     ),
 )
-_default = {
-    eye: 4,
-    **dict(zip(ball_center, (_half, _half, Rational(13, 10)), strict=True)),
-    ball_radius: Rational(8, 25),
-}
+_default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
 
 seed_quadratic = Theorem(
     id="seed_quadratic_of_b",

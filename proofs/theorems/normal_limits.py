@@ -7,12 +7,12 @@ from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER, equations, nonnegative, positive
+from proofs.theorems.relations import QUARTER, between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = tuple((n, (-Rational(2, 3), Rational(2, 3))) for n in normal[:2])  # samples keep N_z off zero
+_clear = between(-Rational(2, 3), Rational(2, 3), *normal[:2])  # samples keep N_z off zero
 
 
 _angle = Claim(

@@ -21,7 +21,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.theorems.relations import without
+from proofs.theorems.relations import between, without
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
@@ -36,7 +36,7 @@ _on_the_raster = tuple(
         f"raster_{name}",
         ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
         (_whole[0], given),
-        ranges=((m, (0, 255)), (n, (0, 255))),
+        ranges=between(0, 255, m, n),
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
 )

@@ -32,9 +32,14 @@ def zero(*expressions: Expr) -> tuple[Basic, ...]:
     return tuple(equation(e, 0) for e in expressions)
 
 
-def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, ...]:
-    """Return −bound ≤ quantity ≤ bound."""
-    return nonnegative(bound - quantity, bound + quantity)
+def both_ways(bound: Expr, *quantities: Expr) -> tuple[Basic, ...]:
+    """Return −bound ≤ quantity ≤ bound of each quantity."""
+    return nonnegative(*(end for quantity in quantities for end in (bound - quantity, bound + quantity)))
+
+
+def between(low: Expr | int, high: Expr | int, *symbols: Symbol) -> tuple[tuple, ...]:
+    """Return the ranges of symbols of which samples are drawn between the same ends."""
+    return tuple((symbol, (low, high)) for symbol in symbols)
 
 
 @evaluated

@@ -23,13 +23,13 @@ from proofs.formulas.step_bounds import (
     unit,
 )
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, nonnegative, positive
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, between, both_ways, nonnegative, positive
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
 
 _each = evaluation + steepest * argument
-_factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
+_factors = both_ways(unit, first, second, third)
 _unit = (unit > 0, unit < 1)
 _both = (1 + first) * (1 + second)
 _two = Claim(
@@ -46,7 +46,7 @@ _three = Claim(
         *both_ways(three_roundings[excess], growth - 1),
     ),
     (*_unit, *_factors, equation(growth * (1 + third), _both)),
-    ranges=tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third)),
+    ranges=between(-EIGHTH, EIGHTH, unit, first, second, third),
 )
 
 
@@ -68,9 +68,9 @@ def _rounded(name, output, samples, over, given):
         (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
-            *((d, (-QUARTER, QUARTER)) for d in (off_plus, off_minus, mean)),
-            *((e, (0, 3)) for e in (evaluation, argument, excess, steepest)),
-            *((e, (0, HALF)) for e in (epsilon, v)),
+            *between(-QUARTER, QUARTER, off_plus, off_minus, mean),
+            *between(0, 3, evaluation, argument, excess, steepest),
+            *between(0, HALF, epsilon, v),
         ),
     )
 
@@ -169,7 +169,7 @@ _least = Claim(
     ),
     _positive,
     squares=(epsilon - best,),
-    ranges=((best, (0, 3)), (epsilon, (0, 3)), (rounding, (0, 3))),
+    ranges=between(0, 3, best, epsilon, rounding),
 )
 
 best_step_theorem = Theorem(

@@ -119,9 +119,7 @@ difference_bound = Theorem(
 
 mean, sample, share, bound = real("mean sample share bound")
 _next = mean + share * (sample - mean)
-_step = Claim(
-    "one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean), *both_ways(bound, sample))
-)
+_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean, sample)))
 
 one_more = Theorem(
     id="mean_keeps_the_bound",

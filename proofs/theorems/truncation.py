@@ -85,11 +85,7 @@ _ridges = tuple(
 )
 _quotient, _slope = real("quotient slope")
 _steepest = slope_bound[steepest]
-_apart = Claim(
-    "apart",
-    both_ways(crease_bound[apart], _quotient - _slope),
-    (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope)),
-)
+_apart = Claim("apart", both_ways(crease_bound[apart], _quotient - _slope), both_ways(_steepest, _quotient, _slope))
 _at_eight = Claim("at_eight", ((8 * pi) ** 3 > 24**3, greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", ((4 * pi) ** 3 > 1728, greater(1987, (4 * pi) ** 3)))
 _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
