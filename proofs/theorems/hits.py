@@ -47,6 +47,11 @@ _APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}
 _NUMBERS = {hit: t for hit, (_, t) in _APART.items()}
 
 
+def off_the_axis(x_at: Expr) -> dict:
+    """Return the inputs of a ray through (x, 0), e = 5/4 and R = 3/4: the silhouette is at x = 15/16."""
+    return {x: x_at, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}
+
+
 @evaluated
 def met(program: Program) -> Program:
     """Return a program's lines with each hit, which is infinite where there is none, in two.
@@ -127,7 +132,7 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[{x: 3 * QUARTER, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
+            holds=[off_the_axis(3 * QUARTER)],
             fails=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
         ),
         SideCondition(

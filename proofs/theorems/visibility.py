@@ -6,7 +6,7 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
-from proofs.theorems.hits import along, eye_outside_a, hit_of_a, ray_meets_a, t_a
+from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
 from proofs.theorems.relations import HALF, QUARTER, positive
 
 t = real("t")
@@ -67,7 +67,7 @@ _hidden = Claim(
 
 def _rim(t):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return {x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER, real("t"): t}
+    return off_the_axis(Rational(15, 16)) | {real("t"): t}
 
 
 silhouette = Theorem(
@@ -90,12 +90,7 @@ silhouette = Theorem(
         variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\rho \le \rho_s$",
-            "inside",
-            holds=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
-            fails=[{x: 1, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
-        ),
+        SideCondition(r"$\rho \le \rho_s$", "inside", holds=[off_the_axis(Rational(15, 16))], fails=[off_the_axis(1)]),
         SideCondition("$e > R$", "in_front", undefined=[{x: 0, y: 0, eye: 1, radius: 1}]),
     ),
 )
