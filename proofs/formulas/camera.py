@@ -51,7 +51,7 @@ ray_direction = Vector((x, y, -eye))
 _tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
 
 image_extent = Program(
-    "image_extent", (eye, radius), (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared)))
+    "image_extent", (eye, radius), (_tangent, (half, 5 * eye * radius / (4 * sqrt(tangent_squared))))
 )
 """half = 5/4 · e R/√(e² − R²): the image plane's vertical half-extent, 1.25 silhouette radii. Source: seed, Cell 1."""
 

@@ -1,6 +1,6 @@
 """The chart of sphere A: azimuth θ ∈ (−π, π], polar angle φ ∈ [0, π], u = (θ + π)/2π ∈ [0, 1), v = φ/π ∈ [0, 1]."""
 
-from sympy import Rational, acos, atan2, pi
+from sympy import acos, atan2, pi
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
@@ -12,7 +12,7 @@ chart = Program(
     "chart",
     (cos_theta, sin_theta, cos_phi, sin_phi),
     (
-        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) * Rational(1, 2)),
+        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) / 2),
         (u, where(u_closed < 1, u_closed, 0)),
         (v, atan2pi(sin_phi, cos_phi)),
     ),

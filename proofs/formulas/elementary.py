@@ -72,9 +72,9 @@ cosine_series = [float64((-1) ** n * pi ** (2 * n) / factorial(2 * n)) for n in 
 
 reduction = (
     (quarters, rint(2 * product)),
-    (remainder_high, product - quarters * Rational(1, 2)),
+    (remainder_high, product - quarters / 2),
     (remainder, remainder_high + product_error),
-    (quadrant, quarters - 4 * floor(quarters * Rational(1, 4))),
+    (quadrant, quarters - 4 * floor(quarters / 4)),
     (z, remainder**2),
     (sine_tail, PI_LOW + z * polynomial(z, sine_series)),
     (sine_near, remainder * (PI_HIGH + sine_tail)),
@@ -120,8 +120,8 @@ angle_in_half_turns = Program(
     (
         (larger, Max(Abs(abscissa), Abs(ordinate))),
         (smaller, Min(Abs(abscissa), Abs(ordinate))),
-        (middle, where(smaller > Rational(5, 16) * larger, 1, 0)),
-        (steep, where(smaller > Rational(3, 4) * larger, 1, 0)),
+        (middle, where(smaller > 5 * larger / 16, 1, 0)),
+        (steep, where(smaller > 3 * larger / 4, 1, 0)),
         (node, Piecewise((1, steep > 0), (_half, middle > 0), (0, True))),
         (node_value, Piecewise((Rational(1, 4), steep > 0), (_value_at_half, middle > 0), (0, True))),
         (node_correction, Piecewise((0, steep > 0), (_correction_at_half, middle > 0), (0, True))),
@@ -131,7 +131,7 @@ angle_in_half_turns = Program(
         (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, arctangent_series[1:])),
         (small_part, node_correction + ratio * (arctangent_series[0] + arctangent_tail)),
         (first_octant, node_value + small_part),
-        (first_quadrant, where(Abs(ordinate) > Abs(abscissa), Rational(1, 2) - first_octant, first_octant)),
+        (first_quadrant, where(Abs(ordinate) > Abs(abscissa), _half - first_octant, first_octant)),
         (half_plane, where(abscissa < 0, 1 - first_quadrant, first_quadrant)),
         (angle, where(ordinate < 0, -half_plane, half_plane)),
     ),

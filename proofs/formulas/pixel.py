@@ -73,11 +73,6 @@ def _program(name, *definitions):
     return Program(name, tuple(inputs), definitions, tuple(s for s, _ in definitions))
 
 
-def _given(program, values):
-    """Return the program with inputs replaced."""
-    return instance(program, "", kept={s for s, _ in program.definitions}, given=values)
-
-
 def _by_surface(on_a, on_b, on_floor, otherwise=0):
     surface = camera.surface
     return Piecewise((on_a, Eq(surface, 1)), (on_b, Eq(surface, 2)), (on_floor, Eq(surface, 3)), (otherwise, True))
@@ -143,7 +138,7 @@ def pixel(
     parts += [
         shadow.checker,
         _program("dark_square", (dark_square, _by_surface(0, 0, shadow.dark))),
-        _given(shading.floor_albedo, {shading.floor_dark: dark_square}),
+        shading.floor_albedo.at({shading.floor_dark: dark_square}),
         camera.view_length,
         camera.view_direction,
     ]

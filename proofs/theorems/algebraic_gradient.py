@@ -28,7 +28,7 @@ _alternating = (sign, 1, -sign)
 
 def _product(parts, others):
     """Return the lines of `complex_product` for two complex numbers."""
-    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), (*parts, *others), strict=True))
+    given = dict(zip(complex_product.inputs, (*parts, *others), strict=True))
     return [complex_product[p].xreplace(given) for p in (product_real, product_imaginary)]
 
 
@@ -78,7 +78,7 @@ _rings_in_v = _in_v.but(
 
 def _on_circle(program, turned, total):
     parts = (f(a) for a in turned for f in (cos, sin))
-    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), parts, strict=False))
+    given = dict(zip(program.inputs, parts, strict=True))
     return equations(_parts, (cos(total), sin(total))), (), program.at(given)
 
 

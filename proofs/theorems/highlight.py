@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sympy import Abs, Expr, Max, Piecewise, Rational, sqrt
+from sympy import Abs, Expr, Max, Rational, sqrt
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
@@ -48,13 +48,17 @@ _clamps = Claim(
 )
 
 
+def unclamped(program: Program) -> Expr:
+    """Return the program's base of the highlight before its clamp at 0, with μ written out."""
+    (clamped,) = program[specular_base].atoms(Max)
+    (inner,) = (argument for argument in clamped.args if argument != 0)
+    return inner.xreplace({mu: program[mu]})
+
+
 def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
-    """Return the program's base of the highlight with another normal, before its clamp at 0."""
-    base = program[specular_base]
-    base = base.args[0].expr if isinstance(base, Piecewise) else base
-    (inner,) = (argument for argument in base.args if argument != 0)
+    """Return the same with another normal."""
     seen = dict(zip((*bumped, *towards), (*normal_of_light, *omega), strict=True))
-    return inner.xreplace({mu: program[mu]}).xreplace(seen)
+    return unclamped(program).xreplace(seen)
 
 
 _units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))

@@ -2,7 +2,7 @@
 
 from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
@@ -31,7 +31,7 @@ from proofs.formulas.symbols import (
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import QUARTER, equations, ridges, sine, zero
+from proofs.theorems.relations import QUARTER, SIDES, equations, ridges, sine, zero
 
 t, m, crease = real("t m crease")
 
@@ -85,7 +85,7 @@ _elsewhere = tuple(
         (side * sine.expression > 0,),
         chain("ridges", height(ridges), gradient(ridges)),
     )
-    for name, side in (("above", 1), ("below", -1))
+    for name, side in SIDES
 )
 
 theorem = Theorem(
@@ -142,15 +142,7 @@ _falling = Claim(
 _nearer = Claim("nearer", (eye * _near > radius,), (eye > 0, _near > _far, eye * _far >= radius))
 _default = Claim(
     "count",
-    tuple(
-        one > other
-        for one, other in (
-            (cos(pi / 4), QUARTER),
-            (QUARTER, cos(pi / 2)),
-            (cos(pi / 2), cos(3 * pi / 4)),
-            (cos(3 * pi / 4), cos(pi)),
-        )
-    ),
+    (cos(pi / 4) > QUARTER, greater(QUARTER, cos(pi / 2)), cos(pi / 2) > cos(3 * pi / 4), cos(3 * pi / 4) > cos(pi)),
 )
 _poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
 

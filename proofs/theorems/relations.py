@@ -9,6 +9,7 @@ from proofs.engine.program import evaluated
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+SIDES = ("above", 1), ("below", -1)  # of a crease of an absolute value: the sign of what that is taken of
 HALF, QUARTER, EIGHTH = (Rational(1, n) for n in (2, 4, 8))
 
 

@@ -14,6 +14,7 @@ from proofs.theorems.relations import (
     EIGHTH,
     HALF,
     QUARTER,
+    SIDES,
     both_ways,
     equations,
     named,
@@ -81,7 +82,7 @@ def _between_creases(name, output, coordinate, given, side):
 _ridges = tuple(
     _between_creases(f"ridges_{coordinate}_{name}", output, coordinate, given, side)
     for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
-    for name, side in (("above", 1), ("below", -1))
+    for name, side in SIDES
 )
 _quotient, _slope = real("quotient slope")
 _steepest = slope_bound[steepest]
