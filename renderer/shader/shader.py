@@ -45,7 +45,7 @@ class Want(NamedTuple):
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. stills: stored or
     loaded, where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is
-    stored, and where a chamber is open (`renderer.machines.enclosing`).
+    stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
