@@ -30,20 +30,29 @@ if TYPE_CHECKING:  # what _HOMES says, for type checkers
     from renderer.version import __version__ as __version__
 
 _HOMES = {
-    name: home
-    for home, names in {
-        "generate.own": "HeightField LightModel cospi k_u k_v sinpi u v",
-        "picture.drawing": "render stage_of",
-        "picture.frame": "Frame",
-        "picture.pixel_record": "pixel",
-        "scene.methods": "central central4 exact forward",
-        "scene.scene": "Light Scene",
-        "shader.gradients": "gradient_at height_at",
-        "version": "__version__",
-    }.items()
-    for name in names.split()
+    "Frame": "picture.frame",
+    "HeightField": "generate.own",
+    "Light": "scene.scene",
+    "LightModel": "generate.own",
+    "Scene": "scene.scene",
+    "central": "scene.methods",
+    "central4": "scene.methods",
+    "cospi": "generate.own",
+    "exact": "scene.methods",
+    "forward": "scene.methods",
+    "gradient_at": "shader.gradients",
+    "height_at": "shader.gradients",
+    "k_u": "generate.own",
+    "k_v": "generate.own",
+    "pixel": "picture.pixel_record",
+    "render": "picture.drawing",
+    "sinpi": "generate.own",
+    "stage_of": "picture.drawing",
+    "u": "generate.own",
+    "v": "generate.own",
+    "__version__": "version",
 }
-__all__ = sorted(name for name, home in _HOMES.items() if home not in ("generate.own", "version"))  # none imports SymPy
+__all__ = [name for name, home in _HOMES.items() if home not in ("generate.own", "version")]  # none imports SymPy
 
 
 if not TYPE_CHECKING:  # whose own list it would hide
