@@ -1,7 +1,7 @@
 """What the simulator's loupe and its certified bounds run, and the numbers beside it: a second program, for whom asks.
 
 Where a difference takes the height, and what it finds there, is noted while the renderer's own difference runs. A
-picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing`.
+picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing_machine`.
 """
 
 import json

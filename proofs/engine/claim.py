@@ -80,10 +80,12 @@ class Claim(Changeable):
     example: tuple[tuple[Symbol, Basic | int], ...] = ()
 
     def __post_init__(self):
-        object.__setattr__(self, "shows", tuple(map(sympify, self.shows)))
-        object.__setattr__(self, "given", tuple(map(sympify, self.given)))
-        object.__setattr__(self, "ranges", tuple((s, tuple(map(number, ends))) for s, ends in self.ranges))
-        object.__setattr__(self, "example", tuple((s, number(value)) for s, value in self.example))
+        vars(self).update(
+            shows=tuple(map(sympify, self.shows)),
+            given=tuple(map(sympify, self.given)),
+            ranges=tuple((s, tuple(map(number, ends))) for s, ends in self.ranges),
+            example=tuple((s, number(value)) for s, value in self.example),
+        )
 
     def everywhere(self) -> list[Basic]:
         """Return what else the claim is made of: every line of its program, ranges, coordinates."""

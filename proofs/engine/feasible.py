@@ -4,9 +4,10 @@ from collections.abc import Hashable, Mapping, Sequence
 from fractions import Fraction
 
 Column = Mapping[Hashable, Fraction]
+MAX_STEPS = 2000
 
 
-def feasible(columns: Sequence[Column], target: Column, max_steps: int = 2000) -> dict[int, Fraction] | None:
+def feasible(columns: Sequence[Column], target: Column) -> dict[int, Fraction] | None:
     """Return {column number: positive Fraction} with Σ x_j column_j = target, or None.
 
     columns and target are {row: Fraction}. Phase one of the simplex method with Bland's rule: it cannot cycle.
@@ -20,7 +21,7 @@ def feasible(columns: Sequence[Column], target: Column, max_steps: int = 2000) -
             table[index[row]][j] = sign[index[row]] * value
     right = [sign[i] * target.get(row, Fraction(0)) for i, row in enumerate(rows)]
     basis: list[int | None] = [None] * len(rows)  # None: the row's artificial variable
-    for _ in range(max_steps):
+    for _ in range(MAX_STEPS):
         if not any(right[i] for i, b in enumerate(basis) if b is None):
             return {b: right[i] for i, b in enumerate(basis) if b is not None and right[i]}
         cost: dict[int, Fraction] = {}

@@ -12,14 +12,14 @@ from sympy.polys.rings import PolyElement, ring
 
 from proofs.engine.kernel import Polynomial
 
+MAX_PAIRS, MAX_TERMS = 400, 300
+
 
 class Ideal:
     """The ideal of equations g_i = 0 in named variables, the latest name the largest, with cofactors."""
 
-    def __init__(
-        self, names: Sequence[str], equations: Mapping[int, Polynomial], max_pairs: int = 400, max_terms: int = 300
-    ):
-        """equations: {index: kernel polynomial}. Beyond the limits the basis stays incomplete."""
+    def __init__(self, names: Sequence[str], equations: Mapping[int, Polynomial]):
+        """equations: {index: kernel polynomial}. Beyond MAX_PAIRS and MAX_TERMS the basis stays incomplete."""
         self.ring, *_ = ring(list(reversed(names)), QQ, lex)
         self.position = {name: i for i, name in enumerate(reversed(names))}
         equations = {i: g for i, p in equations.items() if (g := self.element(p))}
@@ -27,7 +27,7 @@ class Ideal:
         for i, g in equations.items():
             if self.divide(g)[0]:  # a conclusion that is already in the ideal adds nothing
                 self.basis.append((g, {i: self.ring.one}))
-        self._buchberger(max_pairs, max_terms)
+        self._buchberger()
 
     def element(self, p: Polynomial) -> PolyElement:
         """Return a kernel polynomial as an element of the ring."""
@@ -59,7 +59,7 @@ class Ideal:
                 _accumulate(cofactors, origin, quotient)
         return remainder, cofactors
 
-    def _buchberger(self, max_pairs, max_terms):
+    def _buchberger(self):
         done, pairs = 0, list(combinations(range(len(self.basis)), 2))
         while pairs:
             pairs.sort(key=lambda pair: (sum(self._lcm(*pair)), pair), reverse=True)
@@ -68,7 +68,7 @@ class Ideal:
             both = self._lcm(i, j)
             if both == tuple(a + b for a, b in zip(f.LM, g.LM, strict=True)):
                 continue
-            if (done := done + 1) > max_pairs:
+            if (done := done + 1) > MAX_PAIRS:
                 return
             up = [self._quotient_term(both, h) for h in (f, g)]
             s, cofactors = f * up[0] - g * up[1], {}
@@ -77,7 +77,7 @@ class Ideal:
             remainder, used = self.divide(s)
             if remainder:
                 _accumulate(cofactors, used, -self.ring.one)
-                if max(len(q) for q in (remainder, *cofactors.values())) > max_terms:
+                if max(len(q) for q in (remainder, *cofactors.values())) > MAX_TERMS:
                     return
                 self.basis.append((remainder, {i: q for i, q in cofactors.items() if q}))
                 pairs += [(k, len(self.basis) - 1) for k in range(len(self.basis) - 1)]

@@ -55,7 +55,7 @@ def _indices(proof):
     return [*proof.get("positive", ()), *(i for i, _ in proof["cofactors"]), *sums]
 
 
-def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES) -> dict[str, str] | None:
+def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] | None:
     """Return a point at which the hypotheses of a derivation or an induction hold, {name: rational}, or None.
 
     example: coordinates of it that are known.
@@ -65,7 +65,7 @@ def find_point(statement: dict, example: dict[str, Fraction], tries: int = TRIES
     new = [step["new"] for step in said["steps"] if step["step"] in ("root", "inverse")]
     names = [*said["variables"], *new]
     fixed = {name: value for name, value in example.items() if name in names}
-    for _ in range(tries):
+    for _ in range(TRIES):
         with suppress(NotRational):
             values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
             point = {name: str(value) for name, value in sorted(values.items())}

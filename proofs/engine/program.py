@@ -49,8 +49,7 @@ class Program:
     def __post_init__(self):
         lines = [line for names, values in self.definitions for line in zip(_each(names), _each(values), strict=True)]
         outputs = self.definitions[-1][:1] if self.outputs is None else self.outputs
-        for field, content in (("inputs", _all(self.inputs)), ("definitions", lines), ("outputs", _all(outputs))):
-            object.__setattr__(self, field, tuple(content))
+        vars(self).update(inputs=_all(self.inputs), definitions=tuple(lines), outputs=_all(outputs))
         known = set(self.inputs)
         for symbol, expression in self.definitions:
             unknown = expression.free_symbols - known

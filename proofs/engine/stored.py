@@ -13,6 +13,7 @@ from proofs.engine.theorem import Theorem, Theorems, borrowed
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
 Found = list[tuple[AnyClaim, list[Proved]]]
+MOST_SHOWN = 12
 
 
 class Stale(ValueError):
@@ -23,14 +24,14 @@ class NotFound(ValueError):
     """No certificate and no counterexample was found: for what, and what is left of it."""
 
 
-def show_polynomial(p: dict, limit: int = 12) -> str:
-    """Return a polynomial, the kernel's or polynomial data, as text of at most `limit` terms."""
+def show_polynomial(p: dict) -> str:
+    """Return a polynomial, the kernel's or polynomial data, as text of at most MOST_SHOWN terms."""
     try:
         terms = p if all(isinstance(k, str) for k in p) else {" ".join(m): str(c) for m, c in p.items()}
     except ValueError:  # Python writes no number of more than 4300 digits
         return f"{len(p)} terms, one of them with thousands of digits"
-    text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:limit]) or "0"
-    return text + (f" + … ({len(terms)} terms)" if len(terms) > limit else "")
+    text = " + ".join(f"{c}·{m.replace(' ', '·')}" if m else str(c) for m, c in list(terms.items())[:MOST_SHOWN]) or "0"
+    return text + (f" + … ({len(terms)} terms)" if len(terms) > MOST_SHOWN else "")
 
 
 def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:

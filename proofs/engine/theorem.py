@@ -14,6 +14,8 @@ from proofs.engine.claim import AnyClaim, Claim, Encloses, Rounded, number
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
+OUTCOMES = ("holds", "fails", "undefined")
+
 Point = tuple[tuple[Symbol, object], ...]
 
 
@@ -60,13 +62,12 @@ class SideCondition:
     undefined: Sequence = ()
 
     def __post_init__(self):
-        for outcome in ("holds", "fails", "undefined"):
-            object.__setattr__(self, outcome, tuple(map(point, getattr(self, outcome))))
+        vars(self).update({outcome: tuple(map(point, getattr(self, outcome))) for outcome in OUTCOMES})
 
     @property
     def edges(self) -> list[tuple[Point, str]]:
         """The points, each with its outcome."""
-        return [(at, outcome) for outcome in ("holds", "fails", "undefined") for at in getattr(self, outcome)]
+        return [(at, outcome) for outcome in OUTCOMES for at in getattr(self, outcome)]
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ class Mutant:
     at: Any = ()
 
     def __post_init__(self):
-        object.__setattr__(self, "at", point(self.at))
+        vars(self).update(at=point(self.at))
 
 
 def variant(text: str, claim: AnyClaim, *shows: Basic, at: Any = (), **changes: Any) -> Mutant:
@@ -122,12 +123,12 @@ class Theorem:
     def __post_init__(self):
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
-            object.__setattr__(self, "claims", tuple(said))
+            vars(self).update(claims=tuple(said))
+        shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
-            object.__setattr__(self, "refuted_at", point(self.refuted_at))
-        object.__setattr__(self, "uses", tuple(dict.fromkeys((*self.named, *self.uses))))
-        shown = "refuted" if self.refuted_at is not None else "argued" if self.argued else "proved"
-        object.__setattr__(self, "expected", self.expected or shown)
+            vars(self).update(refuted_at=point(self.refuted_at))
+            shown = "refuted"
+        vars(self).update(uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS

@@ -33,6 +33,7 @@ from proofs.formulas.symbols import (
     sin_theta,
     vector,
     view,
+    where,
     width,
     x,
     y,
@@ -50,7 +51,7 @@ ray_direction = Vector((x, y, -eye))
 _tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
 
 image_extent = Program(
-    "image_extent", (eye, radius), (_tangent, (half, Rational(5, 4) * eye * radius / sqrt(tangent_squared)))
+    "image_extent", (eye, radius), (_tangent, (half, 5 * eye * radius / (4 * sqrt(tangent_squared))))
 )
 """half = 5/4 · e R/√(e² − R²): the image plane's vertical half-extent, 1.25 silhouette radii. Source: seed, Cell 1."""
 
@@ -64,9 +65,7 @@ image_point = Program(
 3/20 half below the axis. Domain: 0 ≤ column < width, 0 ≤ row < height. Source: seed, Cell 1."""
 
 image_radius = Program(
-    "image_radius",
-    (x, y, eye),
-    ((rho_raw, sqrt(x**2 + y**2)), (rho, Piecewise((rho_raw, rho_raw >= POLE * eye), (0, True)))),
+    "image_radius", (x, y, eye), ((rho_raw, sqrt(x**2 + y**2)), (rho, where(rho_raw >= POLE * eye, rho_raw, 0)))
 )
 """ρ = √(x² + y²), and 0 at the pole (ρ below 10⁻¹⁵⁰ of the eye's height)."""
 
@@ -85,7 +84,7 @@ hit_of_a = chain(
         (
             (discriminant_a, tangent_squared * (rho_silhouette - rho) * (rho_silhouette + rho)),
             (root_a, sqrt(Max(0, discriminant_a))),
-            (t_a, Piecewise((tangent_squared / (eye**2 + root_a), discriminant_a >= 0), (oo, True))),
+            (t_a, where(discriminant_a >= 0, tangent_squared / (eye**2 + root_a), oo)),
         ),
     ),
 )
@@ -108,13 +107,11 @@ hit_of_b = Program(
         (root_b, sqrt(Max(0, discriminant_b))),
         (
             t_b,
-            Piecewise(
-                (
-                    (ball_center[0] ** 2 + ball_center[1] ** 2 + (distance - ball_radius) * (distance + ball_radius))
-                    / (toward_b + root_b),
-                    And(discriminant_b >= 0, toward_b > 0, ball_on > 0),
-                ),
-                (oo, True),
+            where(
+                And(discriminant_b >= 0, toward_b > 0, ball_on > 0),
+                (ball_center[0] ** 2 + ball_center[1] ** 2 + (distance - ball_radius) * (distance + ball_radius))
+                / (toward_b + root_b),
+                oo,
             ),
         ),
     ),
@@ -127,7 +124,7 @@ _nearest = Program(
     "nearest",
     (t_a, t_b, floor_on),
     (
-        (t_floor, Piecewise((1, floor_on > 0), (oo, True))),
+        (t_floor, where(floor_on > 0, 1, oo)),
         (
             surface,
             Piecewise(
@@ -150,7 +147,7 @@ angles_on_a = chain(
         "angles",
         (x, y, rho, root_a, tangent_squared, eye, radius),
         (
-            (rho_inverse, Piecewise((1 / rho, rho > 0), (0, True))),
+            (rho_inverse, where(rho > 0, 1 / rho, 0)),
             (hit_scale, 1 / (radius * (eye**2 + root_a))),
             (cos_theta, x * rho_inverse),
             (sin_theta, y * rho_inverse),

@@ -1,10 +1,10 @@
 """The chart of sphere A: azimuth θ ∈ (−π, π], polar angle φ ∈ [0, π], u = (θ + π)/2π ∈ [0, 1), v = φ/π ∈ [0, 1]."""
 
-from sympy import Piecewise, Rational, acos, atan2, pi
+from sympy import acos, atan2, pi
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v, where
 
 u_closed, theta = real("u_closed theta")
 
@@ -12,8 +12,8 @@ chart = Program(
     "chart",
     (cos_theta, sin_theta, cos_phi, sin_phi),
     (
-        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) * Rational(1, 2)),
-        (u, Piecewise((u_closed, u_closed < 1), (0, True))),
+        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) / 2),
+        (u, where(u_closed < 1, u_closed, 0)),
         (v, atan2pi(sin_phi, cos_phi)),
     ),
     (u, v),

@@ -3,12 +3,12 @@
 A crease factor is sinpi(w) with w linear in u and v; it is zero where w is a whole number.
 """
 
-from sympy import Abs, Max, Or, Piecewise, Rational, diff
+from sympy import Abs, Max, Or, Rational, diff
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import epsilon, k_u, k_v, real, sin_phi, u, v
+from proofs.formulas.symbols import epsilon, k_u, k_v, real, sin_phi, u, v, where
 
 KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitude is shown as a kink
 
@@ -19,9 +19,7 @@ def kink_flag(field: HeightField) -> Program:
     """Return the program → 1 where a crease factor is below KINK_BAND in magnitude, and at the pole; else 0."""
     at_pole = sin_phi <= 0
     close = [Abs(factor) < KINK_BAND for factor in field.creases]
-    return Program(
-        f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), ((kink, Piecewise((1, Or(at_pole, *close)), (0, True))),)
-    )
+    return Program(f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), ((kink, where(Or(at_pole, *close), 1, 0)),))
 
 
 def straddling(field: HeightField) -> Program:
@@ -37,5 +35,5 @@ def straddling(field: HeightField) -> Program:
         nearest = Max(1, rint(Abs(argument))) if ends_at_pole else rint(argument)
         lines.append((distance, Abs((Abs(argument) if ends_at_pole else argument) - nearest)))
         conditions += [distance < Abs(rate) * epsilon for c in (u, v) if (rate := diff(argument, c)) != 0]
-    flag = Piecewise((1, Or(*conditions)), (0, True)) if conditions else 0 * epsilon
+    flag = where(Or(*conditions), 1, 0) if conditions else 0 * epsilon
     return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)))

@@ -3,7 +3,7 @@
 The chapter's own N' is neither: it has the opposite sign, no metric factor 1/sin φ and no chart scale (F18).
 """
 
-from sympy import Rational, pi
+from sympy import pi
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.symbols import beta, h, h_u, h_v, normal, real, sin_phi, vector
@@ -12,9 +12,7 @@ from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_no
 h_theta, h_phi, lift = real("h_theta h_phi lift")
 displaced = vector("displaced")
 
-_angular_slopes = Program(
-    "angular_slopes", (h_u, h_v), ((h_theta, h_u * Rational(1, 2) / pi), (h_phi, h_v / pi)), (h_theta, h_phi)
-)
+_angular_slopes = Program("angular_slopes", (h_u, h_v), ((h_theta, h_u / 2 / pi), (h_phi, h_v / pi)), (h_theta, h_phi))
 """h_θ = h_u/2π, h_φ = h_v/π: the chart's scale."""
 
 

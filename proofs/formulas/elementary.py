@@ -12,7 +12,7 @@ from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, factor
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
-from proofs.formulas.symbols import real
+from proofs.formulas.symbols import real, where
 
 SINE_TERMS = 9  # the first left out, (π/4)^18/19!, is below 2^-62 of the sine
 COSINE_TERMS = 9  # (π/4)^18/18! is below 2^-58
@@ -72,9 +72,9 @@ cosine_series = [float64((-1) ** n * pi ** (2 * n) / factorial(2 * n)) for n in 
 
 reduction = (
     (quarters, rint(2 * product)),
-    (remainder_high, product - quarters * Rational(1, 2)),
+    (remainder_high, product - quarters / 2),
     (remainder, remainder_high + product_error),
-    (quadrant, quarters - 4 * floor(quarters * Rational(1, 4))),
+    (quadrant, quarters - 4 * floor(quarters / 4)),
     (z, remainder**2),
     (sine_tail, PI_LOW + z * polynomial(z, sine_series)),
     (sine_near, remainder * (PI_HIGH + sine_tail)),
@@ -120,23 +120,20 @@ angle_in_half_turns = Program(
     (
         (larger, Max(Abs(abscissa), Abs(ordinate))),
         (smaller, Min(Abs(abscissa), Abs(ordinate))),
-        (middle, Piecewise((1, smaller > Rational(5, 16) * larger), (0, True))),
-        (steep, Piecewise((1, smaller > Rational(3, 4) * larger), (0, True))),
+        (middle, where(smaller > 5 * larger / 16, 1, 0)),
+        (steep, where(smaller > 3 * larger / 4, 1, 0)),
         (node, Piecewise((1, steep > 0), (_half, middle > 0), (0, True))),
         (node_value, Piecewise((Rational(1, 4), steep > 0), (_value_at_half, middle > 0), (0, True))),
         (node_correction, Piecewise((0, steep > 0), (_correction_at_half, middle > 0), (0, True))),
         (denominator, larger + node * smaller),
-        (ratio, Piecewise(((smaller - node * larger) / denominator, larger > 0), (0, True))),
+        (ratio, where(larger > 0, (smaller - node * larger) / denominator, 0)),
         (ratio_squared, ratio**2),
         (arctangent_tail, _inverse_pi_low + ratio_squared * polynomial(ratio_squared, arctangent_series[1:])),
         (small_part, node_correction + ratio * (arctangent_series[0] + arctangent_tail)),
         (first_octant, node_value + small_part),
-        (
-            first_quadrant,
-            Piecewise((Rational(1, 2) - first_octant, Abs(ordinate) > Abs(abscissa)), (first_octant, True)),
-        ),
-        (half_plane, Piecewise((1 - first_quadrant, abscissa < 0), (first_quadrant, True))),
-        (angle, Piecewise((-half_plane, ordinate < 0), (half_plane, True))),
+        (first_quadrant, where(Abs(ordinate) > Abs(abscissa), _half - first_octant, first_octant)),
+        (half_plane, where(abscissa < 0, 1 - first_quadrant, first_quadrant)),
+        (angle, where(ordinate < 0, -half_plane, half_plane)),
     ),
 )
 """atan2(ordinate, abscissa)/π, and 0 at the origin: three nodes 0, 1/2 and 1, from which

@@ -1,10 +1,10 @@
 """The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds."""
 
-from sympy import Piecewise, StrictLessThan, sqrt
+from sympy import StrictLessThan, sqrt
 
 from proofs.engine.program import Program
 from proofs.formulas.registry import by_name
-from proofs.formulas.symbols import real, x, y
+from proofs.formulas.symbols import real, where, x, y
 
 total, product, quotient, root, chosen, left, right = real("total product quotient root chosen left right")
 
@@ -16,6 +16,6 @@ RULES = by_name((
     Program(
         "enclosed_selection",
         (left, right, x, y),
-        ((chosen, Piecewise((x, StrictLessThan(left, right)), (y, True))),),
+        ((chosen, where(StrictLessThan(left, right), x, y)),),
     ),
 ))  # fmt: skip

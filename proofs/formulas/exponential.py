@@ -22,7 +22,7 @@ from proofs.formulas.elementary import (
     two_product,
 )
 from proofs.formulas.half_turns import rint
-from proofs.formulas.symbols import real
+from proofs.formulas.symbols import real, where
 
 binary_exponent, power_of_two = (Function(name, real=True) for name in ("binary_exponent", "power_of_two"))
 """⌊log₂|x|⌋ of a normal float64 (of 0 and what is below the normal range −1023, of inf and NaN 1024), and 2ⁿ for a
@@ -105,7 +105,7 @@ def _by_node(values: Sequence[Expr]) -> Expr:
 
 
 logarithm_reduction = (
-    (scaled_by, Piecewise((SCALING, number < 1), (-SCALING, True))),
+    (scaled_by, where(number < 1, SCALING, -SCALING)),
     (scaled, number * power_of_two(scaled_by)),
     (binary, binary_exponent(float64(sqrt(2)) * scaled)),
     (mantissa, scaled * power_of_two(-binary)),
@@ -186,7 +186,7 @@ raised = Program(
         (product_gained, product - product_near),
         (product_error, product_rest - product_gained),
         *exponential_of_sum.definitions,
-        (power, Piecewise((0, number <= 0), (exponential, True))),
+        (power, where(number <= 0, 0, exponential)),
     ),
 )
 """number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 5·10^-4 to 10^6.

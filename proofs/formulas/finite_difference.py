@@ -4,11 +4,11 @@ u wraps around the seam, v is clamped to [0, 1]; ε is used as given. Where v ±
 is one-sided and divides by the clamped span. Domain: 0 < ε ≤ 1/2.
 """
 
-from sympy import And, Max, Min, Piecewise, floor
+from sympy import And, Max, Min, floor
 
 from proofs.engine.program import Program, evaluated
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v, where
 
 u_plus, u_minus, v_plus, v_minus = real("u_plus u_minus v_plus v_minus")
 u_plus_2, u_minus_2, v_plus_2, v_minus_2 = real("u_plus_2 u_minus_2 v_plus_2 v_minus_2")
@@ -31,7 +31,7 @@ _plus_and_minus = (
     (u_minus, _wrapped(u - epsilon)),
     (v_plus, Min(1, v + epsilon)),
     (v_minus, Max(0, v - epsilon)),
-    (span_v, Piecewise((2 * epsilon, And(v + epsilon <= 1, v - epsilon >= 0)), (v_plus - v_minus, True))),
+    (span_v, where(And(v + epsilon <= 1, v - epsilon >= 0), 2 * epsilon, v_plus - v_minus)),
 )
 _four = ((h_u_plus, u_plus, v), (h_u_minus, u_minus, v), (h_v_plus, u, v_plus), (h_v_minus, u, v_minus))
 _four_twice_as_far = (
@@ -53,10 +53,10 @@ def forward(field: HeightField) -> Program:
     stepped = real("stepped")
     lines = (
         (u_plus, _wrapped(u + epsilon)),
-        (stepped, Piecewise((v + epsilon, v + epsilon <= 1), (v - epsilon, True))),
+        (stepped, where(v + epsilon <= 1, v + epsilon, v - epsilon)),
         *_heights(field, (h_here, u, v), (h_u_plus, u_plus, v), (h_v_plus, u, stepped)),
         (h_u, (h_u_plus - h_here) / epsilon),
-        (h_v, Piecewise(((h_v_plus - h_here) / epsilon, v + epsilon <= 1), ((h_here - h_v_plus) / epsilon, True))),
+        (h_v, where(v + epsilon <= 1, (h_v_plus - h_here) / epsilon, (h_here - h_v_plus) / epsilon)),
     )
     return _program("forward", field, lines)
 
@@ -88,12 +88,10 @@ def central4(field: HeightField) -> Program:
         (near_difference_v, h_v_plus - h_v_minus),
         (
             h_v,
-            Piecewise(
-                (
-                    (8 * near_difference_v - (h_v_plus_2 - h_v_minus_2)) / (12 * epsilon),
-                    And(v + 2 * epsilon <= 1, v - 2 * epsilon >= 0),
-                ),
-                (near_difference_v / span_v, True),
+            where(
+                And(v + 2 * epsilon <= 1, v - 2 * epsilon >= 0),
+                (8 * near_difference_v - (h_v_plus_2 - h_v_minus_2)) / (12 * epsilon),
+                near_difference_v / span_v,
             ),
         ),
     )

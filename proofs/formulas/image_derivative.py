@@ -3,12 +3,12 @@
 Domain: off μ = 0, off the highlight's clamp (C¹ there for p > 1), and off the final clip's two ends.
 """
 
-from sympy import Piecewise, Pow
+from sympy import Pow
 
 from proofs.engine.program import Program
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.shading import albedos, clipped, color, halfway, halfway_length, kd, ks, light_colors
-from proofs.formulas.symbols import bumped, dot, mu, real, shininess, specular_base, towards, view
+from proofs.formulas.symbols import bumped, dot, mu, real, shininess, specular_base, towards, view, where
 
 mu_by_beta, base_by_beta, diffuse_by_beta, shine_by_beta, term_by_beta = real(
     "mu_by_beta base_by_beta diffuse_by_beta shine_by_beta term_by_beta"
@@ -35,21 +35,14 @@ term_derivative = Program(
     "term_derivative",
     (mu, mu_by_beta, specular_base, base_by_beta, shininess, kd, ks, albedos[0], light_colors[0]),
     (
-        (diffuse_by_beta, Piecewise((kd * mu_by_beta, mu > 0), (0, True))),
-        (
-            shine_by_beta,
-            Piecewise(
-                (ks * shininess * Pow(specular_base, shininess - 1) * base_by_beta, specular_base > 0), (0, True)
-            ),
-        ),
+        (diffuse_by_beta, where(mu > 0, kd * mu_by_beta, 0)),
+        (shine_by_beta, where(specular_base > 0, ks * shininess * Pow(specular_base, shininess - 1) * base_by_beta, 0)),
         (term_by_beta, light_colors[0] * (albedos[0] * diffuse_by_beta + shine_by_beta)),
     ),
 )
 """A light's share of a channel: colour · (albedo · k_d ∂μ/∂β [μ > 0] + k_s p base^(p−1) ∂base/∂β [base > 0])."""
 
 clip_derivative = Program(
-    "clip_derivative",
-    (color, term_by_beta),
-    ((clipped, Piecewise((term_by_beta, (color > 0) & (color < 1)), (0, True))),),
+    "clip_derivative", (color, term_by_beta), ((clipped, where((color > 0) & (color < 1), term_by_beta, 0)),)
 )
 """The clip keeps the derivative where 0 < channel < 1, and makes it 0 outside."""

@@ -25,6 +25,7 @@ from proofs.formulas.symbols import (
     real,
     specular,
     vector,
+    where,
 )
 
 CHANNELS = ("red", "green", "blue")
@@ -72,11 +73,6 @@ def _program(name, *definitions):
     return Program(name, tuple(inputs), definitions, tuple(s for s, _ in definitions))
 
 
-def _given(program, values):
-    """Return the program with inputs replaced."""
-    return instance(program, "", kept={s for s, _ in program.definitions}, given=values)
-
-
 def _by_surface(on_a, on_b, on_floor, otherwise=0):
     surface = camera.surface
     return Piecewise((on_a, Eq(surface, 1)), (on_b, Eq(surface, 2)), (on_floor, Eq(surface, 3)), (otherwise, True))
@@ -112,7 +108,7 @@ def _shadows(number):
     ball = {**dict(zip(shadow.center, ball_center, strict=True)), shadow.body_radius: camera.ball_radius}
     by_a = instance(shadow.shadow, f"by_a_{number}", given=position | origin)
     by_b = instance(shadow.shadow, f"by_b_{number}", given=position | ball)
-    a, b = by_a.outputs[0], Piecewise((by_b.outputs[0], ball_on > 0), (0, True))
+    a, b = by_a.outputs[0], where(ball_on > 0, by_b.outputs[0], 0)
     return [by_a, by_b, _program(f"occlusion_{number}", (occlusion(number), _by_surface(b, a, Max(a, b))))]
 
 
@@ -125,10 +121,7 @@ def _light(number, model, before):
     colors = dict(zip(shading.light_colors, light_color(number), strict=True))
     term = instance(shading.light_term, number, given=own | colors | dict(zip(shading.colors, before, strict=True)))
     after = real(" ".join(f"{c}_after_{number}" for c in CHANNELS))
-    lines = (
-        (s, Piecewise((b, occlusion(number) > 0), (lit, True)))
-        for s, b, lit in zip(after, before, term.outputs, strict=True)
-    )
+    lines = ((s, where(occlusion(number) > 0, b, lit)) for s, b, lit in zip(after, before, term.outputs, strict=True))
     return [base, power, term, _program(f"after_{number}", *lines)], after
 
 
@@ -145,7 +138,7 @@ def pixel(
     parts += [
         shadow.checker,
         _program("dark_square", (dark_square, _by_surface(0, 0, shadow.dark))),
-        _given(shading.floor_albedo, {shading.floor_dark: dark_square}),
+        shading.floor_albedo.at({shading.floor_dark: dark_square}),
         camera.view_length,
         camera.view_direction,
     ]

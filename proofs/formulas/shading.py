@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sympy import Expr, Max, Min, Piecewise, Pow, sqrt
+from sympy import Expr, Max, Min, Pow, sqrt
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.registry import by_name, check_name
@@ -19,6 +19,7 @@ from proofs.formulas.symbols import (
     towards,
     vector,
     view,
+    where,
 )
 
 to_light = vector("to_light")
@@ -54,7 +55,7 @@ blinn = chain(
         (halfway, bumped),
         (
             (halfway_length, sqrt(dot(halfway, halfway))),
-            (specular_base, Piecewise((Max(0, dot(bumped, halfway) / halfway_length), halfway_length > 0), (0, True))),
+            (specular_base, where(halfway_length > 0, Max(0, dot(bumped, halfway) / halfway_length), 0)),
         ),
     ),
     outputs=(mu, specular_base),
@@ -72,8 +73,8 @@ blinn_squared = Program(
         (halfway_squared, dot(halfway, halfway)),
         (along_light, dot(bumped, to_light)),
         (along_halfway, Max(0, dot(bumped, halfway))),
-        (light_scale, Piecewise((1 / (light_distance * halfway_squared), halfway_squared > 0), (0, True))),
-        (mu, Piecewise((along_light * halfway_squared * light_scale, halfway_squared > 0), (-dot(bumped, view), True))),
+        (light_scale, where(halfway_squared > 0, 1 / (light_distance * halfway_squared), 0)),
+        (mu, where(halfway_squared > 0, along_light * halfway_squared * light_scale, -dot(bumped, view))),
         (specular_base, along_halfway**2 * light_distance * light_scale),
     ),
     (mu, specular_base),
@@ -161,7 +162,7 @@ floor_albedo = Program(
     "floor_albedo",
     (floor_dark, floor_tint),
     (
-        (floor_base, Piecewise((Pow(20, -1) * 3, floor_dark > 0), (Pow(20, -1) * 17, True))),
+        (floor_base, where(floor_dark > 0, Pow(20, -1) * 3, Pow(20, -1) * 17)),
         (floor_red, floor_base * (1 - floor_tint)),
         (floor_blue, floor_base),
     ),

@@ -1,9 +1,9 @@
 """The shadow test, and the floor's checker."""
 
-from sympy import And, Ne, Piecewise, floor
+from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, vector
+from proofs.formulas.symbols import cross, dot, light, point, real, vector, where
 
 center, body_radius = vector("center"), real("body_radius")
 segment, offset = vector("segment"), vector("offset")
@@ -21,12 +21,7 @@ shadow = Program(
         (segment_squared, dot(segment, segment)),
         (toward_center, dot(segment, offset)),
         (shadow_discriminant, segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset))),
-        (
-            occluded,
-            Piecewise(
-                (1, And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)), (0, True)
-            ),
-        ),
+        (occluded, where(And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared), 1, 0)),
     ),
 )
 """Whether a sphere stands between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
@@ -42,14 +37,10 @@ checker = Program(
         (square, floor(point[0]) + floor(point[1])),
         (
             dark,
-            Piecewise(
-                (
-                    1,
-                    And(
-                        Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))
-                    ),
-                ),
-                (0, True),
+            where(
+                And(Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))),
+                1,
+                0,
             ),
         ),
     ),

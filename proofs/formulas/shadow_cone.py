@@ -4,7 +4,7 @@ from sympy import Piecewise
 
 from proofs.engine.program import Program
 from proofs.formulas.shadow import body_radius, center
-from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, vector
+from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, vector, where
 
 from_body, along = vector("from_body"), vector("along")
 at_light, half_slope, curvature = real("at_light half_slope curvature")
@@ -23,8 +23,8 @@ shadow_clearance = Program(
         (turning, Piecewise((0, half_slope >= 0), (1, half_slope + curvature <= 0), (-half_slope / curvature, True))),
         (at_ball, at_light + 2 * half_slope + curvature),
         (at_turning, at_light + turning * (2 * half_slope + turning * curvature)),
-        (at_an_end, Piecewise((at_ball, at_ball < at_light), (at_light, True))),
-        (shortest, Piecewise((at_turning, at_turning < at_an_end), (at_an_end, True))),
+        (at_an_end, where(at_ball < at_light, at_ball, at_light)),
+        (shortest, where(at_turning < at_an_end, at_turning, at_an_end)),
         (clearance, shortest / (dot(from_body, from_body) + dot(along, along))),
     ),
 )

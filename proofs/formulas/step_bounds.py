@@ -3,7 +3,7 @@
 They are of a field that swings at `frequency` half-turns per unit of u or v, πk its steepest slope.
 """
 
-from sympy import Rational, pi, sqrt
+from sympy import pi, sqrt
 
 from proofs.engine.program import Program
 from proofs.formulas.symbols import epsilon, real, v
@@ -45,7 +45,7 @@ tent_bound = Program(
     (epsilon, distance, frequency),
     (
         (tent, pi * frequency * (1 - distance / epsilon)),
-        (rest, Rational(2, 3) * pi * frequency * (pi * frequency * epsilon) ** 2),
+        (rest, 2 * pi * frequency * (pi * frequency * epsilon) ** 2 / 3),
         (truncation, tent + rest),
     ),
 )

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr, Symbol, symbols
+from sympy import Basic, Expr, Piecewise, Symbol, symbols
 
 
 class Vector(tuple):
@@ -54,6 +54,11 @@ def cross(a: Sequence[Expr], b: Sequence[Expr]) -> Vector:
     return Vector((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
 
 
+def where(condition: Basic, value: Any, otherwise: Any) -> Expr:
+    """Return the expression that is one value where a condition holds, and another one elsewhere."""
+    return Piecewise((value, condition), (otherwise, True))
+
+
 # Raster: the pixel in `column` (from the left) and `row` (from the top) of `width` × `height` pixels.
 column, row, width, height = real("column row width height")
 # Image plane: the floor plane z = 0 seen from the eye E = (0, 0, e); half is its vertical half-extent.
@@ -92,7 +97,6 @@ TEX_NAMES = {
     eye: "e",
     radius: "R",
     ball_radius: "R_2",
-    **{c: f"C_{axis}" for c, axis in zip(ball_center, "xyz", strict=True)},
     rho_silhouette: r"\rho_s",
     cos_theta: r"\cos\theta",
     sin_theta: r"\sin\theta",
@@ -100,11 +104,17 @@ TEX_NAMES = {
     sin_phi: r"\sin\varphi",
     phi: r"\varphi",
     epsilon: r"\varepsilon",
-    **{p: f"P_{axis}" for p, axis in zip(point, "xyz", strict=True)},
-    **{n: f"N_{axis}" for n, axis in zip(normal, "xyz", strict=True)},
-    **{n: f"N'_{axis}" for n, axis in zip(bumped, "xyz", strict=True)},
-    **{d: rf"\hat v_{axis}" for d, axis in zip(view, "xyz", strict=True)},
-    **{p: f"L_{axis}" for p, axis in zip(light, "xyz", strict=True)},
-    **{d: rf"\omega_{axis}" for d, axis in zip(towards, "xyz", strict=True)},
     shininess: "p",
+} | {
+    part: f"{name}_{axis}"
+    for components, name in (
+        (ball_center, "C"),
+        (point, "P"),
+        (normal, "N"),
+        (bumped, "N'"),
+        (view, r"\hat v"),
+        (light, "L"),
+        (towards, r"\omega"),
+    )
+    for part, axis in zip(components, "xyz", strict=True)
 }

@@ -17,24 +17,24 @@ from proofs.formulas.algebraic_form import (
     real_part,
 )
 from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
-from proofs.formulas.symbols import cos_phi, cos_theta, k_u, k_v, phi, real, sin_phi, sin_theta, theta, u, v
+from proofs.formulas.symbols import k_u, k_v, phi, real, theta, u, v
+from proofs.theorems.frame import angles
 from proofs.theorems.relations import equations
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
-_angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
 _chart = {u: (theta + pi) / (2 * pi), v: phi / pi}
 _alternating = (sign, 1, -sign)
 
 
 def _product(parts, others):
     """Return the lines of `complex_product` for two complex numbers."""
-    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), (*parts, *others), strict=True))
+    given = dict(zip(complex_product.inputs, (*parts, *others), strict=True))
     return [complex_product[p].xreplace(given) for p in (product_real, product_imaginary)]
 
 
 def _powers(base):
     """Return the states of baseⁿ, by repeated `complex_product`."""
-    base = [b.xreplace(_angles) for b in base]
+    base = [b.xreplace(angles) for b in base]
     following = _product((real_part, imaginary_part), base)
     return tuple(zip((real_part, imaginary_part), (1, 0), following, strict=True))
 
@@ -76,9 +76,9 @@ _rings_in_v = _in_v.but(
 )
 
 
-def _on_circle(program, angles, total):
-    parts = (f(a) for a in angles for f in (cos, sin))
-    given = dict(zip((real_part, imaginary_part, other_real, other_imaginary), parts, strict=False))
+def _on_circle(program, turned, total):
+    parts = (f(a) for a in turned for f in (cos, sin))
+    given = dict(zip(program.inputs, parts, strict=True))
     return equations(_parts, (cos(total), sin(total))), (), program.at(given)
 
 

@@ -63,7 +63,7 @@ _in_light = Claim(
     (dot(bumped, towards) > 0,),
     (*tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
     perturbed,
-    squares=tuple(beta * g_i for g_i in g),
+    squares=beta * g,
 )
 
 attached_shadow = Theorem(

@@ -17,10 +17,7 @@ _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): po
 _by_turns = Program("by_turns", (turn, polar), tuple((s, e.xreplace(_of_angles)) for s, e in chart.definitions), (u, v))
 _half_turns = (turn > -1, turn <= 1)
 _range = Claim(
-    "range",
-    (at_least(u, 0), greater(1, u), at_least(v, 0), at_least(1, v)),
-    (*_half_turns, polar >= 0, polar <= 1),
-    _by_turns,
+    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (*_half_turns, polar >= 0, polar <= 1), _by_turns
 )
 _seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1),), _by_turns)
 _inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), (turn < 1,), _by_turns)

@@ -2,7 +2,7 @@
 
 from sympy import Abs, Rational, S, pi, sin
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
@@ -97,9 +97,9 @@ _are_odd = Claim("odd", tuple(equation(h, -field) for h, field in _odd.definitio
 _first_ridge = Claim(
     "first_ridge",
     (
-        at_least(_odd_ridge, 0),
-        at_least(_odd_ridge, ridges.expression),
-        at_least(ridges.expression, _odd_ridge),
+        _odd_ridge >= 0,
+        _odd_ridge >= ridges.expression,
+        ridges.expression >= _odd_ridge,
         equation(ridges.expression, _odd_ridge),
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
@@ -115,8 +115,8 @@ _second = Claim(
     "second_order",
     (
         equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
-        at_least(_rise, 0),
-        *(at_least(_rise * (largest + s * bend_minus), 0) for s in (1, -1)),
+        _rise >= 0,
+        *(_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)),
         *both_ways(largest * _room, h_v - slope),
     ),
     (*pole_clamps, *_bends),
@@ -180,7 +180,7 @@ def _at_zero_of(h):
 
 
 _steps = (epsilon > 0, epsilon <= 1)
-_costs = Claim("costs_an_order", (at_least(Abs(_at_zero_of(v - v**3)), epsilon),), _steps)
+_costs = Claim("costs_an_order", (Abs(_at_zero_of(v - v**3)) >= epsilon,), _steps)
 
 always_first_order = Theorem(
     id="seed_clamp",

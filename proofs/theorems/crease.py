@@ -2,7 +2,7 @@
 
 from sympy import Abs, Derivative, Rational, S, Symbol, cos, pi, sin, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import inside
@@ -106,9 +106,7 @@ theorem = Theorem(
 omega = real("omega")
 _gap = Abs(without(pi, _centre.shows[1].rhs).xreplace({k_u: omega}))  # at the crease, with ω for πk
 _steps = (omega > 0, epsilon > 0)
-_descends = Claim(
-    "descends", (at_least(truncation_bound[truncation].xreplace({third_derivative: omega**3}), _gap),), _steps
-)
+_descends = Claim("descends", (truncation_bound[truncation].xreplace({third_derivative: omega**3}) >= _gap,), _steps)
 
 supremum = Theorem(
     id="seed_truncation_slope",
@@ -181,11 +179,11 @@ def _mean_square(name, k, number, constant=None):
     constant = constant or crease_rms[root_mean_square].xreplace({frequency: k, creases: number})
     total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
     shows = (
-        greater(pi * k, 0),
+        pi * k > 0,
         *nonnegative(number * epsilon, total, constant),
         equation(total, constant**2),
-        at_least(sqrt(total), constant),
-        at_least(constant, sqrt(total)),
+        sqrt(total) >= constant,
+        constant >= sqrt(total),
         equation(sqrt(total), constant),
     )
     return Claim(name, shows, (k >= 1, epsilon > 0), squares=(Symbol("pi", real=True) * k,))
@@ -240,12 +238,7 @@ rms = Theorem(
         Mutant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
         Mutant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
         variant("the mean of sin² is ½ for any k", _means, given=(k_v > 0,)),
-        variant(
-            "no tent: the error is below (πk)³ε²/6",
-            _near_tent,
-            at_least(x**2 / 6, _cos_y - straddled / rate),
-            squares=(),
-        ),
+        variant("no tent: the error is below (πk)³ε²/6", _near_tent, x**2 / 6 >= _cos_y - straddled / rate, squares=()),
     ),
     side_conditions=(
         SideCondition("$k_v$ whole", "mean_of_a_square", holds=[{v: 0, k_v: 3}], fails=[{v: 0, k_v: 5 * QUARTER}]),

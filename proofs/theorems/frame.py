@@ -2,7 +2,7 @@
 
 from sympy import Derivative, Expr, Rational, cos, sin
 
-from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a
@@ -104,7 +104,7 @@ _angles = Claim(
         equation(radius * sin_phi * sin_theta, t_a * y),
         equation(cos_theta**2 + sin_theta**2, 1),
         equation(cos_phi**2 + sin_phi**2, 1),
-        greater(sin_phi, 0),
+        sin_phi > 0,
     ),
     ray_meets_a,
     met(angles_on_a),

@@ -6,7 +6,7 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.height_fields import gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from proofs.theorems.relations import equations, ridges, rings, sine, zero
+from proofs.theorems.relations import SIDES, equations, ridges, rings, sine, zero
 
 _of_sine = [Derivative(sine.expression, c) for c in (u, v)]
 
@@ -50,7 +50,7 @@ _ridges = tuple(
         (side * _p > 0,),
         gradient(ridges),
     )
-    for name, side in (("above", 1), ("below", -1))
+    for name, side in SIDES
 )
 _printed = Claim("ridges_on_creases", zero(h_u, h_v), zero(_p), gradient(ridges))
 p, d = real("p d")

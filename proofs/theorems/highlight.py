@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from sympy import Abs, Expr, Max, Piecewise, Rational, sqrt
+from sympy import Abs, Expr, Max, Rational, sqrt
 
-from proofs.engine.claim import Claim, Induction, at_least, equation, greater
+from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.pixel import instance
@@ -29,12 +29,12 @@ apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
 _gap = (equation(apart**2, dot(n - m, n - m)),)
-x, z = real("x"), real("z")
+x, z = real("x z")
 
 
 _scalar = Claim(
     "along_a_direction",
-    (at_least(apart**2 - dot(n - m, omega) ** 2, 0), *both_ways(apart, dot(n, omega) - dot(m, omega))),
+    (apart**2 - dot(n - m, omega) ** 2 >= 0, *both_ways(apart, dot(n, omega) - dot(m, omega))),
     (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
     squares=cross(n - m, omega),
 )
@@ -48,13 +48,17 @@ _clamps = Claim(
 )
 
 
+def unclamped(program: Program) -> Expr:
+    """Return the program's base of the highlight before its clamp at 0, with μ written out."""
+    (clamped,) = program[specular_base].atoms(Max)
+    (inner,) = (argument for argument in clamped.args if argument != 0)
+    return inner.xreplace({mu: program[mu]})
+
+
 def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
-    """Return the program's base of the highlight with another normal, before its clamp at 0."""
-    base = program[specular_base]
-    base = base.args[0].expr if isinstance(base, Piecewise) else base
-    (inner,) = (argument for argument in base.args if argument != 0)
+    """Return the same with another normal."""
     seen = dict(zip((*bumped, *towards), (*normal_of_light, *omega), strict=True))
-    return inner.xreplace({mu: program[mu]}).xreplace(seen)
+    return unclamped(program).xreplace(seen)
 
 
 _units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))
@@ -82,7 +86,7 @@ _swing = Claim(
 )
 _twice = Claim(
     "twice",
-    (at_least(4 * apart**2, turned**2), at_least(2 * apart, turned)),
+    (4 * apart**2 >= turned**2, 2 * apart >= turned),
     (
         apart >= 0,
         gram(_a, _b, _c) >= 0,
@@ -119,12 +123,12 @@ _factored = (
 _powers = Induction("factors", count, _factored, _states)
 _signs = Claim(
     "no_state_is_negative",
-    tuple(at_least(following, 0) for _, _, following in _states),
+    tuple(following >= 0 for _, _, following in _states),
     (x >= 0, z >= 0, *(s >= 0 for s, _, _ in _states)),
 )
 _power = Claim(
     "power",
-    (at_least(power, quotient), *both_ways(power * (x - z), of_x - of_z)),
+    (power >= quotient, *both_ways(power * (x - z), of_x - of_z)),
     (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
@@ -162,7 +166,7 @@ theorem = Theorem(
         Step("$S_p, A_p, B_p \\ge 0$", "so they start, and each is a sum of products of such; induction on $p$"),
     ),
     mutants=(
-        variant("Phong's base is 1-Lipschitz", _twice, at_least(apart, turned)),
+        variant("Phong's base is 1-Lipschitz", _twice, apart >= turned),
         variant("the reflection without its factor 2", _swing, equation(_swing.shows[0].lhs, _gram_part)),
         variant("p − 1 in place of p", _power, *both_ways((power - 1) * (x - z), of_x - of_z)),
         variant("x^p − z^p with the quotient's last term dropped", _powers, states=_dropped),
@@ -178,7 +182,7 @@ theorem = Theorem(
 )
 
 bound = real("bound")
-_root = Claim("root", (at_least(bound * x, sqrt(x)),), (x >= 0, x <= 1, bound >= 1))
+_root = Claim("root", (bound * x >= sqrt(x),), (x >= 0, x <= 1, bound >= 1))
 
 below_one = Theorem(
     id="highlight_below_one",
@@ -194,7 +198,7 @@ below_one = Theorem(
             "false for every L, at x = 1/4L²",
             Claim(
                 "any_bound",
-                (*positive(bound, z), greater(sqrt(z**2), bound * z**2)),
+                (*positive(bound, z), sqrt(z**2) > bound * z**2),
                 (bound >= 1, z >= 0, equation(2 * bound * z, 1)),
             ),
         ),

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from sympy import Expr, Piecewise, Rational, sqrt
+from sympy import Expr, Rational, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import Program, chain, evaluated
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas import camera, symbols
@@ -24,6 +24,7 @@ from proofs.formulas.camera import (
     toward_b,
 )
 from proofs.formulas.symbols import (
+    Vector,
     ball_center,
     ball_on,
     ball_radius,
@@ -35,14 +36,20 @@ from proofs.formulas.symbols import (
     radius,
     real,
     rho,
+    where,
     x,
     y,
 )
-from proofs.theorems.relations import HALF, QUARTER
+from proofs.theorems.relations import HALF, QUARTER, equations
 
 t, t_a, t_b, hits_a, hits_b = real("t t_a t_b hits_a hits_b")
 _APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}
 _NUMBERS = {hit: t for hit, (_, t) in _APART.items()}
+
+
+def off_the_axis(x_at: Expr) -> dict:
+    """Return the inputs of a ray through (x, 0), e = 5/4 and R = 3/4: the silhouette is at x = 15/16."""
+    return {x: x_at, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}
 
 
 @evaluated
@@ -55,7 +62,7 @@ def met(program: Program) -> Program:
     for symbol, line in program.definitions:
         if symbol in _APART:
             line, condition = line.args[0]
-            lines.append((_APART[symbol][0], Piecewise((1, condition), (0, True))))
+            lines.append((_APART[symbol][0], where(condition, 1, 0)))
         lines.append((symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)))
     return Program(program.name, program.inputs, tuple(lines), tuple(s.xreplace(_NUMBERS) for s in program.outputs))
 
@@ -85,7 +92,7 @@ _solves_a = Claim(
 _near_a = Claim(
     "near",
     (
-        greater(rho**2 + eye**2, 0),
+        rho**2 + eye**2 > 0,
         equation((rho**2 + eye**2) * t_a, eye**2 - root_a),
         (rho**2 + eye**2) * t - eye**2 + root_a >= 0,
         t >= t_a,
@@ -125,7 +132,7 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[{x: 3 * QUARTER, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
+            holds=[off_the_axis(3 * QUARTER)],
             fails=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
         ),
         SideCondition(
@@ -135,7 +142,6 @@ theorem_a = Theorem(
 )
 
 _eye = (0, 0, eye)
-_half = Rational(1, 2)
 
 
 def _on_the_axis(eye, z, ball_radius):
@@ -155,7 +161,7 @@ _solves_b = Claim(
 _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
     "near",
-    (greater(_length, 0), equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
+    (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
     (eye > 0, *_sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
@@ -167,15 +173,15 @@ _behind_b = Claim(
     squares=(x * t, y * t, eye * t),
 )
 _whole = met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b))
-_from_the_center = [p - c for p, c in zip(along(t_b), ball_center, strict=True)]
+_from_the_center = Vector(along(t_b)) - ball_center
 _outward_b = Claim(
     "outward",
     (
-        greater(ray_length_squared, 0),
-        *(equation(r, p) for r, p in zip(radius_vector, _from_the_center, strict=True)),
+        ray_length_squared > 0,
+        *equations(radius_vector, _from_the_center),
         equation(radius_length, ball_radius),
-        *(equation(ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
-        *(equation(p, q) for p, q in zip(point, along(t_b), strict=True)),
+        *equations(ball_radius * normal, _from_the_center),
+        *equations(point, along(t_b)),
     ),
     (*_sees_b, ball_radius > 0),
     _whole,
@@ -210,11 +216,7 @@ theorem_b = Theorem(
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
-        variant(
-            "the inward normal",
-            _outward_b,
-            *(equation(-ball_radius * n, p) for n, p in zip(normal, _from_the_center, strict=True)),
-        ),
+        variant("the inward normal", _outward_b, *equations(-ball_radius * normal, _from_the_center)),
         variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
     ),
     side_conditions=(
@@ -225,11 +227,7 @@ theorem_b = Theorem(
         ),
     ),
 )
-_default = {
-    eye: 4,
-    **dict(zip(ball_center, (_half, _half, Rational(13, 10)), strict=True)),
-    ball_radius: Rational(8, 25),
-}
+_default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
 
 seed_quadratic = Theorem(
     id="seed_quadratic_of_b",
@@ -252,19 +250,19 @@ _false_c, _true_c, _squared = (part.xreplace(_default) for part in (_seed_c, _c,
 b, d = real("b d")
 _covers = Claim(
     "covers",
-    (greater(_b, 35 * QUARTER), greater(_b**2, Rational(1225, 16)), greater(_b**2 - _squared * _false_c, 0)),
+    (_b > 35 * QUARTER, _b**2 > Rational(1225, 16), _b**2 - _squared * _false_c > 0),
     (x >= -2, x <= 2, y >= -2, y <= 2),
 )
 _root = _false_c / (b + sqrt(d))
 _before = Claim(
     "before",
-    (greater(b + sqrt(d), 35 * QUARTER), greater(_root, 0), greater(QUARTER, _root)),
+    (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)),
     (b > 35 * QUARTER, d > 0),
     ranges=((b, (9, 12)), (d, (0, 100))),
 )
 _behind = Claim(
     "behind",
-    (at_least(radius, eye * (1 - t)), at_least(eye * t, eye - radius)),
+    (radius >= eye * (1 - t), eye * t >= eye - radius),
     (radius > 0, equation(dot(along(t), along(t)), radius**2)),
     squares=(x * t, y * t),
 )
@@ -284,9 +282,9 @@ hidden = Theorem(
         Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
     ),
     mutants=(
-        variant("with the true c too", _covers, greater(_b**2 - _squared * _true_c, 0)),
-        variant("the root is beyond 1/4", _before, greater(_root, QUARTER)),
-        variant("A's points have t ≥ 1", _behind, at_least(t, 1), squares=()),
+        variant("with the true c too", _covers, _b**2 - _squared * _true_c > 0),
+        variant("the root is beyond 1/4", _before, _root > QUARTER),
+        variant("A's points have t ≥ 1", _behind, t >= 1, squares=()),
     ),
     side_conditions=(
         SideCondition(r"$|x|, |y| \le 2$", "covers", holds=[{x: -2, y: Rational(-19, 10)}], fails=[{x: -3, y: -3}]),

@@ -30,17 +30,11 @@ from proofs.formulas.shading import (
     phong,
 )
 from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
+from proofs.theorems.highlight import unclamped
 from proofs.theorems.relations import equations, zero
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
-
-
-def _inner(program):
-    """Return the program's base of the highlight before its clamp, with μ written out."""
-    base = program[specular_base]
-    (clamped,) = base.atoms(Max)
-    return next(a for a in clamped.args if a != 0).xreplace({mu: light_direction[mu]})
 
 
 def _closed(model):
@@ -52,7 +46,7 @@ def _closed(model):
 _along = dict(zip(bumped, bumped + s * bumped_by_beta, strict=True))
 _mu = Claim("mu", (equation(Derivative(light_direction[mu].xreplace(_along), s), mu_derivative[mu_by_beta]),), zero(s))
 _blinn, _phong = (
-    Claim(model, (equation(Derivative(_inner(program).xreplace(_along), s), _closed(model)),), given)
+    Claim(model, (equation(Derivative(unclamped(program).xreplace(_along), s), _closed(model)),), given)
     for model, program, given in (("blinn", blinn, (halfway_length > 0, *zero(s))), ("phong", phong, zero(s)))
 )
 

@@ -31,7 +31,7 @@ from proofs.formulas.symbols import (
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import QUARTER, equations, ridges, sine, zero
+from proofs.theorems.relations import QUARTER, SIDES, equations, ridges, sine, zero
 
 t, m, crease = real("t m crease")
 
@@ -47,15 +47,15 @@ _seen = (*on_circles, sin_phi >= 0, *lengths_of_a, eye > radius, *equations(alon
 _projection = Claim(
     "projection",
     (
-        at_least(1 - cos_phi, 0),
-        greater(eye - radius * cos_phi, 0),
+        1 - cos_phi >= 0,
+        eye - radius * cos_phi > 0,
         equation(eye * t, eye - radius * cos_phi),
-        greater(t, 0),
+        t > 0,
         equation(x * cos_theta + y * sin_theta, circle_radius),
         equation(x * sin_theta, y * cos_theta),
-        at_least(x * cos_theta + y * sin_theta, 0),
+        x * cos_theta + y * sin_theta >= 0,
         equation(x**2 + y**2, circle_radius**2),
-        at_least(circle_radius, 0),
+        circle_radius >= 0,
         equation(sqrt(x**2 + y**2), circle_radius),
     ),
     _seen,
@@ -78,14 +78,14 @@ _elsewhere = tuple(
         f"elsewhere_{name}",
         (
             equation(h, side * sine.expression),
-            greater(h, 0),
+            h > 0,
             *equations([Derivative(ridges.expression, c) for c in (u, v)], (h_u, h_v)),
             *equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
         ),
         (side * sine.expression > 0,),
         chain("ridges", height(ridges), gradient(ridges)),
     )
-    for name, side in (("above", 1), ("below", -1))
+    for name, side in SIDES
 )
 
 theorem = Theorem(
@@ -135,22 +135,14 @@ _halves = (a + b) / 2, (b - a) / 2
 _near, _far = cos(pi * a), cos(pi * b)
 _falling = Claim(
     "falling",
-    (equation(_near - _far, 2 * sin(pi * _halves[0]) * sin(pi * _halves[1])), greater(_near, _far)),
+    (equation(_near - _far, 2 * sin(pi * _halves[0]) * sin(pi * _halves[1])), _near > _far),
     (a >= 0, b - a > 0, 1 - b >= 0),
     cited=tuple(map(sine_inside_half_turn, _halves)),
 )
-_nearer = Claim("nearer", (greater(eye * _near, radius),), (eye > 0, _near > _far, eye * _far >= radius))
+_nearer = Claim("nearer", (eye * _near > radius,), (eye > 0, _near > _far, eye * _far >= radius))
 _default = Claim(
     "count",
-    tuple(
-        greater(one, other)
-        for one, other in (
-            (cos(pi / 4), QUARTER),
-            (QUARTER, cos(pi / 2)),
-            (cos(pi / 2), cos(3 * pi / 4)),
-            (cos(3 * pi / 4), cos(pi)),
-        )
-    ),
+    (cos(pi / 4) > QUARTER, greater(QUARTER, cos(pi / 2)), cos(pi / 2) > cos(3 * pi / 4), cos(3 * pi / 4) > cos(pi)),
 )
 _poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
 
@@ -183,8 +175,8 @@ parallels = Theorem(
         Step(r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$", "the exact values"),
     ),
     mutants=(
-        variant("two circles", _default, greater(cos(pi / 2), QUARTER)),
-        variant("the cosine rises", _falling, greater(_far, _near)),
-        variant("the pole has a circle", _poles, greater(rho, 0)),
+        variant("two circles", _default, cos(pi / 2) > QUARTER),
+        variant("the cosine rises", _falling, _far > _near),
+        variant("the pole has a circle", _poles, rho > 0),
     ),
 )

@@ -34,7 +34,7 @@ _length = Claim(
     ),
     tangent,
     perturbed,
-    squares=tuple(beta * g_i for g_i in g),
+    squares=beta * g,
 )
 
 unit_length = Theorem(

@@ -2,26 +2,22 @@
 
 from sympy import Abs, Rational, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER, equations, nonnegative, positive
+from proofs.theorems.relations import QUARTER, between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = dot(g, g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = tuple((n, (-Rational(2, 3), Rational(2, 3))) for n in normal[:2])  # samples keep N_z off zero
+_clear = between(-Rational(2, 3), Rational(2, 3), *normal[:2])  # samples keep N_z off zero
 
 
 _angle = Claim(
     "angle",
-    (
-        equation(m_length * cosine, 1),
-        greater(cosine, 0),
-        equation(dot(_turned, _turned), beta**2 * _g_squared * cosine**2),
-    ),
+    (equation(m_length * cosine, 1), cosine > 0, equation(dot(_turned, _turned), beta**2 * _g_squared * cosine**2)),
     tangent,
     perturbed,
     borrowed=_length,
@@ -61,10 +57,10 @@ _small = Claim(
     "small_beta",
     (
         equation(m_length * dot(_moved, _moved), 2 * (m_length - 1)),
-        at_least(beta**2 * _g_squared - dot(_moved, _moved), 0),
+        beta**2 * _g_squared - dot(_moved, _moved) >= 0,
         equation(w**2, beta**2 * _g_squared),
-        at_least(w, 0),
-        at_least(w, sqrt(dot(_moved, _moved))),
+        w >= 0,
+        w >= sqrt(dot(_moved, _moved)),
     ),
     (*tangent, _w),
     perturbed,
@@ -85,7 +81,7 @@ def _large(name, side):
             *positive(sqrt(_g_squared), w),
             equation(w**2, beta**2 * _g_squared),
             equation(m_length**2, 1 + w**2),
-            at_least(m_length, w),
+            m_length >= w,
             equation(m_length * dot(bumped, direction), w),
             equation(m_length * dot(gap, gap), 2 * (m_length - w)),
             equation(m_length * (m_length + w) * dot(gap, gap), 2),
@@ -122,8 +118,8 @@ limits = Theorem(
         Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
     ),
     mutants=(
-        variant("half as far", _small, at_least(w, 2 * sqrt(dot(_moved, _moved)))),
-        variant("N' → g/|g| for β → −∞ too", _down, greater(dot(bumped, g), 0)),
+        variant("half as far", _small, w >= 2 * sqrt(dot(_moved, _moved))),
+        variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
         variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
     ),
     side_conditions=(
@@ -144,9 +140,9 @@ _within = Claim(
     (
         equation(w**2, beta**2 * _g_squared),
         *nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
-        greater(_cosine, 0),
+        _cosine > 0,
         equation(m_length * dot(bumped, towards), _cosine),
-        greater(dot(bumped, towards), 0),
+        dot(bumped, towards) > 0,
     ),
     (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
     perturbed,
@@ -176,7 +172,7 @@ shadow_line = Theorem(
             given=(*_within.given[:-1], dot(normal, towards) > w / 2),
             at={**at(1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
         ),
-        variant("N'·ω ≥ N·ω", _within, at_least(dot(bumped, towards), dot(normal, towards))),
+        variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
     ),
     side_conditions=(
         SideCondition(

@@ -2,7 +2,7 @@
 
 from sympy import Rational, sqrt
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
@@ -33,7 +33,7 @@ _quadratic = Claim(
         ),
         equation(distance_squared(light, center) - body_radius**2, segment_squared - 2 * toward_center + _excess),
         equation(shadow_discriminant, toward_center**2 - segment_squared * _excess),
-        at_least(segment_squared, 0),
+        segment_squared >= 0,
     ),
     (),
     shadow,
@@ -47,7 +47,7 @@ _first = (_b - sqrt(_d)) / _a
 _if = Claim(
     "if",
     (
-        greater(_a, 0),
+        _a > 0,
         equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
         *positive(_b + sqrt(_d), _b - sqrt(_d)),
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
@@ -59,7 +59,7 @@ _if = Claim(
 )
 _only_if = Claim(
     "only_if",
-    (*positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), at_least(_d, 0)),
+    (*positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
     (*_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
     squares=(_a * s - _b,),
 )
@@ -121,8 +121,8 @@ theorem = Theorem(
     ),
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
-        variant("without the vertex after P", _if, greater(_first, 0), given=(*_if.given[:-2], _a > 0, _b < _a)),
-        variant("d > 0 for every root", _only_if, greater(_d, 0), at={_a: 4, _b: 2, _c: 1, s: HALF}),
+        variant("without the vertex after P", _if, _first > 0, given=(*_if.given[:-2], _a > 0, _b < _a)),
+        variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: HALF}),
     ),
     side_conditions=(
         SideCondition("$|C-P| > r$", "if", fails=[{_a: 4, _b: 2, _c: 0, _d: 4}]),
@@ -145,9 +145,9 @@ _cone = Claim(
         equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
         *nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
         equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
-        greater(distance - wander, body_radius),
-        greater((distance - wander) ** 2, body_radius**2),
-        greater(dot(_met, _met), body_radius**2),
+        distance - wander > body_radius,
+        (distance - wander) ** 2 > body_radius**2,
+        dot(_met, _met) > body_radius**2,
     ),
     (
         body_radius > 0,
@@ -163,8 +163,8 @@ _cone = Claim(
 _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
     "within",
-    (at_least((share * ball_radius) ** 2, sum((share * d) ** 2 for d in _to_ball)),),
-    (at_least(ball_radius**2, dot(_to_ball, _to_ball)),),
+    ((share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),),
+    (ball_radius**2 >= dot(_to_ball, _to_ball),),
     squares=(share,),
 )
 _on_axis = from_body + share * along
@@ -178,7 +178,7 @@ _clearance = Claim(
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
 _least = tuple(
-    Claim(name, (at_least(_parabola, bound),), given)
+    Claim(name, (_parabola >= bound,), given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
         ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
@@ -187,7 +187,7 @@ _least = tuple(
 )
 _chord = Claim(
     "bends_down",
-    (at_least(_parabola, (1 - share) * _low + share * (_low + 2 * _slope + _bend)),),
+    (_parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),),
     (share >= 0, share <= 1, _bend <= 0),
 )
 
@@ -231,18 +231,10 @@ cone = Theorem(
             "without the ball's reach",
             _cone,
             *_cone.shows[-1:],
-            given=(
-                body_radius > 0,
-                wander >= 0,
-                reach >= wander,
-                distance > body_radius,
-                equation(distance**2, dot(axis, axis)),
-                equation(wander**2, dot(aside, aside)),
-                equation(product, dot(axis, aside)),
-            ),
+            given=(*_cone.given[:3], distance > body_radius, *_cone.given[4:]),
             at=_points(3 * HALF),
         ),
-        variant("the ends are enough", _least[1], at_least(_parabola, _low)),
+        variant("the ends are enough", _least[1], _parabola >= _low),
         variant(
             "a ball of radius s all the way",
             _clearance,

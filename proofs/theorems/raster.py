@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation, greater, number
+from proofs.engine.claim import Claim, equation, number
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
@@ -21,7 +21,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.theorems.relations import without
+from proofs.theorems.relations import between, without
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
@@ -34,36 +34,27 @@ _radius_squared = sum(c**2 for c in _pixel)
 _on_the_raster = tuple(
     Claim(
         f"raster_{name}",
-        (at_least((2 * m - 255) ** 2, 1), at_least((1083 - 10 * n) ** 2, 9), at_least(_radius_squared, _nearest)),
+        ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
         (_whole[0], given),
-        ranges=((m, (0, 255)), (n, (0, 255))),
+        ranges=between(0, 255, m, n),
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
 )
 _linear = Claim(
     "linear",
-    (
-        at_least(1 - cos_phi, 0),
-        greater(eye - radius * cos_phi, 0),
-        at_least(rho, 0),
-        at_least(eye * radius * sin_phi, (eye - radius) * rho),
-    ),
+    (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
     (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, *lengths_of_a, eye > radius),
     parallel_radius,
     squares=(sin_phi, 1 - cos_phi),
 )
 _bound = Rational(44, 10000)
-_far = Claim(
-    "far",
-    (greater(sin_phi, _bound), greater(sin_phi, FALLBACK)),
-    (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest),
-)
+_far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))
 _needed = (FALLBACK * Rational(4, 3)) ** 2
-_only_near = Claim("only_near", (greater(_needed, rho**2),), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
-_no_pixel = tuple(c.but(name=c.name + "_far", shows=(greater(_radius_squared, _needed),)) for c in _on_the_raster)
+_only_near = Claim("only_near", (_needed > rho**2,), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
+_no_pixel = tuple(c.but(name=c.name + "_far", shows=(_radius_squared > _needed,)) for c in _on_the_raster)
 _half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
 _in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))
-_beside = Claim("beside", (greater(_needed, _half_squared * _in_halves),), (*_whole, (n - 107) * (n - 110) <= 0))
+_beside = Claim("beside", (_needed > _half_squared * _in_halves,), (*_whole, (n - 107) * (n - 110) <= 0))
 
 theorem = Theorem(
     id="pixels_off_the_pole",
@@ -85,12 +76,12 @@ theorem = Theorem(
         Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
     ),
     mutants=(
-        variant("ρ ≥ 2/256", _on_the_raster[0], at_least(_radius_squared, Rational(4, 256**2)), at={m: 127, n: 108}),
-        variant("sin φ ≥ ρ/R", _linear, at_least(radius * sin_phi, rho)),
+        variant("ρ ≥ 2/256", _on_the_raster[0], _radius_squared >= Rational(4, 256**2), at={m: 127, n: 108}),
+        variant("sin φ ≥ ρ/R", _linear, radius * sin_phi >= rho),
         variant(
             "sin φ > 0.0045",
             _far,
-            greater(sin_phi, Rational(45, 10000)),
+            sin_phi > Rational(45, 10000),
             at={sin_phi: Rational(4412, 10**6), rho: Rational(5882, 10**6)},
         ),
     ),

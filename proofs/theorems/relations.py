@@ -9,6 +9,7 @@ from proofs.engine.program import evaluated
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
+SIDES = ("above", 1), ("below", -1)  # of a crease of an absolute value: the sign of what that is taken of
 HALF, QUARTER, EIGHTH = (Rational(1, n) for n in (2, 4, 8))
 
 
@@ -32,9 +33,14 @@ def zero(*expressions: Expr) -> tuple[Basic, ...]:
     return tuple(equation(e, 0) for e in expressions)
 
 
-def both_ways(bound: Expr, quantity: Expr) -> tuple[Basic, ...]:
-    """Return −bound ≤ quantity ≤ bound."""
-    return nonnegative(bound - quantity, bound + quantity)
+def both_ways(bound: Expr, *quantities: Expr) -> tuple[Basic, ...]:
+    """Return −bound ≤ quantity ≤ bound of each quantity."""
+    return nonnegative(*(end for quantity in quantities for end in (bound - quantity, bound + quantity)))
+
+
+def between(low: Expr | int, high: Expr | int, *symbols: Symbol) -> tuple[tuple, ...]:
+    """Return the ranges of symbols of which samples are drawn between the same ends."""
+    return tuple((symbol, (low, high)) for symbol in symbols)
 
 
 @evaluated

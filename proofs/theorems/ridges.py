@@ -2,7 +2,7 @@
 
 from sympy import Abs, pi, sin
 
-from proofs.engine.claim import CitedLemma, Claim, at_least, equation, greater
+from proofs.engine.claim import CitedLemma, Claim, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
@@ -13,8 +13,7 @@ _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
 _sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
 _whole = zero(sin(pi * m), sin(pi * n))
 _small = tuple(
-    CitedLemma(at_least((pi * k * d) ** 2, s**2), "DLMF")
-    for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
+    CitedLemma((pi * k * d) ** 2 >= s**2, "DLMF") for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
 )
 
 
@@ -22,8 +21,8 @@ _crossed = Claim(
     "crossing",
     (
         equation(_crossing**2, (_sines[0] * _sines[1]) ** 2),
-        at_least((_sines[0] ** 2 + _sines[1] ** 2) ** 2, 4 * _crossing**2),
-        at_least((pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2, _sines[0] ** 2 + _sines[1] ** 2),
+        (_sines[0] ** 2 + _sines[1] ** 2) ** 2 >= 4 * _crossing**2,
+        (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sines[0] ** 2 + _sines[1] ** 2,
     ),
     (k_u > 0, k_v > 0, *_whole),
     squares=(named(_sines[0]) ** 2 - named(_sines[1]) ** 2,),
@@ -32,17 +31,13 @@ _crossed = Claim(
 _a, _b, _h, _steepest, _distance, _small_enough = real("a b h steepest distance small_enough")
 _flat = Claim(
     "flat",
-    (
-        at_least(_a**2 + _b**2, 2 * _h),
-        at_least((_steepest * _distance) ** 2, (2 * _h) ** 2),
-        at_least(_small_enough**2 * _distance, _h**2),
-    ),
+    (_a**2 + _b**2 >= 2 * _h, (_steepest * _distance) ** 2 >= (2 * _h) ** 2, _small_enough**2 * _distance >= _h**2),
     (
         _h >= 0,
-        at_least((_a**2 + _b**2) ** 2, 4 * _h**2),
-        at_least(_steepest * _distance, _a**2 + _b**2),
+        (_a**2 + _b**2) ** 2 >= 4 * _h**2,
+        _steepest * _distance >= _a**2 + _b**2,
         _distance >= 0,
-        at_least(4 * _small_enough**2, _steepest**2 * _distance),
+        4 * _small_enough**2 >= _steepest**2 * _distance,
     ),
     squares=(_h,),
 )
@@ -59,10 +54,10 @@ def _either_side(name, along, k, step, across):
     return Claim(
         name,
         (
-            *(r for f in factors for r in (at_least(f, sin(angle)), at_least(sin(angle), f), equation(f, sin(angle)))),
+            *(r for f in factors for r in (f >= sin(angle), sin(angle) >= f, equation(f, sin(angle)))),
             *(equation(side, height) for side in sides),
-            at_least(slope * step, sides[0]),
-            at_least(sides[0], slope * step * (1 - angle**2 / 6)),
+            slope * step >= sides[0],
+            sides[0] >= slope * step * (1 - angle**2 / 6),
         ),
         (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
         squares=(named(across), named(across) * named(sin(angle))),
@@ -76,8 +71,8 @@ _on_v = _either_side("crease_in_v", v, k_v, to_v, sin(pi * k_u * u))
 _right, _left, _slope, _angle = real("right left slope angle")  # ±h(m/k_u ± s)/s, πk_u |sin πk_v v|, πk_u s
 _differ = Claim(
     "differ",
-    (at_least(6 * _right, 5 * _slope), greater(_right - _left, _slope)),
-    (_slope > 0, _angle**2 <= 1, at_least(6 * _right, _slope * (6 - _angle**2)), equation(_left, -_right)),
+    (6 * _right >= 5 * _slope, _right - _left > _slope),
+    (_slope > 0, _angle**2 <= 1, 6 * _right >= _slope * (6 - _angle**2), equation(_left, -_right)),
 )
 _level = {_right: 0, _left: 0, _slope: 0, _angle: 1}
 _beyond = [ridges.expression.subs(u, m / k_u + side * to_u) for side in (1, -1)]
@@ -109,7 +104,7 @@ crossings = Theorem(
         Step(r"$\le \pi^2(k_u^2a^2+k_v^2b^2)$, so $h = o(\sqrt{a^2+b^2})$", r"$\sin^2x \le x^2$"),
     ),
     mutants=(
-        variant("half the bound", _flat, at_least(_a**2 + _b**2, 4 * _h)),
+        variant("half the bound", _flat, _a**2 + _b**2 >= 4 * _h),
         variant("on one crease only", _crossed, *_crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
         variant("the sum for the product", _crossed, equation(_crossing**2, (_sines[0] + _sines[1]) ** 2)),
     ),
@@ -139,7 +134,7 @@ on_creases = Theorem(
         Step("the two quotients have opposite signs and do not tend to 0", r"$A \ne 0$"),
     ),
     mutants=(
-        variant("the sides differ in height", _on_u, greater(_beyond[0] ** 2, _beyond[1] ** 2)),
+        variant("the sides differ in height", _on_u, _beyond[0] ** 2 > _beyond[1] ** 2),
         variant("whatever m is", _on_u, *_on_u.shows[:1], given=_on_u.given[:-1]),
         variant("differ at a crossing too", _differ, given=(_slope >= 0, *_differ.given[1:]), at=_level),
     ),

@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Clause, Step, Theorem, variant
 from proofs.formulas.algebraic_form import (
     complex_product,
@@ -16,7 +16,7 @@ from proofs.formulas.algebraic_form import (
 )
 from proofs.formulas.step_bounds import excess, unit
 from proofs.formulas.symbols import real
-from proofs.theorems.relations import EIGHTH, QUARTER, both_ways, nonnegative
+from proofs.theorems.relations import EIGHTH, QUARTER, between, both_ways, nonnegative
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
@@ -31,13 +31,7 @@ _terms = (
 )
 _kappa = equation(excess, (1 + unit) ** 3 - 1)
 _unit = (unit >= 0, unit <= QUARTER)
-_small = tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third, fourth, excess))
-
-
-def _roundings(*of):
-    """Return the relations that each is a relative error of one rounding."""
-    return tuple(part for d in of for part in both_ways(unit, d))
-
+_small = between(-EIGHTH, EIGHTH, unit, first, second, third, fourth, excess)
 
 _three = Claim(
     "three_roundings_of_one",
@@ -45,7 +39,7 @@ _three = Claim(
         *nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
         *both_ways((1 + unit) ** 3 - 1, growth - 1),
     ),
-    (*_unit, *_roundings(first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
+    (*_unit, *both_ways(unit, first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
     ranges=_small,
 )
 _square = Claim(
@@ -53,13 +47,12 @@ _square = Claim(
     (
         equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
         *nonnegative(excess**2 - first**2, excess**2 - second**2),
-        at_least(excess**2 * _modulus**2, off_first**2 + off_second**2),
+        excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
     (
         equation(off_first, first * complex_square.expand(product_real)),
         equation(off_second, second * complex_square.expand(product_imaginary)),
-        *both_ways(excess, first),
-        *both_ways(excess, second),
+        *both_ways(excess, first, second),
     ),
     squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
     ranges=_small,
@@ -70,17 +63,17 @@ _product = Claim(
     (
         equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
         *nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
-        at_least(2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2), off_first**2),
-        at_least(2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2), off_second**2),
-        at_least(excess**2, 2 * _twice**2),
-        at_least(excess**2 * _moduli, off_first**2 + off_second**2),
+        2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
+        2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
+        excess**2 >= 2 * _twice**2,
+        excess**2 * _moduli >= off_first**2 + off_second**2,
     ),
     (
         unit >= 0,
         _kappa,
         equation(off_first, first * _terms[0] - second * _terms[1]),
         equation(off_second, third * _terms[2] + fourth * _terms[3]),
-        *(part for d in (first, second, third, fourth) for part in both_ways(_twice, d)),
+        *both_ways(_twice, first, second, third, fourth),
     ),
     squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], *_terms),
     ranges=_small,
@@ -88,15 +81,15 @@ _product = Claim(
 _power = Claim(
     "power",
     (
-        at_least(most, size),
-        at_least(most_other, other_size),
-        at_least(most * most_other, size * other_size),
-        at_least(excess * most * most_other, own),
-        at_least((most - 1) * most_other, off_first * other_size),
-        at_least((1 + excess) * most * most_other - 1, off),
+        most >= size,
+        most_other >= other_size,
+        most * most_other >= size * other_size,
+        excess * most * most_other >= own,
+        (most - 1) * most_other >= off_first * other_size,
+        (1 + excess) * most * most_other - 1 >= off,
     ),
     (
-        *(part >= 0 for part in (excess, size, other_size, off_first, off_second)),
+        *nonnegative(excess, size, other_size, off_first, off_second),
         most - 1 >= off_first,
         most_other - 1 >= off_second,
         1 + off_first >= size,
@@ -105,9 +98,9 @@ _power = Claim(
         own + off_first * other_size + off_second >= off,
     ),
     ranges=(
-        *((s, (QUARTER, 1)) for s in (excess, size, other_size, off_first, off_second)),
-        *((s, (0, EIGHTH)) for s in (own, off)),
-        *((s, (2, 3)) for s in (most, most_other)),
+        *between(QUARTER, 1, excess, size, other_size, off_first, off_second),
+        *between(0, EIGHTH, own, off),
+        *between(2, 3, most, most_other),
     ),
 )
 _factors = Claim(
@@ -119,12 +112,11 @@ _factors = Claim(
         *both_ways(most * most_other - 1, value * other_value - exact * other_exact),
     ),
     (
-        *both_ways(1, exact),
-        *both_ways(1, other_exact),
+        *both_ways(1, exact, other_exact),
         *both_ways(most - 1, value - exact),
         *both_ways(most_other - 1, other_value - other_exact),
     ),
-    ranges=(*((s, (-1, 1)) for s in (exact, other_exact, value, other_value)), (most, (1, 2)), (most_other, (1, 2))),
+    ranges=(*between(-1, 1, exact, other_exact, value, other_value), *between(1, 2, most, most_other)),
 )
 
 theorem = Theorem(
@@ -166,7 +158,7 @@ theorem = Theorem(
         variant(
             "a product costs one rounding",
             _product,
-            at_least(unit**2 * _moduli, off_first**2 + off_second**2),
+            unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
                 (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
                 (first, second, third, fourth): (Rational(17, 64), 0, 0, 0),
@@ -176,7 +168,7 @@ theorem = Theorem(
         variant(
             "errors add without a second order",
             _power,
-            at_least(excess + most + most_other - 2, off),
+            excess + most + most_other - 2 >= off,
             at={
                 (excess, off_first, off_second): (1, 1, 1),
                 (size, other_size, most, most_other): (2, 2, 2, 2),

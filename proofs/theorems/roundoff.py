@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from proofs.engine.claim import Claim, at_least, equation
+from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
@@ -23,13 +23,13 @@ from proofs.formulas.step_bounds import (
     unit,
 )
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, nonnegative, positive
+from proofs.theorems.relations import EIGHTH, HALF, QUARTER, between, both_ways, nonnegative, positive
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
 
 _each = evaluation + steepest * argument
-_factors = tuple(part for d in (first, second, third) for part in both_ways(unit, d))
+_factors = both_ways(unit, first, second, third)
 _unit = (unit > 0, unit < 1)
 _both = (1 + first) * (1 + second)
 _two = Claim(
@@ -46,7 +46,7 @@ _three = Claim(
         *both_ways(three_roundings[excess], growth - 1),
     ),
     (*_unit, *_factors, equation(growth * (1 + third), _both)),
-    ranges=tuple((d, (-EIGHTH, EIGHTH)) for d in (unit, first, second, third)),
+    ranges=between(-EIGHTH, EIGHTH, unit, first, second, third),
 )
 
 
@@ -68,9 +68,9 @@ def _rounded(name, output, samples, over, given):
         (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
-            *((d, (-QUARTER, QUARTER)) for d in (off_plus, off_minus, mean)),
-            *((e, (0, 3)) for e in (evaluation, argument, excess, steepest)),
-            *((e, (0, HALF)) for e in (epsilon, v)),
+            *between(-QUARTER, QUARTER, off_plus, off_minus, mean),
+            *between(0, 3, evaluation, argument, excess, steepest),
+            *between(0, HALF, epsilon, v),
         ),
     )
 
@@ -135,13 +135,13 @@ theorem = Theorem(
         variant(
             "one rounding for two",
             _two,
-            at_least(unit, growth - 1),
+            unit >= growth - 1,
             at={(unit, first, second): [QUARTER] * 3, growth: Rational(25, 16)},
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
-            at_least(2 * unit + unit**2, growth - 1),
+            2 * unit + unit**2 >= growth - 1,
             at={(unit, first, second): [QUARTER] * 3, third: -QUARTER, growth: Rational(25, 12)},
         ),
     ),
@@ -163,13 +163,13 @@ _least = Claim(
         *nonnegative(
             truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
         ),
-        at_least(truncation * epsilon**2 + rounding / epsilon, _least_value),
+        truncation * epsilon**2 + rounding / epsilon >= _least_value,
         equation(truncation * best**2 + rounding / best, _least_value),
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
     squares=(epsilon - best,),
-    ranges=((best, (0, 3)), (epsilon, (0, 3)), (rounding, (0, 3))),
+    ranges=between(0, 3, best, epsilon, rounding),
 )
 
 best_step_theorem = Theorem(
@@ -189,9 +189,7 @@ best_step_theorem = Theorem(
     ),
     mutants=(
         variant("at (E/T)^{1/3}", _least, given=(*_positive[:3], equation(rounding, truncation * best**3))),
-        variant(
-            "the floor 4Tε₀²", _least, at_least(truncation * epsilon**2 + rounding / epsilon, 4 * truncation * best**2)
-        ),
+        variant("the floor 4Tε₀²", _least, truncation * epsilon**2 + rounding / epsilon >= 4 * truncation * best**2),
     ),
     side_conditions=(
         SideCondition(r"$\varepsilon > 0$", "least", undefined=[{truncation: 1, best: 1, rounding: 2, epsilon: 0}]),

@@ -2,13 +2,13 @@
 
 from sympy import Expr, Rational, S, cos, pi, sin
 
-from proofs.engine.claim import Claim, Induction, at_least, equation
+from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, named, positive, ridges, rings, sine, without, zero
+from proofs.theorems.relations import EIGHTH, HALF, between, named, positive, ridges, rings, sine, without, zero
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
@@ -57,8 +57,8 @@ _crease = Claim(
     (
         equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2),
         equation(_beside[1] ** 2, _beside[0] ** 2),
-        at_least(_beside[0], _beside[1]),
-        at_least(_beside[1], _beside[0]),
+        _beside[0] >= _beside[1],
+        _beside[1] >= _beside[0],
     ),
     (_whole,),
     squares=(named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),),
@@ -67,7 +67,7 @@ _broken = Claim(
     "ridges_jump",
     positive(-jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=tuple((s, (EIGHTH, 7 * EIGHTH)) for s in (k_u, k_v, v)),  # samples keep off the zeros
+    ranges=between(EIGHTH, 7 * EIGHTH, k_u, k_v, v),  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings",

@@ -46,18 +46,14 @@ _clip = Claim(
 _changes, _factors = real("change_1:6"), real("factor_1:6")
 _all_lights = Claim(
     "all_lights",
-    (
-        at_least(sum(_factors) * step, _changes[-1]),
-        at_least(sum(_factors), 0),
-        at_least(sum(_factors) * _slope_error, _changes[-1]),
-    ),
+    (sum(_factors) * step >= _changes[-1], sum(_factors) >= 0, sum(_factors) * _slope_error >= _changes[-1]),
     (
         *(
-            at_least(so_far_ + factor * step, to)
+            so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
         ),
         *nonnegative(*_factors),
-        at_least(_slope_error, step),
+        _slope_error >= step,
     ),
 )
 
@@ -111,7 +107,7 @@ difference_bound = Theorem(
         variant(
             "without the last light",
             _all_lights,
-            at_least(sum(_factors[:4]) * step, _changes[-1]),
+            sum(_factors[:4]) * step >= _changes[-1],
             at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
         ),
         Mutant("without the highlight", _at_unit_weights(_weights[0])),
@@ -123,9 +119,7 @@ difference_bound = Theorem(
 
 mean, sample, share, bound = real("mean sample share bound")
 _next = mean + share * (sample - mean)
-_step = Claim(
-    "one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean), *both_ways(bound, sample))
-)
+_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean, sample)))
 
 one_more = Theorem(
     id="mean_keeps_the_bound",
@@ -136,7 +130,7 @@ one_more = Theorem(
     claims=(_step,),
     steps=(Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),),
     mutants=(
-        variant("the mean gains on its samples", _step, at_least(bound, 2 * _next)),
+        variant("the mean gains on its samples", _step, bound >= 2 * _next),
         variant("a share beyond 1", _step, given=(share >= 0, share <= 2, *_step.given[2:])),
         variant("the last sample is not bounded", _step, given=_step.given[:4]),
     ),
@@ -172,9 +166,9 @@ _normalise = Claim(
         ),
         equation(length_a * length_b * turned**2, 2 * (length_a * length_b - product)),
         equation(apart**2, length_a**2 + length_b**2 - 2 * product),
-        at_least(length_a * length_b * (apart**2 - turned**2), 0),
-        at_least(apart**2, turned**2),
-        at_least(apart, turned),
+        length_a * length_b * (apart**2 - turned**2) >= 0,
+        apart**2 >= turned**2,
+        apart >= turned,
         at_least(4, turned**2),
         at_least(2, turned),
     ),
@@ -217,11 +211,11 @@ normalising = Theorem(
         Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses=("unit_length",)),
     ),
     mutants=(
-        variant("with the constant ½", _normalise, at_least(apart, 2 * turned)),
+        variant("with the constant ½", _normalise, apart >= 2 * turned),
         variant(
             "inside the unit ball too",
             _normalise,
-            at_least(apart, turned),
+            apart >= turned,
             given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
             at=_pair(HALF),
         ),

@@ -3,7 +3,7 @@
 
 from sympy import Derivative
 
-from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
@@ -127,7 +127,7 @@ shadow_of_b = Theorem(
     ),
     mutants=(
         variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
-        variant("an ellipse from any height", _types[2], greater(_determinant, 0)),
+        variant("an ellipse from any height", _types[2], _determinant > 0),
         variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
     side_conditions=(SideCondition("the light is not level with the top", "ellipse", fails=[_given_scene]),),

@@ -3,7 +3,7 @@
 
 from sympy import Basic, Expr
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
 from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
@@ -35,11 +35,11 @@ _determinant = _xx * _yy - _xy**2
 def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside: Basic) -> tuple[Claim, ...]:
     """Return the claims that a sphere's outline is an ellipse, a parabola or a hyperbola, by the height above it."""
     cases = (
-        ("ellipse", greater(determinant, 0), height**2 > radius**2),
+        ("ellipse", determinant > 0, height**2 > radius**2),
         ("parabola", equation(determinant, 0), equation(height**2, radius**2)),
         ("hyperbola", greater(0, determinant), height**2 < radius**2),
     )
-    return tuple(Claim(name, (greater(c, 0), shown), (outside, given)) for name, shown, given in cases)
+    return tuple(Claim(name, (c > 0, shown), (outside, given)) for name, shown, given in cases)
 
 
 _types = conic_types(_c, _determinant, _above, ball_radius, _outside)
@@ -49,10 +49,10 @@ _ch = _s + _h**2 - ball_radius**2
 _bh = _q + eye * _h
 _apart = (
     *nonnegative((_h - ball_radius) * (_h + ball_radius), _image, (_ch - _s) * _image),
-    at_least(_s * _image, _q**2),
+    _s * _image >= _q**2,
     *positive(eye**2, _ch * eye**2),
-    greater(_ch * (_image + eye**2), _q**2),
-    greater(_bh**2 - _q**2, 0),
+    _ch * (_image + eye**2) > _q**2,
+    _bh**2 - _q**2 > 0,
     equation(_bh**2 - _q**2, eye * _h * (2 * _bh - eye * _h)),
 )
 _inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
@@ -67,9 +67,9 @@ _none_seen = Claim(
     "none_seen",
     (
         *positive(-_h, -eye * _h),
-        at_least((-_h - ball_radius) * (-_h + ball_radius), 0),
+        (-_h - ball_radius) * (-_h + ball_radius) >= 0,
         *_apart[1:],
-        greater(-2 * _bh + eye * _h, 0),
+        -2 * _bh + eye * _h > 0,
         greater(0, _bh),
     ),
     (*lengths_of_b, -_h >= ball_radius, *_inside),
@@ -115,7 +115,7 @@ theorem = Theorem(
     ),
     mutants=(
         variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
-        variant("an ellipse even if |H| < R₂", _types[2], greater(_determinant, 0)),
+        variant("an ellipse even if |H| < R₂", _types[2], _determinant > 0),
         variant("b > 0 on all of the silhouette", _branch, toward_b > 0, squares=()),
     ),
     side_conditions=(

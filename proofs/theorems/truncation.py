@@ -2,7 +2,7 @@
 
 from sympy import Derivative, Expr, Rational, cos, pi, sin
 
-from proofs.engine.claim import Claim, at_least, equation, greater
+from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
@@ -14,6 +14,7 @@ from proofs.theorems.relations import (
     EIGHTH,
     HALF,
     QUARTER,
+    SIDES,
     both_ways,
     equations,
     named,
@@ -51,8 +52,8 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
         equation(third, -(rate**3) * factors),
         *nonnegative(rate**3 - third, rate**3 + third),
         equation(epsilon * error, factors * (sin(angle) - angle)),
-        *(at_least(epsilon * (bound + s * error), 0) for s in (1, -1)),
-        *(at_least(bound + s * error, 0) for s in (1, -1)),
+        *(epsilon * (bound + s * error) >= 0 for s in (1, -1)),
+        *(bound + s * error >= 0 for s in (1, -1)),
     )
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
@@ -81,17 +82,13 @@ def _between_creases(name, output, coordinate, given, side):
 _ridges = tuple(
     _between_creases(f"ridges_{coordinate}_{name}", output, coordinate, given, side)
     for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
-    for name, side in (("above", 1), ("below", -1))
+    for name, side in SIDES
 )
 _quotient, _slope = real("quotient slope")
 _steepest = slope_bound[steepest]
-_apart = Claim(
-    "apart",
-    both_ways(crease_bound[apart], _quotient - _slope),
-    (*both_ways(_steepest, _quotient), *both_ways(_steepest, _slope)),
-)
-_at_eight = Claim("at_eight", (greater((8 * pi) ** 3, 24**3), greater(24**3, 6 * 2000)))
-_at_four = Claim("at_four", (greater((4 * pi) ** 3, 1728), greater(1987, (4 * pi) ** 3)))
+_apart = Claim("apart", both_ways(crease_bound[apart], _quotient - _slope), both_ways(_steepest, _quotient, _slope))
+_at_eight = Claim("at_eight", ((8 * pi) ** 3 > 24**3, greater(24**3, 6 * 2000)))
+_at_four = Claim("at_four", ((4 * pi) ** 3 > 1728, greater(1987, (4 * pi) ** 3)))
 _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
@@ -126,9 +123,7 @@ theorem = Theorem(
         Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
     ),
     mutants=(
-        variant(
-            "rings with k_v for 2k_v", _rings, at_least(_rings_by_k_v, 0), at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}
-        ),
+        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}),
         Mutant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
@@ -156,6 +151,6 @@ third_derivative = Theorem(
     steps=(Step(r"$8\pi > 24$ and $24^3 = 13{,}824$", r"$\pi > 3$"), Step(r"$(88/7)^3 < 1987$", r"$\pi < 22/7$")),
     mutants=(
         variant("(8π)³ is about 2,000", _at_eight, greater(2100, (8 * pi) ** 3)),
-        variant("(4π)³ exceeds 2,000", _at_four, greater((4 * pi) ** 3, 2000)),
+        variant("(4π)³ exceeds 2,000", _at_four, (4 * pi) ** 3 > 2000),
     ),
 )

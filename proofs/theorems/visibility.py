@@ -6,7 +6,7 @@ from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
-from proofs.theorems.hits import along, eye_outside_a, hit_of_a, ray_meets_a, t_a
+from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
 from proofs.theorems.relations import HALF, QUARTER, positive
 
 t = real("t")
@@ -15,7 +15,7 @@ _inside = Claim(
     "inside",
     (
         *positive(tangent_squared, rho_silhouette + rho),
-        at_least(tangent_squared * (rho_silhouette - rho), 0),
+        tangent_squared * (rho_silhouette - rho) >= 0,
         discriminant_a >= 0,
     ),
     (*eye_outside_a, rho <= rho_silhouette),
@@ -25,7 +25,7 @@ _only_inside = Claim("only_inside", (rho_silhouette > 0, rho <= rho_silhouette),
 _quadratic = Claim(
     "quadratic", (equation(discriminant_a, eye**4 - _square * (eye**2 - radius**2)),), eye_outside_a, hit_of_a
 )
-_in_front = Claim("in_front", (greater(t_a, 0), greater(1, t_a)), ray_meets_a, hit_of_a)
+_in_front = Claim("in_front", (t_a > 0, greater(1, t_a)), ray_meets_a, hit_of_a)
 _touching = along(1 - radius**2 / eye**2)
 _tangent = Claim(
     "tangent",
@@ -50,14 +50,7 @@ _place = (
 )
 _visible = Claim(
     "visible",
-    (
-        *_place,
-        at_least(0, _from_center),
-        at_least(-_from_center, root_a),
-        at_least(root_a, -_from_center),
-        at_least(t, t_a),
-        at_least(t_a, t),
-    ),
+    (*_place, at_least(0, _from_center), -_from_center >= root_a, root_a >= -_from_center, t >= t_a, t_a >= t),
     (*_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
@@ -65,7 +58,7 @@ _visible = Claim(
 )
 _hidden = Claim(
     "hidden",
-    (*_place, greater(_from_center, 0), greater(t, t_a)),
+    (*_place, _from_center > 0, t > t_a),
     (*_on_a, eye * _cos_phi < radius),
     hit_of_a,
     squares=(rho * t, eye * t),
@@ -74,7 +67,7 @@ _hidden = Claim(
 
 def _rim(t):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return {x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER, real("t"): t}
+    return off_the_axis(Rational(15, 16)) | {real("t"): t}
 
 
 silhouette = Theorem(
@@ -92,17 +85,12 @@ silhouette = Theorem(
         Step(r"$d = 0$: the double root is $t = e^2/(\rho^2+e^2) = 1-R^2/e^2$", "substitution"),
     ),
     mutants=(
-        variant("ρ_s = R e/√(e² + R²)", _only_inside, at_least(eye**2 * radius**2, rho**2 * (eye**2 + radius**2))),
+        variant("ρ_s = R e/√(e² + R²)", _only_inside, eye**2 * radius**2 >= rho**2 * (eye**2 + radius**2)),
         variant("t < 1/2", _in_front, greater(HALF, t_a)),
         variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\rho \le \rho_s$",
-            "inside",
-            holds=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
-            fails=[{x: 1, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}],
-        ),
+        SideCondition(r"$\rho \le \rho_s$", "inside", holds=[off_the_axis(Rational(15, 16))], fails=[off_the_axis(1)]),
         SideCondition("$e > R$", "in_front", undefined=[{x: 0, y: 0, eye: 1, radius: 1}]),
     ),
 )

@@ -77,10 +77,10 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
     return SIGNATURE + b"".join(_chunk(*chunk) for chunk in chunks)
 
 
-def write_png(path: str | Path, image: np.ndarray, text: str = "", threads: int | None = None) -> None:
+def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
     """Write what `png_of` returns; the file appears whole or not at all."""
     with whole_file(path) as name:
-        Path(name).write_bytes(png_of(image, text, threads))
+        Path(name).write_bytes(png_of(image, text))
 
 
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:

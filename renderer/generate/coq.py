@@ -6,7 +6,7 @@ A program is a module, each of its lines a definition of those inputs that the l
 import ast
 from typing import ClassVar
 
-from sympy import And, Basic, Or, Rational, S, true
+from sympy import And, Basic, Or, Rational, S
 
 from proofs.engine.program import Program
 from proofs.formulas import (
@@ -125,22 +125,15 @@ class CoqPrinter(KernelPrinter):
         )
 
     def _print_Max(self, expr):
-        return self._folded("Rmax", sorted(expr.args, key=str))
+        return self._folded(self.names[type(expr).__name__], sorted(expr.args, key=str))
 
-    def _print_Min(self, expr):
-        return self._folded("Rmin", sorted(expr.args, key=str))
-
-    def _print_sign(self, expr):
-        return self._call("sign", expr.args)
+    _print_Min, _print_sign = _print_Max, KernelPrinter._print_Function
 
     def _print_floor(self, expr):
         return f"IZR (Int_part {self._atom(expr.args[0])})"
 
-    def _print_sinpi(self, expr):
-        return f"sin (PI * {self._atom(expr.args[0])})"
-
-    def _print_cospi(self, expr):
-        return f"cos (PI * {self._atom(expr.args[0])})"
+    def _half_turn(self, name, argument):
+        return f"{name.removesuffix('pi')} (PI * {self._atom(argument)})"
 
     def _comparison(self, relation):
         name, order = COMPARISONS[relation.rel_op]
@@ -164,18 +157,15 @@ class CoqPrinter(KernelPrinter):
         return first[1:-1]
 
     def _print_Piecewise(self, expr):
-        (last, otherwise) = expr.args[-1]
-        if otherwise != true:
-            raise ValueError(f"a selection without a last resort: {expr}")
         bounded = any(value is S.Infinity for value, _ in expr.args)
-        text = self._branch(last, bounded)
-        for value, condition in reversed(expr.args[:-1]):
-            text = f"if {self._decision(condition)} then {self._branch(value, bounded)} else {text}"
-        return text
 
-    def _branch(self, value, may_be_infinite):
-        text = self._print(value)
-        return f"Finite {self._atom(value)}" if may_be_infinite and value is not S.Infinity else text
+        def branch(value):
+            return f"Finite {self._atom(value)}" if bounded and value is not S.Infinity else self._print(value)
+
+        return self._selection(expr, branch, self._decision)
+
+    def select(self, condition: str, value: str, otherwise: str) -> str:
+        return f"if {condition} then {value} else {otherwise}"
 
 
 def module_of(program: Program) -> str:

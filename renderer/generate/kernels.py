@@ -62,9 +62,7 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
-def function_of(
-    program: Program, printer: KernelPrinter | None = None, names: Mapping[str, Any] | None = None
-) -> Callable:
+def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
     Without more it computes what a kernel does, to the last bit, on float64 numbers and arrays or traced values.
@@ -73,7 +71,7 @@ def function_of(
     from renderer import kernels  # not above: they may be what is about to be printed
 
     scope = dict(vars(kernels) if names is None else names)
-    exec(print_function(program.name, program, printer or KernelPrinter()), scope)
+    exec(print_function(program.name, program, KernelPrinter()), scope)
     return scope[program.name]
 
 

@@ -103,21 +103,24 @@ class KernelPrinter(StrPrinter):
         return f"{name}({self._print(argument)})"
 
     def _print_sinpi(self, expr):
-        return self._half_turn("sinpi", expr.args[0])
+        return self._half_turn(type(expr).__name__, expr.args[0])
 
-    def _print_cospi(self, expr):
-        return self._half_turn("cospi", expr.args[0])
+    _print_cospi = _print_sinpi
 
     def _print_Relational(self, expr):
         return f"({self._print(expr.lhs)} {expr.rel_op} {self._print(expr.rhs)})"
 
     def _print_Piecewise(self, expr):
+        return self._selection(expr, self._print, self._print)
+
+    def _selection(self, expr, branch, decision):
+        """Return the text of a Piecewise, of the texts of its values and conditions."""
         (last, otherwise) = expr.args[-1]
         if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
             raise ValueError(f"a selection without a last resort: {expr}")
-        text = self._print(last)
+        text = branch(last)
         for value, condition in reversed(expr.args[:-1]):
-            text = self.select(self._print(condition), self._print(value), text)
+            text = self.select(decision(condition), branch(value), text)
         return text
 
     def select(self, condition: str, value: str, otherwise: str) -> str:

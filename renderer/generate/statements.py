@@ -41,7 +41,7 @@ TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
 class StatementPrinter(CoqPrinter):
     """Prints terms, relations, and what has to be for an expression to have a value.
 
-    spelled: {symbol: term} of those that are not printed by their own name.
+    spelled: {symbol: term} of those that are not printed by their own name. own: {symbol: the name that binds it}.
     """
 
     def __init__(self, symbols: Iterable[Symbol], spelled: dict[Symbol, str] | None = None):
@@ -68,10 +68,6 @@ class StatementPrinter(CoqPrinter):
         (x, count) = expr.variable_count[0]
         name, times = self.spelled[x], "" if count == 1 else f" {count}"
         return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
-
-    def binder(self, symbol: Symbol) -> str:
-        """Return the name by which a symbol is bound."""
-        return self.own[symbol]
 
     def relation(self, relation: Basic) -> str:
         """Return a relation, or several, as a proposition."""
@@ -147,8 +143,8 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
     inputs = [s for s in symbols if s not in defined]
-    opening = [_forall([printer.binder(s) for s in inputs], "R")]
-    opening += [f"let {printer.binder(s)} := {printer.doprint(e)} in" for s, e in lines]
+    opening = [_forall([printer.own[s] for s in inputs], "R")]
+    opening += [f"let {printer.own[s]} := {printer.doprint(e)} in" for s, e in lines]
     needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
     hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
@@ -163,14 +159,14 @@ def induction_proposition(claim: Induction) -> str:
     expressions = (*claim.given, *claim.shows, *(e for state in states for e in state))
     symbols = _symbols([*expressions, claim.n])
     plain = StatementPrinter(symbols)
-    n = plain.binder(claim.n)
-    at = {claim.n: f"INR {n}"} | {state: f"{plain.binder(state)} {n}" for state, *_ in states}
+    n = plain.own[claim.n]
+    at = {claim.n: f"INR {n}"} | {state: f"{plain.own[state]} {n}" for state, *_ in states}
     printer = StatementPrinter(symbols, at)
-    opening = [_forall([plain.binder(s) for s in symbols if s not in at], "R")]
-    opening += [_forall([plain.binder(state) for state, *_ in states], "nat -> R")]
+    opening = [_forall([plain.own[s] for s in symbols if s not in at], "R")]
+    opening += [_forall([plain.own[state] for state, *_ in states], "nat -> R")]
     given = [plain.relation(relation) for relation in claim.given]
     for state, start, following in states:
-        name = plain.binder(state)
+        name = plain.own[state]
         given.append(f"{name} 0%nat = {plain.doprint(start)}")
         given.append(f"(forall {n} : nat, {name} (S {n}) = {printer.doprint(following)})")
     if any(map(printer.needs, expressions)):
@@ -184,11 +180,11 @@ def rounded_proposition(claim: Rounded) -> str:
     program = claim.program
     inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
     printer = StatementPrinter(inputs)
-    names = [printer.binder(s) for s in inputs]
+    names = [printer.own[s] for s in inputs]
     given = [*(f"float64 {name}" for name in names), *map(printer.relation, claim.given)]
     shown = []
     for output, bound in claim.bounds:
-        arguments = " ".join(printer.binder(s) for s in inputs if s in program.reaches(output))
+        arguments = " ".join(printer.own[s] for s in inputs if s in program.reaches(output))
         computed, exact = (f"{program.name}{kind}.{output.name} {arguments}" for kind in ("_float64", ""))
         shown.append(f"Rabs ({computed} - {exact}) <= {printer.doprint(bound)}")
     return _implication([_forall(names, "R")], given, shown)

@@ -67,7 +67,7 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int, stills: Stills | 
     for moving in MOVING:
         vars(scene)[moving].still = None
     if want.bounds:
-        from renderer.machines.enclosing import enclosing_group  # what most pictures never need to import
+        from renderer.machines.enclosing_machine import enclosing_group  # what most pictures never need to import
 
         bounds = of_form(SCENE_FORM, tracer.numbers(address("scene_bounds", FLOAT), SCENE_FORM))
     tracer.light_numbers, tracer.light_count = address("lights", FLOAT), given["light_count"]

@@ -1,4 +1,6 @@
-"""A machine around a machine: each of its numbers is one of the inner machine's and a bound on how far that is off.
+"""The numbers of a machine around a machine: each is one of the inner machine's and a bound on how far that is off.
+
+The machine is `renderer.machines.enclosing_machine`.
 
 What is enclosed is the same formula in real arithmetic, of the exact numbers that are given. The inner machine's values
 are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
@@ -18,17 +20,14 @@ nothing.
 
 import math
 import operator
-from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from functools import partial
 from itertools import product
-from types import SimpleNamespace
 from typing import Any
 
 from renderer import kernels, operations
 from renderer.machines.bounded import Bounded, is_zero, plus, times
 from renderer.operations import UNIT, Constant, where
-from renderer.shader.shader import BOUNDS, Group, Want
 
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
@@ -36,6 +35,7 @@ SLACK = 1.0 + 2.0**-49
 ROUNDING = UNIT * (1.0 + 2.0**-20)
 LEAST_COUNT = LEAST / UNIT
 ROOT_OF_ROUNDING = 2.0**26 * 1.4142136  # more than 1/√UNIT
+at_work: ContextVar[Any] = ContextVar("at_work")  # the machine whose steps an operation is one of
 
 
 def _scales(number):
@@ -384,124 +384,5 @@ class Operations:
     @staticmethod
     def sign(number: Any) -> Enclosed:
         """Return −1, 0 or 1. A gradient asks for it at a crease: where its side is open, so is the pixel."""
-        _at_work.get().leave_open((number > 0.0).open)
+        at_work.get().leave_open((number > 0.0).open)
         return operations.sign.kernel(number)
-
-
-class Variable:
-    """A value that changes: two of the inner machine's."""
-
-    def __init__(self, machine: Any, number: Any):
-        number = enclosed(number)
-        self._stays_exact = number.stays_exact
-        self._value, self._error = machine.variable(number.value), machine.variable(number.error)
-
-    @property
-    def value(self) -> Enclosed:
-        """The present value."""
-        return Enclosed.counted(self._value.value, self._error.value, self._stays_exact)
-
-    def set(self, number: Any, mask: Mask | None = None) -> None:
-        """Put a value in its place, where the mask holds."""
-        number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
-        self._value.set(number.value)
-        self._error.set(number.error)
-
-
-class Enclosing:
-    """The machine around another one. It counts what the other one computes, not what that is needed for."""
-
-    def __init__(self, inner: Any):
-        self.inner, self._mask = inner, None
-        self.creases = inner.variable(0.0)  # 1 where a side of one is open
-        _at_work.set(self)
-
-    def leave_open(self, where_: Any) -> None:
-        """Note that the side of a crease is open, for pixels for which the present steps may count; None: for none."""
-        if where_ is not None:
-            self.creases.set(1.0, where_ & self._mask)
-
-    def variable(self, number: Any) -> Variable:
-        """Return a Variable."""
-        return Variable(self.inner, number)
-
-    def count(self, kind: str, mask: Mask) -> None:
-        """Add the number of pixels for which a mask holds to what is counted of a kind."""
-        self.inner.count(kind, mask.holds)
-
-    def when(self, mask: Mask, body: Callable[[], None]) -> None:
-        """Run `body` unless the mask can hold for no pixel of the group."""
-
-        def run():
-            outside, self._mask = self._mask, mask.maybe
-            body()
-            self._mask = outside
-
-        self.inner.when(mask.maybe, run)
-
-    def choose(self, alternatives: Sequence, index: Enclosed, result_of: Callable[[Any], Sequence]) -> Sequence:
-        """Return `result_of` the alternative of an index that is the same everywhere."""
-
-        def parts(alternative):
-            return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.error)]
-
-        flat = self.inner.choose(alternatives, index.value, parts, 4)
-        return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
-
-    def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
-        """As the inner machine."""
-        self.inner.by_squaring(exponent.value, first, square, multiply)
-
-    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
-        """Run `body` on the numbers of one light after another, which are exact."""
-        self.inner.each_light(lambda light: body(enclosed_numbers(light)))
-
-
-_at_work: ContextVar[Enclosing] = ContextVar("at_work")  # whose steps an operation is one of
-
-ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
-
-
-def enclosed_numbers(numbers: SimpleNamespace, bounds: SimpleNamespace | None = None) -> SimpleNamespace:
-    """Return numbers of a form as Enclosed; of the scene's, those that are ROUNDED have `bounds`."""
-
-    def paired(name, number):
-        own = getattr(bounds, name) if bounds and name in ROUNDED else 0.0
-        if isinstance(number, tuple):
-            own = own if isinstance(own, tuple) else (own,) * len(number)
-            return tuple(Enclosed(*pair) for pair in zip(number, own, strict=True))
-        return Enclosed(number, own)
-
-    return SimpleNamespace(**{name: paired(name, number) for name, number in vars(numbers).items()})
-
-
-class Pixels:
-    """The pixels of a group, as the inner machine has them: the colours' bounds and what is open stored beside."""
-
-    def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any):
-        self._machine = machine
-        self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound, True), Enclosed(pixels.y, y_bound, True), pixels
-
-    def load(self, name: str) -> Enclosed:
-        """Return a plane's numbers, which are taken for exact."""
-        return Enclosed(self._pixels.load(name))
-
-    def store(self, name: str, number: Any) -> None:
-        """Write a plane's numbers, and what is known of them."""
-        number = enclosed(number)
-        self._pixels.store(name, number.value)
-        if name == "code":
-            # two codes differ by 1 at least
-            decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
-            self._pixels.store("open", where(decided, 0.0, 1.0))
-        elif f"{name}_bound" in BOUNDS:
-            bound = number.bound
-            self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
-
-
-def enclosing_group(
-    machine: Any, scene: SimpleNamespace, bounds: SimpleNamespace, want: Want, pixels: Any, x_bound: Any, y_bound: Any
-) -> Group:
-    """Return the Group of the machine around another one's: of its scene's numbers and its pixels, and their bounds."""
-    enclosing = Enclosing(machine)
-    return Group(enclosing, enclosed_numbers(scene, bounds), want, Pixels(enclosing, pixels, x_bound, y_bound))

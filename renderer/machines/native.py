@@ -54,11 +54,11 @@ def _target():
     return target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=text, opt=2)
 
 
-def optimized(module: ir.Module | str, target: llvm.TargetMachine, level: int = 2) -> llvm.ModuleRef:
+def optimized(module: ir.Module | str, target: llvm.TargetMachine) -> llvm.ModuleRef:
     """Return LLVM's module of a text, simplified: the shader is vectors already, so loops stay as they are."""
     parsed = llvm.parse_assembly(str(module))
     parsed.verify()
-    tuning = create_pipeline_tuning_options(speed_level=level)
+    tuning = create_pipeline_tuning_options(speed_level=2)
     tuning.loop_vectorization = tuning.slp_vectorization = tuning.loop_unrolling = tuning.loop_interleaving = False
     passes = create_pass_builder(target, tuning)
     passes.getModulePassManager().run(parsed, passes)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
-from renderer.machines.enclosing import enclosing_group
+from renderer.machines.enclosing_machine import enclosing_group
 from renderer.operations import Mask, Number
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, of_form
 from renderer.shader.shader import WORK, Group, Step, Want

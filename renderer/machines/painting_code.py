@@ -52,6 +52,10 @@ class Pixel:
         vector = self.builder.bitcast(number, self.tracer.vector)
         return self.builder.bitcast(self.tracer.call(name, Value(self.tracer, vector)).vector, FLOAT)
 
+    def larger(self, number: ir.Value, than: ir.Value) -> ir.Value:
+        """Return the larger one of two numbers."""
+        return self.builder.select(self.builder.fcmp_ordered(">", number, than), number, than)
+
     def least(self, number: ir.Value, most: float) -> ir.Value:
         """Return the smaller one of a number and a literal."""
         return self.builder.select(self.builder.fcmp_ordered("<", number, FLOAT(most)), number, FLOAT(most))
@@ -87,9 +91,8 @@ class Pixel:
         sizes = [self.call("fabs", builder.fsub(one, other)) for one, other in pairs]
         largest = sizes[0]
         for size in sizes[1:]:
-            largest = builder.select(builder.fcmp_ordered(">", size, largest), size, largest)
-        before = builder.load(self.number("largest"))
-        found = builder.select(builder.fcmp_ordered(">", largest, before), largest, before)
+            largest = self.larger(size, largest)
+        found = self.larger(largest, builder.load(self.number("largest")))
         builder.store(found, self.number("largest"))
         total = builder.load(self.number("squares"))
         for size in sizes:

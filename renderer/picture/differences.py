@@ -36,10 +36,10 @@ class Interval:
         """The digits that are certain, at most DIGITS."""
         return certain_digits(self.lower, self.upper)
 
-    def outward(self, digits: int = 2) -> tuple[float, float]:
-        """Return numbers of so many digits that it certainly lies between."""
-        down = Context(prec=digits, rounding=ROUND_FLOOR).create_decimal(Decimal(self.lower))
-        return float(down), float(rounded_up(self.upper, digits))
+    def outward(self) -> tuple[float, float]:
+        """Return numbers of two digits that it certainly lies between."""
+        down = Context(prec=2, rounding=ROUND_FLOOR).create_decimal(Decimal(self.lower))
+        return float(down), float(rounded_up(self.upper, 2))
 
     def times(self, factor: float) -> "Interval":
         """Return the interval of so many times the number; factor: 100, say, which is exact."""

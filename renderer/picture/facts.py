@@ -43,9 +43,8 @@ def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, fl
     return int((sines < SMALL_SINE).sum()), float(sines.min()) if sines.size else float("nan")
 
 
-def facts(scene: Scene | None = None, width: int = 256, height: int = 256) -> list[tuple[str, str]]:
+def facts(scene: Scene, width: int, height: int) -> list[tuple[str, str]]:
     """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
-    scene = scene or Scene()
     sine, ridges = replace(scene, field="sine"), replace(scene, field="ridges")
     right = gradient_at(sine, *SMOOTH_POINT, exact())[0]
     errors = {eps: abs(gradient_at(sine, *SMOOTH_POINT, central(eps))[0] - right) for eps in (1e-3, 1e-4, 1e-6)}

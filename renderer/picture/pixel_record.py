@@ -82,9 +82,9 @@ def pixel(
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
-    def light_up(self, mask, point, normal, albedo, bodies):
+    def light_up(self, mask, place, albedo, bodies):
         """Keep what each light does, beside lighting the pixel."""
-        s, lights = self.scene, []
+        s, lights, point, normal = self.scene, [], place[:3], place[3:]
         view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
         for light in self.machine.lights:
             occluded = bool(self.loaded_shadow(light)[0])

@@ -11,6 +11,8 @@ from renderer.picture.frame import Frame
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+LOW, HIGH = -16, 0  # decades of a logarithmic view
+
 
 def _bytes(share):
     """Return numbers as bytes: 0 and less as 0, 1 and more as 255."""
@@ -39,7 +41,7 @@ def difference_linear(delta: np.ndarray | float, gain: float = 100.0) -> np.ndar
     return _bytes(np.abs(delta) * check_number("gain", gain, 0.0, 1e300))
 
 
-def difference_logarithmic(delta: np.ndarray, low: float = -16, high: float = 0) -> np.ndarray:
+def difference_logarithmic(delta: np.ndarray, low: float = LOW, high: float = HIGH) -> np.ndarray:
     """Return |delta| on a scale from 10^low to 10^high in the colours of inferno: (height, width, 3) uint8.
 
     Of several channels the largest counts; zero and NaN are black.
@@ -58,7 +60,7 @@ def difference_logarithmic(delta: np.ndarray, low: float = -16, high: float = 0)
 
 
 def add_colour_bar(
-    figure: "Figure", box: tuple[float, float, float, float], limits: tuple[float, float], label: str = ""
+    figure: "Figure", box: tuple[float, float, float, float], limits: tuple[float, float], label: str
 ) -> None:
     """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
     with extra("plot"):
@@ -75,9 +77,7 @@ def add_colour_bar(
         bar.set_label(label)
 
 
-def with_colour_bar(
-    image: np.ndarray, low: float = -16, high: float = 0, label: str = "largest |ΔI| of a channel"
-) -> np.ndarray:
+def with_colour_bar(image: np.ndarray) -> np.ndarray:
     """Return a logarithmic difference picture with its colour bar at the right: uint8, the picture's pixels kept."""
     with extra("plot"):
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -86,7 +86,9 @@ def with_colour_bar(
     height, width = image.shape[:2]
     tall, total = max(height, 160), width + 96
     figure = Figure(figsize=(total / 100, tall / 100), dpi=100, facecolor="white")
-    add_colour_bar(figure, ((width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall), (low, high), label)
+    add_colour_bar(
+        figure, ((width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall), (LOW, HIGH), "largest |ΔI| of a channel"
+    )
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     sheet = np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -30,7 +30,7 @@ class GradientMethod:
             if self.eps is not None:
                 raise not_allowed("eps", self.eps, "None for the exact gradient")
         else:
-            object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
+            vars(self).update(eps=check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
 
 def checked_method(name: str, method: GradientMethod) -> GradientMethod:

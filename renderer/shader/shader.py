@@ -45,7 +45,7 @@ class Want(NamedTuple):
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. stills: stored or
     loaded, where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is
-    stored, and where a chamber is open (`renderer.machines.enclosing`).
+    stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
@@ -70,6 +70,7 @@ class Group:
     def __init__(self, machine: Machine, scene: SimpleNamespace, want: Want, pixels: Any):
         self.machine, self.scene, self.want, self.pixels = machine, scene, want, pixels
         self.x, self.y = pixels.x, pixels.y
+        self.sphere_a = (0.0, 0.0, 0.0, scene.radius)
 
     def draw(self) -> None:
         """Find or load the chamber of every pixel, light it, and store what is wanted."""
@@ -131,8 +132,8 @@ class Group:
         for name, value in zip((*ON_A, *CHART), (*angles, *gradient, *chart), strict=False):
             if name in want.stored:
                 self.pixels.store(name, value)
-        point, normal = k.point_on_a(*angles, s.radius), k.bumped_normal(*angles, *gradient, s.beta)
-        self.light_up(mask, point, normal, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
+        place = (*k.point_on_a(*angles, s.radius), *k.bumped_normal(*angles, *gradient, s.beta))
+        self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
 
     def loaded(self, names: Iterable[str]) -> Numbers:
         """Return what planes have."""
@@ -145,23 +146,21 @@ class Group:
     def draw_b(self, mask: Mask) -> None:
         """A plain sphere."""
         s = self.scene
-        point_and_normal = k.normal_of_b(self.x, self.y, s.eye, *s.ball)
-        a = (0.0, 0.0, 0.0, s.radius)
-        self.light_up(mask, point_and_normal[:3], point_and_normal[3:], s.albedo_b, lambda light: [(a, light.a_on_b)])
+        place = k.normal_of_b(self.x, self.y, s.eye, *s.ball)
+        self.light_up(mask, place, s.albedo_b, lambda light: [(self.sphere_a, light.a_on_b)])
 
     def draw_floor(self, mask: Mask) -> None:
         """The floor and its squares."""
         s = self.scene
-        point_and_normal = k.normal_of_floor(self.x, self.y)
+        place = k.normal_of_floor(self.x, self.y)
         if self.want.chambers_known:
             dark = self.code.value >= DARK_BIT
         else:
             dark = k.checker(self.x, self.y) > 0.0
             self.code.set(self.code.value + DARK_BIT, mask & dark)
         red, blue = (where(dark, *pair) for pair in zip(s.floor_dark, s.floor_light, strict=True))
-        a = (0.0, 0.0, 0.0, s.radius)
-        self.light_up(mask, point_and_normal[:3], point_and_normal[3:], (red, red, blue),
-                      lambda light: [(a, light.a_on_floor), (s.ball, light.b_on_floor)])  # fmt: skip
+        self.light_up(mask, place, (red, red, blue),
+                      lambda light: [(self.sphere_a, light.a_on_floor), (s.ball, light.b_on_floor)])  # fmt: skip
 
     def gradient(self, angles: Numbers, mask: Mask) -> Numbers:
         """Return h_u and h_v by the wanted way."""
@@ -208,14 +207,16 @@ class Group:
         )
         return parts(result)
 
-    def light_up(self, mask: Mask, point: Numbers, normal: Numbers, albedo: Numbers, bodies: Bodies) -> None:
+    def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
         """Find what each light's shadows are, and add up the light.
 
+        place: the point, and N'.
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
         """
         s, want, machine = self.scene, self.want, self.machine
         if want.chambers_known and not want.colors:
             return
+        point, normal = place[:3], place[3:]
         color = [machine.variable(channel) for channel in s.ambient]
         if want.colors:
             view = k.view_direction(self.x, self.y, s.eye, k.view_length(self.x, self.y, s.eye))
