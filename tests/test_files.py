@@ -58,6 +58,19 @@ def test_a_png_has_every_pixel(shape, noise):
         np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)
 
 
+@pytest.mark.parametrize("kind", ["drawn", "noisy", "random", "repeating"])
+def test_a_png_is_hardly_larger_than_by_level_six(kind):
+    """Than rows of differences to the row above, searched as zlib does where nobody says how."""
+    random, picture = np.random.default_rng(28), views.image_view(render(Scene(), 512, 512))
+    if kind == "noisy":
+        picture = views.to_bytes(random.normal(picture / 255, 0.05))
+    elif kind != "drawn":
+        side = 512 if kind == "random" else 16
+        picture = np.tile(random.integers(0, 256, (side, side, 3), np.uint8), (512 // side, 512 // side, 1))
+    rows = np.diff(picture.reshape(512, -1), axis=0, prepend=np.uint8(0))
+    assert len(files.png_of(picture)) < (1.5 if kind == "repeating" else 1.15) * len(zlib.compress(rows, 6))
+
+
 def test_checksums_are_combined():
     """Beyond where either half of one is reduced."""
     whole = bytes(np.random.default_rng(1).integers(200, 256, 10**5, np.uint8))

@@ -35,7 +35,7 @@ from tests import one_page
 from verify.accuracy.orders import fitted_slope
 from verify.sources import ROOT
 
-NAMES = [*(f"cell{number}" for number in range(1, 9)), WHOLE]
+NAMES = [*(f"cell{number}" for number in range(1, 10)), WHOLE]
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
 # Put where every Python of a run finds it: no connection leaves the machine, and the project cannot be imported.
 ALONE_HERE = """\
@@ -159,7 +159,7 @@ def test_printed_difference_is_the_renderer_s():
 
 
 def test_cells_agree_with_the_renderer(ran):
-    for number in (1, 3, 4, 5, 6, 8):
+    for number in (1, 3, 4, 5, 6, 8, 9):
         text, _ = ran(number)
         apart = re.search(r"from the book's renderer (?:at most|by) (\S+)", text)
         assert float(apart[1]) < 1e-11, number
@@ -279,10 +279,23 @@ def test_eighth_cell_meets_the_wall(ran):
     assert [a / b for a, b in pairwise(moved)] == pytest.approx([10, 10], rel=0.15)
 
 
+@pytest.mark.parametrize("formula", [None, "exp(-8*(v-1/2)**2)*sinpi(k_u*u)", "max(0, cospi(k_v*v))*3/2", "0.3"])
+def test_ninth_cell_draws_what_is_typed(ran, formula):
+    """One's own drawing is the renderer's, as near as that certifies; with another slope it is not."""
+    code = cells()[8].code
+    code = code if formula is None else re.sub(r'(?<=formula = ").*?(?=")', formula, code)
+    text, scope = ran(code)
+    assert (scope["off"] <= scope["bound"] + 1e-12)[scope["closed"]].all()
+    assert line_of(text, "what the book's renderer certifies:")[0] < 1e-6
+    if formula is None:
+        _, wrong = ran(code.replace("h.diff(u), h.diff(v)", "h.diff(v), h.diff(u)"))
+        assert not (wrong["off"] <= wrong["bound"] + 1e-12).all()
+
+
 # The notebooks
 
 
-def test_nine_notebooks_are_the_cells():
+def test_the_notebooks_are_the_cells():
     made = notebooks()
     assert list(made) == NAMES
     for name, notebook in made.items():
@@ -336,7 +349,7 @@ def compared(text):
 
 
 def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path):
-    """The page's own build runs the ninth, which is all of them: the same code, as another test compares."""
+    """The page's own build runs the one of all cells: the same code, as another test compares."""
     printed = []
     for name in NAMES[:-1]:
         empty, done = tmp_path / name, tmp_path / f"{name}.done.ipynb"
@@ -399,7 +412,7 @@ def test_links_save_notebooks_from_a_disk_and_addresses_of_cells_are_their_headi
         name = links.nth(number).get_attribute("download")
         assert saved.value.suggested_filename == name
         assert Path(saved.value.path()).read_bytes() == (site / FOLDER / name).read_bytes()
-    for number in (1, 8):
+    for number in (1, 9):
         assert page.locator(f"#cell{number} > :is(h2, h3)").first.inner_text().startswith(f"Cell {number}.")
 
 

@@ -55,11 +55,11 @@ def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
     from book.notebooks.notebook import notebooks, text_of
 
     name = here.arguments[0]
-    titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all eight cells"}
+    titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
     config = Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8")
-    words = "notebook of all eight cells" if name == WHOLE else "notebook"
+    words = "notebook of all cells" if name == WHOLE else "notebook"
     services = addresses(yaml.safe_load(config), name)
     text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
     address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown

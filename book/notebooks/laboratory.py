@@ -1,4 +1,4 @@
-"""The laboratory's page as data: eight cells, each of prose and code, and its prose as plain Markdown."""
+"""The laboratory's page as data: its cells, each of prose and code, and its prose as plain Markdown."""
 
 import re
 from dataclasses import dataclass

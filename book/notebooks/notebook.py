@@ -1,4 +1,4 @@
-"""The notebooks: the laboratory's cells as they stand on the page, each alone and all eight together."""
+"""The notebooks: the laboratory's cells as they stand on the page, each alone and all together."""
 
 import json
 
@@ -22,7 +22,7 @@ def _notebook(title: str, body: list[dict]) -> dict:
 
 
 def notebooks() -> dict[str, dict]:
-    """Return {name: notebook}, nine of them."""
+    """Return {name: notebook}, one of each cell and one of all."""
     alone: dict[str, dict] = {}
     everything: list[dict] = []
     for cell in cells():

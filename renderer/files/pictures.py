@@ -18,11 +18,14 @@ from renderer.threads import available_cores, run_bands
 from renderer.whole_files import whole_file
 
 PICTURE_SUFFIXES, STREAM_SUFFIXES = (".png", ".npz"), (".npy", ".tif", ".tiff")
-SIGNATURE, ABOVE, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 2, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
+SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
 ADLER = 65521
-BAND = 2**18  # bytes
-LEVEL = 4  # a third of level 6's time, a tenth more bytes
+BAND, AT_ONCE = 2**19, 2**17  # bytes that are deflated, and filtered, at a time: the latter stay in the cache
+STORED, TRIED, REPEATS = ((level, zlib.Z_DEFAULT_STRATEGY) for level in (0, 4, 6))
+RUNS = (1, zlib.Z_RLE)  # an eighth of level 6's time
+SAMPLE = 64  # a band's bytes over those that are tried: by runs, and by a quick search for what repeats
+STORE, SEARCH = 0.88, 0.8  # stored if less than an eighth were won; searched if the sample is so much shorter then
 TILE = 256
 
 
@@ -32,21 +35,41 @@ def adler32_combined(one: int, other: int, length: int) -> int:
     return (high + length * low) % ADLER << 16 | (low + (other & 0xFFFF)) % ADLER
 
 
-def _filtered(image, start, stop):
-    """Return rows of a picture as a PNG has them: what each has more than the row above, as rows are much alike."""
-    rows = image[start:stop].reshape(stop - start, -1)
-    lines = np.empty((len(rows), 1 + rows.shape[1]), np.uint8)
-    lines[:, 0] = ABOVE
-    lines[0, 1:] = rows[0] - image[start - 1].reshape(-1) if start else rows[0]
-    np.subtract(rows[1:], rows[:-1], out=lines[1:, 1:])
-    return lines
+def _filter(image, start, lines):
+    """Write rows of a picture as a PNG has them by Paeth's filter, which guesses a byte from three neighbours.
+
+    They are its pixel's at the left, above, and above that at the left. The guess is that of the first two which is
+    farther from the third, or the third itself where it lies well between them.
+    """
+    rows, channels, width = len(lines), image.shape[2], image.shape[1] * image.shape[2]
+    seen = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
+    known = image[max(0, start - 1) : start + rows].reshape(-1)
+    seen[-known.size :] = known
+    left, up, corner = seen[width:-channels], seen[channels:-width], seen[: -width - channels]
+    high, low = np.maximum(left, up), np.minimum(left, up)
+    guess = np.minimum(np.maximum(corner, low), high)
+    rise, fall = np.subtract(high, guess, out=high), np.subtract(guess, low, out=low)
+    to_high, to_low = (rise >> 1 >= fall).view(np.uint8), (fall >> 1 >= rise).view(np.uint8)
+    rest = np.subtract(seen[channels + width :], guess, out=guess)
+    rest -= np.multiply(rise, to_high, out=to_high)
+    rest += np.multiply(fall, to_low, out=to_low)
+    lines[:, 0], lines[:, 1:] = PAETH, rest.reshape(rows, width)
+    of_first = seen[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
+    np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
+
+
+def _deflate(data, level, strategy, flush):
+    stream = zlib.compressobj(level, zlib.DEFLATED, -zlib.MAX_WBITS, 9, strategy)
+    return stream.compress(data) + stream.flush(flush)
 
 
 def _deflated(lines, last):
-    """Return rows as a part of a deflate stream that ends on a whole byte. In noise nothing repeats but runs."""
-    strategy = zlib.Z_RLE if 2 * np.count_nonzero(lines) > lines.size else zlib.Z_DEFAULT_STRATEGY
-    deflate = zlib.compressobj(LEVEL, zlib.DEFLATED, -zlib.MAX_WBITS, strategy=strategy)
-    return deflate.compress(lines) + deflate.flush(zlib.Z_FINISH if last else zlib.Z_SYNC_FLUSH)
+    """Return rows as a part of a deflate stream that ends on a whole byte, by the way that a sample of it asks for."""
+    middle, size = lines.size // 2, lines.size // SAMPLE
+    sample = lines.reshape(-1)[middle : middle + size]
+    runs, repeats = (len(_deflate(sample, *way, zlib.Z_SYNC_FLUSH)) for way in (RUNS, TRIED))
+    way = STORED if min(runs, repeats) > STORE * size else REPEATS if repeats < SEARCH * runs else RUNS
+    return _deflate(lines, *way, zlib.Z_FINISH if last else zlib.Z_SYNC_FLUSH)
 
 
 def _chunk(kind, data):
@@ -59,22 +82,24 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
     text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes are the same.
     """
     height, width, channels = image.shape
-    rows = max(1, BAND // (width * channels))
+    rows, few = (max(1, size // (width * channels)) for size in (BAND, AT_ONCE))
 
     def band(number):
-        stop = min(height, (number + 1) * rows)
-        lines = _filtered(image, number * rows, stop)
-        return _deflated(lines, stop == height), zlib.adler32(lines), lines.size
+        start, stop = number * rows, min(height, (number + 1) * rows)
+        lines = np.empty((stop - start, 1 + width * channels), np.uint8)
+        for at in range(0, stop - start, few):
+            _filter(image, start + at, lines[at : at + few])
+        return _chunk(b"IDAT", _deflated(lines, stop == height)), zlib.adler32(lines), lines.size
 
-    parts, checksum = [b"\x78\x5e"], 1  # zlib's header: deflate, the largest window, a fast level
-    for deflated, of_band, size in run_bands(band, -(-height // rows), threads or available_cores()):
-        parts.append(deflated)
+    header = struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)
+    parts = [SIGNATURE, _chunk(b"IHDR", header), _chunk(b"sRGB", b"\0")]
+    parts += [_chunk(b"tEXt", KEYWORD + b"\0" + text.encode("ascii"))] if text else []
+    parts.append(_chunk(b"IDAT", b"\x78\x5e"))  # zlib's header: deflate, the largest window, a fast level
+    checksum = 1
+    for chunk, of_band, size in run_bands(band, -(-height // rows), threads or available_cores()):
+        parts.append(chunk)
         checksum = adler32_combined(checksum, of_band, size)
-    parts.append(struct.pack(">I", checksum))
-    chunks = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)), (b"sRGB", b"\0")]
-    chunks += [(b"tEXt", KEYWORD + b"\0" + text.encode("ascii"))] if text else []
-    chunks += [*((b"IDAT", part) for part in parts), (b"IEND", b"")]
-    return SIGNATURE + b"".join(_chunk(*chunk) for chunk in chunks)
+    return b"".join([*parts, _chunk(b"IDAT", struct.pack(">I", checksum)), _chunk(b"IEND", b"")])
 
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:

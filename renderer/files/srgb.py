@@ -10,7 +10,7 @@ from renderer.threads import available_cores, run_bands
 CELLS = 2**16  # equal parts of [0, 1], a half at either end: so small that at most one byte begins inside
 ROUND = 1.5 * 2**36  # x + ROUND holds the nearest whole number to x · CELLS in its lowest bits
 BEGINS = 256  # is added to the byte of a cell in which the next one begins
-AT_ONCE = 2**17  # numbers: they stay in the cache
+AT_ONCE = 2**18  # numbers: they stay in the cache
 
 
 def thresholds(level_of: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
@@ -44,7 +44,9 @@ def _encode(channels, into):
     number, first = cell.view(np.int64), np.float64(ROUND).view(np.int64)
     for linear, encoded in zip(channels, into, strict=True):
         np.subtract(np.add(linear, ROUND, out=cell).view(np.int64), first, out=number)
-        encoded[...] = of_cell.take(number, out=level, mode="clip")
+        if number.view(np.uint64).max() > CELLS:
+            np.clip(number, 0, CELLS, out=number)
+        encoded[...] = of_cell.take(number, out=level, mode="wrap")  # no number is outside, and this is the fastest
         unsure = level >= BEGINS
         if unsure.any():
             encoded[unsure] = begins.searchsorted(linear[unsure], "right")

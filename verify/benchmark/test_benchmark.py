@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from verify.benchmark import __main__ as frames
-from verify.benchmark import machines, texture, timing
+from verify.benchmark import machines, own, texture, timing
 from verify.benchmark.frames import FITTED, bounds_cases, frame_cases, image_gradient_case, start_cases, step_cases
 from verify.benchmark.targets import TARGETS, derived, table
 from verify.benchmark.timing import Case
@@ -18,6 +18,16 @@ from verify.records import read
 MEASURED = {
     "frames": (frames, ["--only", "algebraic_64"], {"algebraic_64_1_ms", "algebraic_64_2_ms"}),
     "texture": (texture, [], {f"{way}_ns" for way in texture.ways()} | texture.RATIOS.keys()),
+    "own": (
+        own,
+        [],
+        {
+            *(f"{case}_ms" for case in ("first_picture", "second_picture", "drawing", "png", "noisy_png")),
+            "conversion_ms",
+            "encoding_ms",
+            *own.RATIOS,
+        },
+    ),
     "machines": (
         machines,
         [],
@@ -93,7 +103,8 @@ def test_every_target_is_measured_by_a_case():
 
 @pytest.mark.parametrize("name", MEASURED)
 def test_a_small_run_writes_what_it_measured(name, tmp_path, monkeypatch):
-    monkeypatch.setattr(machines, "SIDE", 32)
+    for measured in (machines, own):
+        monkeypatch.setattr(measured, "SIDE", 32)
     module, short, wanted = MEASURED[name]
     module.main([*short, "--rounds", "2", "--output", str(tmp_path)])
     numbers = json.loads((tmp_path / f"{name}.json").read_text(encoding="utf-8"))["numbers"]
