@@ -10,6 +10,7 @@ import pytest
 
 from book.editions import files
 from book.editions.chromium import FLAGS, NoBrowser, installed
+from book.editions.pages import parsed
 from tests.processes import python
 from tests.tabs import visits
 from verify.sources import ROOT
@@ -20,6 +21,12 @@ def site() -> Path:
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
     python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
+
+
+@pytest.fixture(scope="session")
+def page_of(site):
+    """A function: a page's name → what the built page says, parsed anew."""
+    return lambda name: parsed((site / f"{name}.html").read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="session")
