@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from book.assembly import stamps
 from book.editions import files
 from book.editions.chromium import FLAGS, NoBrowser, installed
 from book.editions.pages import parsed
@@ -27,6 +28,13 @@ def site() -> Path:
 def page_of(site):
     """A function: a page's name → what the built page says, parsed anew."""
     return lambda name: parsed((site / f"{name}.html").read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def stamped(monkeypatch, tmp_path):
+    """Stamps in a folder of their own, which is given."""
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
+    return tmp_path
 
 
 @pytest.fixture(scope="session")
