@@ -13,8 +13,8 @@ from bs4 import BeautifulSoup
 from book.assembly import contents, stamps, website
 from book.drawing import palette
 from book.drawing.draw import all_figures
+from verify.sources import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
 PAGES = contents.page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}

@@ -18,6 +18,7 @@ from renderer.files import pictures as files
 from renderer.picture import views
 from renderer.whole_files import checked_target, whole_file
 from tests.refusals import rejection
+from verify.sources import ROOT
 
 FRAME = render(Scene(), 24, 16, central(1e-3))
 PICTURE = views.image_view(FRAME)
@@ -69,13 +70,11 @@ def test_checksums_are_combined():
 @pytest.mark.parametrize("name", ["a.png", "A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
 def test_a_frame_saves_itself(name, tmp_path):
     FRAME.save(tmp_path / name)
-    match name.lower()[-3:]:
-        case "npy":
-            assert np.array_equal(np.load(tmp_path / name), FRAME.rgb)
-        case "npz":
-            assert np.array_equal(np.load(tmp_path / name)["rgb"], FRAME.rgb)
-        case _:
-            assert np.array_equal(np.asarray(Image.open(tmp_path / name)), PICTURE)
+    if name.lower().endswith(("npy", "npz")):
+        kept, expected = np.load(tmp_path / name), FRAME.rgb
+    else:
+        kept, expected = np.asarray(Image.open(tmp_path / name)), PICTURE
+    assert np.array_equal(kept["rgb"] if name.endswith("npz") else kept, expected)
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
 
@@ -107,8 +106,7 @@ with whole_file(sys.argv[1]) as name:
 def writer(tmp_path):
     """A process that is in the middle of a file, and that file."""
     command = [sys.executable, "-c", WRITE_FOR_EVER, str(tmp_path / "a.npy")]
-    root = Path(__file__).resolve().parent.parent
-    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, text=True) as child:
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as child:
         yield child, Path(child.stdout.readline().strip())
         child.kill()
 
