@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from book.assembly import stamps
 from book.editions import files
 from book.editions.chromium import FLAGS, NoBrowser, installed
+from book.editions.pages import parsed
 from tests.processes import python
 from tests.tabs import visits
 from verify.sources import ROOT
@@ -20,6 +22,19 @@ def site() -> Path:
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
     python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
+
+
+@pytest.fixture(scope="session")
+def page_of(site):
+    """A function: a page's name → what the built page says, parsed anew."""
+    return lambda name: parsed((site / f"{name}.html").read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def stamped(monkeypatch, tmp_path):
+    """Stamps in a folder of their own, which is given."""
+    monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
+    return tmp_path
 
 
 @pytest.fixture(scope="session")

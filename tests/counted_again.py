@@ -6,7 +6,6 @@ What is read is what a figure or a record keeps of its points, never the number 
 from fractions import Fraction
 from functools import cache
 from math import lcm
-from pathlib import Path
 
 import numpy as np
 
@@ -21,10 +20,11 @@ from verify.accuracy.frontiers import fiction, wall
 from verify.benchmark.__main__ import SCENES
 from verify.benchmark.work_precision import FULL, PIXELS, reference_pixels
 from verify.records import read
+from verify.sources import ROOT
 from verify.stability import maps, symmetry
 from verify.stability.rows import SWEEPS, sweep
 
-BOOK = Path(__file__).resolve().parent.parent / "book"
+BOOK = ROOT / "book"
 
 
 def kept(figure: str) -> dict[str, np.ndarray]:

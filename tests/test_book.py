@@ -13,18 +13,17 @@ from bs4 import BeautifulSoup
 from book.assembly import contents, stamps, website
 from book.drawing import palette
 from book.drawing.draw import all_figures
-from book.editions.pages import parsed
+from verify.sources import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
 PAGES = contents.page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
 
 
 @pytest.fixture(scope="session")
-def pages(site) -> dict[str, BeautifulSoup]:
+def pages(page_of) -> dict[str, BeautifulSoup]:
     """Every page of the table of contents."""
-    return {page: parsed((site / f"{page}.html").read_text(encoding="utf-8")) for page in PAGES}
+    return {page: page_of(page) for page in PAGES}
 
 
 def placed() -> Counter:

@@ -10,13 +10,6 @@ from book.releases.same_bytes import files_of
 from tests.processes import python
 
 
-@pytest.fixture
-def stamped(monkeypatch, tmp_path):
-    """Stamps in a folder of their own."""
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path / "stamps")
-    return tmp_path
-
-
 def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
     commands, failing = [], set()
 

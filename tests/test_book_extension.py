@@ -30,8 +30,8 @@ def book(tmp_path, monkeypatch):
     sweep |= {"source": "book/sweep.py", "function": "sweep", "data": "sweep.csv", "key": "0123456789abcdef"}
     (generated / "sweep.csv").write_text("step,rms\n0.001,0.01214\n")
     (generated / "sweep.json").write_text(json.dumps(sweep))
-    (generated / "sweep.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
-    (generated / "sweep.dark.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    for name in ("sweep.svg", "sweep.dark.svg"):
+        (generated / name).write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     monkeypatch.setattr(records, "remark", {}.get)
     label = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
     numbers = {"time_ms": 16.25, "time_ms_low": 15.5, "time_ms_high": 18.75, "quick_ms": 1.5}
@@ -108,11 +108,15 @@ def test_figure_has_number_label_alt_text_and_provenance(build_page):
     assert "certified" not in html
 
 
-def test_a_picture_says_how_far_its_colours_can_be_off(book, build_page):
+def describe(book, **more):
+    """Add to what the drawn figure says of itself."""
     path = book / "_generated" / "sweep.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | more))
+
+
+def test_a_picture_says_how_far_its_colours_can_be_off(book, build_page):
     for undecided, said in ((0, "certified</p>"), (1234, "certified, but for 1,234 pixels that rounding leaves")):
-        found = {"certified": {"within": 8.1e-10, "undecided": undecided}}
-        path.write_text(json.dumps(json.loads(path.read_text()) | found))
+        describe(book, certified={"within": 8.1e-10, "undecided": undecided})
         html, warnings = build_page(FIGURE % ("sweep", ":alt: a falling curve"))
         assert warnings == ""
         formula = "of its own formula in exact arithmetic (rounding alone), "
@@ -120,10 +124,7 @@ def test_a_picture_says_how_far_its_colours_can_be_off(book, build_page):
 
 
 def test_a_page_that_asks_for_uncertain_digits_fails(book, build_page):
-    path = book / "_generated" / "sweep.json"
-    description = json.loads(path.read_text())
-    description["numbers"] |= {"rms_1e-3_lower": 0.01212, "rms_1e-3_upper": 0.01216}
-    path.write_text(json.dumps(description))
+    describe(book, numbers={"rms_1e-3": 0.01214, "rms_1e-3_lower": 0.01212, "rms_1e-3_upper": 0.01216})
     assert look_up(book, "sweep", "rms_1e-3") == Interval(0.01214, 0.01212, 0.01216)
     html, warnings = build_page("It is {number}`sweep.rms_1e-3|.2g`.")
     assert (warnings, "0.012</span>" in html) == ("", True)
@@ -160,12 +161,10 @@ def test_what_was_measured_before_the_code_changed_says_so(book, build_page, mon
     """A record's numbers and label, numbers and picture of a figure that reads another; and a fresh one."""
     then = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "texture")}
     monkeypatch.setattr(records, "remark", then.get)
+    results = book.parent / "verify" / "benchmark" / "results"
     for name in ("frames", "machines"):
-        shutil.copy(
-            book.parent / "verify/benchmark/results/frame.json", book.parent / f"verify/benchmark/results/{name}.json"
-        )
-    drawn = json.loads((book / "_generated" / "sweep.json").read_text())
-    (book / "_generated" / "sweep.json").write_text(json.dumps(drawn | {"reads": [records.RECORDS["texture"].path]}))
+        shutil.copy(results / "frame.json", results / f"{name}.json")
+    describe(book, reads=[records.RECORDS["texture"].path])
     page = (
         "{number}`bench:frames.time_ms .1f`, {number}`bench:machines.time_ms .1f`.\n\n```{benchmark-label} frames\n```"
     )

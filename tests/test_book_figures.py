@@ -44,8 +44,7 @@ def test_figures_have_plain_and_unique_ids_seen_data_and_a_docstring(monkeypatch
         registry.figure("plain")(lambda: Drawing())
 
 
-def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(monkeypatch, tmp_path):
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+def test_figures_are_looked_at_again_when_code_or_a_drawing_changed(stamped, monkeypatch):
     assert not keys.nothing_changed()
     keys.remember(keys.all_sources())
     assert keys.nothing_changed()
@@ -130,14 +129,13 @@ def test_computed_import_reaches_the_whole_package():
     assert {path for path in stamps.files_in(stamps.ROOT / "book") if path.suffix == ".py"} <= reached
 
 
-def test_reason_to_draw_again(monkeypatch, tmp_path):
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
-    monkeypatch.setattr(keys, "GENERATED", tmp_path)
+def test_reason_to_draw_again(stamped, monkeypatch):
+    monkeypatch.setattr(keys, "GENERATED", stamped)
     entry, before = Registered("curve", curve), {"book/drawing/style.py": "0", "python": "3.11"}
     assert keys.why_redraw(entry, before) == "new"
     stamps.write("figures/curve", {"files": ["curve.svg"], "sources": before})
     assert keys.why_redraw(entry, before) == "curve.svg is missing"
-    (tmp_path / "curve.svg").touch()
+    (stamped / "curve.svg").touch()
     assert keys.why_redraw(entry, before) is None
     assert keys.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
 

@@ -4,9 +4,9 @@ import re
 from types import SimpleNamespace
 
 import pytest
-from bs4 import BeautifulSoup
 
 from book.editions.document import POLICY as MAILED
+from book.editions.pages import parsed
 from book.extension import mathematics
 from book.extension.scripts import POLICY
 from book.extension.styles import pruned
@@ -49,10 +49,10 @@ def test_a_formula_is_typeset_once_and_a_new_one_alone(monkeypatch):
     assert asked == [[x], [y]]
 
 
-def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(site):
+def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(page_of):
     count = 0
     for name in (*LIGHT, "lemmas", "findings", "seed"):
-        page = BeautifulSoup((site / f"{name}.html").read_text(encoding="utf-8"), "html.parser").article
+        page = page_of(name).article
         for formula in page.select("math"):
             assert formula.annotation.extract().get_text().strip() and formula.get_text().strip(), name
             count += 1
@@ -73,8 +73,8 @@ def test_style_sheets_keep_what_pages_use_and_follow_the_system():
 def weight(site, name):
     """Bytes of a page with all that it loads to be read and to work: scripts, style sheets and the fonts of these."""
     page = site / f"{name}.html"
-    soup = BeautifulSoup(page.read_text(encoding="utf-8"), "html.parser")
-    loaded = {tag.get("src") or tag["href"] for tag in soup.select("script[src], link[rel=stylesheet]")}
+    tags = parsed(page.read_text(encoding="utf-8")).select("script[src], link[rel=stylesheet]")
+    loaded = {tag.get("src") or tag["href"] for tag in tags}
     files = {page, *(site / address.partition("?")[0] for address in loaded)}
     for path in [path for path in files if path.suffix == ".css"]:
         names = re.findall(r"url\([\"']?([^\"')?#]+\.(?:woff2?|ttf))", path.read_text(encoding="utf-8"))

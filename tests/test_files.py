@@ -82,13 +82,11 @@ def test_checksums_are_combined():
 @pytest.mark.parametrize("name", ["a.png", "A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
 def test_a_frame_saves_itself(name, tmp_path):
     FRAME.save(tmp_path / name)
-    match name.lower()[-3:]:
-        case "npy":
-            assert np.array_equal(np.load(tmp_path / name), FRAME.rgb)
-        case "npz":
-            assert np.array_equal(np.load(tmp_path / name)["rgb"], FRAME.rgb)
-        case _:
-            assert np.array_equal(np.asarray(Image.open(tmp_path / name)), PICTURE)
+    if name.lower().endswith(("npy", "npz")):
+        kept, expected = np.load(tmp_path / name), FRAME.rgb
+    else:
+        kept, expected = np.asarray(Image.open(tmp_path / name)), PICTURE
+    assert np.array_equal(kept["rgb"] if name.endswith("npz") else kept, expected)
     assert [path.name for path in tmp_path.iterdir()] == [name]
 
 

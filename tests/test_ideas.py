@@ -19,11 +19,9 @@ from tests.tabs import PHONE, next_frame
 
 SCENE = Scene()
 PAGES = {
-    "slope_is_texture": "s1",
-    "scene_from_the_side": "s2",
-    "bump_surface": "s3",
-    "two_slopes": "s3",
-    "pixel_worked": "s2",
+    "s1": ["slope_is_texture"],
+    "s2": ["scene_from_the_side", "pixel_worked"],
+    "s3": ["bump_surface", "two_slopes"],
 }
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 STARTED = "document.querySelector('figure.idea') && !document.querySelector('figure.idea:not(.idea-live)')"
@@ -34,29 +32,13 @@ def numbers(text):
     return [float(number.replace("−", "-")) for number in NUMBER.findall(text)]
 
 
-def unit(vector):
-    return np.asarray(vector) / np.linalg.norm(vector)
-
-
-def degrees_between(one, other):
-    return math.degrees(math.acos(min(1.0, np.dot(one, other))))
-
-
-def frame_at(u, v):
-    """Return N, e_θ and e_φ at a point of the chart, by formulas of this test's own."""
-    theta, phi = 2 * math.pi * u - math.pi, math.pi * v
-    around = np.array([math.cos(theta), math.sin(theta), 0])
-    normal = math.sin(phi) * around + [0, 0, math.cos(phi)]
-    return normal, np.array([-around[1], around[0], 0]), math.cos(phi) * around - [0, 0, math.sin(phi)]
-
-
 @pytest.fixture(scope="module")
 def idea(visit_once):
     """Return the function that opens an idea's page once, and gives the tab and the idea's figure."""
     open_page = functools.cache(lambda page: visit_once(page, until=STARTED))
 
     def open_idea(name):
-        tab = open_page(PAGES[name])
+        tab = open_page(next(page for page, names in PAGES.items() if name in names))
         return tab, tab.locator(f"#fig-{name}")
 
     return open_idea
@@ -87,23 +69,24 @@ def test_the_compiled_kernels_are_python_s_to_the_last_bit(idea, kernel):
         np.testing.assert_array_equal(compiled, [np.atleast_1d(kernel(*map(np.float64, row))) for row in rows])
 
 
-@pytest.mark.parametrize("page", sorted({*PAGES.values()}))
+@pytest.mark.parametrize("page", PAGES)
 def test_the_still_picture_stands_where_no_script_runs_and_on_paper(visit, page):
     for script in (False, True):
         tab = visit(page, until=STARTED, java_script_enabled=script)
         for medium in ("screen", "print"):
             tab.emulate_media(media=medium)
             live = script and medium == "screen"
-            for figure in (tab.locator(f"#fig-{name}") for name in PAGES if PAGES[name] == page):
+            for name in PAGES[page]:
+                figure = tab.locator(f"#fig-{name}")
                 assert figure.locator(".pixels").is_visible() is not live
                 stage = figure.locator(".idea-stage")
                 assert stage.count() == script and stage.is_visible() is live
 
 
-@pytest.mark.parametrize("page", sorted({*PAGES.values()}))
+@pytest.mark.parametrize("page", PAGES)
 def test_a_phone_has_it_whole_with_large_targets(visit, page):
     tab = visit(page, until=STARTED, **PHONE)
-    for name in (name for name in PAGES if PAGES[name] == page):
+    for name in PAGES[page]:
         tab.locator(f"#fig-{name}").scroll_into_view_if_needed()
         next_frame(tab)
         script = """name => [...document.querySelectorAll(`#fig-${name} :is(.reach, input, button, select)`)]
@@ -124,12 +107,14 @@ def test_slope_is_texture_starts_near_the_top_of_the_chapter(idea):
 
 
 def expected_on_circle(u, beta):
-    """Return slope, slope × β, tilt, and μ without the bump and with it."""
+    """Return slope, slope × β, tilt, and μ without the bump and with it; the frame by formulas of this test's own."""
     slope, _ = gradient_at(SCENE, u, 0.125, exact())
-    normal, e_theta, _ = frame_at(u, 0.125)
-    bumped, light = unit(normal + beta * slope * e_theta), unit(SCENE.lights[0].position - normal)
-    tilt = degrees_between(bumped, normal)
-    return slope, slope * beta, tilt, max(0.0, normal @ light), max(0.0, bumped @ light)
+    theta, phi, bump = 2 * math.pi * u - math.pi, math.pi / 8, beta * slope
+    normal = np.array([math.sin(phi) * math.cos(theta), math.sin(phi) * math.sin(theta), math.cos(phi)])
+    light = SCENE.lights[0].position - normal
+    before, along = np.array([normal, [-math.sin(theta), math.cos(theta), 0]]) @ light / np.linalg.norm(light)
+    after = (before + bump * along) / math.hypot(1, bump)
+    return slope, bump, math.degrees(math.atan(abs(bump))), max(0.0, before), max(0.0, after)
 
 
 def test_slope_is_texture_says_what_the_renderer_says(idea):
@@ -153,12 +138,8 @@ def test_slope_is_texture_follows_the_pointer(idea):
     tab, figure = idea("slope_is_texture")
     figure.scroll_into_view_if_needed()
     point, sphere = figure.locator(".idea-handle").all()
-    box, frame = point.bounding_box(), figure.locator("svg").first.bounding_box()
-    start = now(point)
-    tab.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    tab.mouse.down()
-    tab.mouse.move(frame["x"] + frame["width"] / 2, frame["y"] + 50, steps=4)
-    tab.mouse.up()
+    start, frame = now(point), figure.locator("svg").first
+    point.drag_to(frame, target_position={"x": frame.bounding_box()["width"] / 2, "y": 50}, force=True)
     next_frame(tab)
     assert start != now(point) == now(sphere) == 0.5
     assert abs(height_at(SCENE, 0.5, 0.125)) < 1e-12 and said(figure)[0] == 0.0
@@ -189,11 +170,8 @@ def test_bump_surface_turns_by_hand_and_keys_and_stays_still_without_a_card(idea
     tab, figure = idea("bump_surface")
     figure.scroll_into_view_if_needed()
     view = figure.locator("[role=slider]")
-    start, box = now(view), view.bounding_box()
-    tab.mouse.move(box["x"] + 200, box["y"] + 100)
-    tab.mouse.down()
-    tab.mouse.move(box["x"] + 320, box["y"] + 100, steps=3)
-    tab.mouse.up()
+    start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
+    view.drag_to(view, source_position=places[0], target_position=places[1])
     next_frame(tab)
     assert now(view) == start - 57
     press(tab, view, *["Shift+ArrowDown"] * 9)
@@ -215,7 +193,7 @@ def test_two_slopes_says_what_the_renderer_says(idea):
     point, step = figure.locator(".idea-handle").all()
     slider, apart = figure.locator("input"), []
     for exponent in (-2, -4, -12):
-        slider.evaluate("(s, to) => { s.value = to; s.dispatchEvent(new Event('input')) }", exponent)
+        slider.fill(str(exponent))
         press(tab, point, "ArrowRight")
         _, numeric, exactly, *_ = said(figure)
         eps, u = now(step), now(point)
@@ -239,7 +217,7 @@ def test_the_microscope_shows_where_float64_puts_the_samples(idea):
     slider, point = figure.locator("input"), figure.locator(".idea-handle").first
     unit, met, u = figure.locator("svg").nth(1).bounding_box()["width"] / 4, [], now(point)
     for exponent in (-3, -6, -15.9, -17):
-        slider.evaluate("(s, to) => { s.value = to; s.dispatchEvent(new Event('input')) }", exponent)
+        slider.fill(str(exponent))
         next_frame(tab)
         eps = 10 ** float(slider.input_value())
         samples = dots(figure, 1)
@@ -279,12 +257,9 @@ def test_pixel_worked_is_the_renderers_pixel(idea, column, row):
     tab, figure = idea("pixel_worked")
     point = figure.locator(".idea-handle")
     at = int(now(point))
-    for there, here, keys in (
-        (column, at % 256, ("ArrowRight", "ArrowLeft")),
-        (row, at // 256, ("ArrowDown", "ArrowUp")),
-    ):
-        tens, ones = divmod(abs(there - here), 10)
-        press(tab, point, *[f"Shift+{keys[there < here]}"] * tens, *[keys[there < here]] * ones)
+    for way, forth, back in ((column - at % 256, "ArrowRight", "ArrowLeft"), (row - at // 256, "ArrowDown", "ArrowUp")):
+        key, (tens, ones) = forth if way > 0 else back, divmod(abs(way), 10)
+        press(tab, point, *[f"Shift+{key}"] * tens, *[key] * ones)
     assert int(now(point)) == row * 256 + column
     shown = {e.get_attribute("data-line"): e.inner_text() for e in figure.locator("[data-line]").all()}
     record = pixel(SCENE, 256, 256, column, row)

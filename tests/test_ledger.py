@@ -232,11 +232,6 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
         require_ledger(SimpleNamespace(srcdir=ROOT / "book"))
 
 
-def test_a_new_theorem_needs_a_claim(site):
-    more = replace(last_run(), grades=last_run().grades | {"one_more": "proved"})
-    assert faults_in(load(), more) == ["theorem one_more: no claim rests on it"]
-
-
 def test_the_pages_have_every_claim_and_every_code(site):
     findings, ledger, pitfalls = ((site / f"{name}.html").read_text("utf-8") for name in ("findings", "s6", "s7"))
     ids = Counter(re.findall(r'id="([^"]+)"', findings))

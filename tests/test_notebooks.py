@@ -2,15 +2,15 @@
 
 import contextlib
 import functools
+import inspect
 import io
-import json
 import os
 import re
 import shutil
 import subprocess
 import sys
 from base64 import b64decode
-from itertools import groupby, pairwise
+from itertools import pairwise
 from pathlib import Path
 
 import matplotlib
@@ -26,7 +26,6 @@ from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.printed import FUNCTIONS, SCENE, function, refreshed
-from renderer import kernels, render
 from renderer.generate.kernels import function_of
 from renderer.scene.methods import central
 from renderer.scene.scene import Scene
@@ -120,12 +119,6 @@ def test_edited_formula_or_scene_is_printed_anew():
         refreshed("# Printed from proofs/formulas/bump.py, nothing\ndef f():\n    pass\n")
 
 
-def vectors(symbols):
-    """Return [a vector's three names, or one name] for symbols."""
-    names = [symbol.name for symbol in symbols]
-    return [list(of_one) for _, of_one in groupby(names, lambda name: re.sub("_[xyz]$", "", name))]
-
-
 def rows(outputs):
     """Return one output or several, vectors and numbers, as rows of 50."""
     return np.vstack([part + np.zeros(50) for part in (outputs if isinstance(outputs, tuple) else [outputs])])
@@ -139,8 +132,11 @@ def test_printed_function_computes_what_its_program_does(key):
     values |= {"k_u": 8.0, "k_v": 4.0, "shininess": random.uniform(2, 3, 50)}
     scope = {**vars(np), "np": np, "dot": lambda a, b: (a * b).sum(axis=0), "k_u": 8, "k_v": 4}
     exec(function(name, program), scope)
-    groups = [group for group in vectors(program.inputs) if group[0] not in ("k_u", "k_v")]
-    computed = scope[name](*(np.array([values[n] for n in group]).squeeze() for group in groups))
+    arguments = [
+        values[given] if given in values else np.array([values[f"{given}_{axis}"] for axis in "xyz"])
+        for given in inspect.signature(scope[name]).parameters
+    ]
+    computed = scope[name](*arguments)
     right = function_of(program)(*(values[s.name] for s in program.inputs))
     np.testing.assert_allclose(rows(computed), rows(right), rtol=1e-11, atol=1e-11)
 
@@ -348,7 +344,7 @@ def compared(text):
     return "".join(line for line in text.splitlines(keepends=True) if "the book's renderer" not in line.lower())
 
 
-def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path):
+def test_notebooks_run_alone_and_print_what_the_page_does(site, page_of, alone, tmp_path):
     """The page's own build runs the one of all cells: the same code, as another test compares."""
     printed = []
     for name in NAMES[:-1]:
@@ -357,16 +353,15 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, alone, tmp_path)
         shutil.copy(site / FOLDER / f"{name}.ipynb", empty)
         run = alone(["-c", RUN, f"{name}.ipynb", done], empty)
         assert run.returncode == 0, run.stderr
-        assert [path.name for path in empty.iterdir()] == [f"{name}.ipynb"]
-        here = json.loads(done.read_text(encoding="utf-8"))["cells"]
-        outputs = [output for cell in here for output in cell.get("outputs", ())]
+        assert os.listdir(empty) == [f"{name}.ipynb"]
+        outputs = [output for cell in nbformat.read(done, 4).cells for output in cell.get("outputs", ())]
         assert not [o for o in outputs if o["output_type"] == "error" or o.get("name") == "stderr"]
-        text = "".join("".join(output["text"]) for output in outputs if output["output_type"] == "stream")
+        text = "".join(output["text"] for output in outputs if output["output_type"] == "stream")
         assert text.count(ALONE) == 1
         timed = re.compile(r"(?:ns a point: |the difference takes |a frame at ).*\n")  # the page times nothing
         assert len(timed.findall(text)) == {"cell3": 2, "cell4": 4}.get(name, 0)
         printed.append(compared(timed.sub("", text)))
-    blocks = parsed((site / "s5.html").read_text(encoding="utf-8")).select("div.cell_output pre")
+    blocks = page_of("s5").select("div.cell_output pre")
     assert all(printed) and "".join(printed) == "".join(compared(block.get_text()) for block in blocks)
 
 

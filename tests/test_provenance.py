@@ -78,10 +78,9 @@ def edited(monkeypatch, name):
 
 
 @pytest.fixture
-def drawn(hashes_of_figures, monkeypatch, tmp_path):
+def drawn(hashes_of_figures, stamped, monkeypatch):
     """Every figure, as if it had just been drawn; what is drawn now."""
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
-    monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
+    monkeypatch.setattr(keys, "GENERATED", stamped / "generated")
     monkeypatch.setattr(draw, "PROCESSES", 1)
     drawings = []
     monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
@@ -116,20 +115,18 @@ def broken() -> Drawing:
     raise ZeroDivisionError("no such slope")
 
 
-def test_two_processes_draw_what_one_draws(tmp_path, monkeypatch):
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
+def test_two_processes_draw_what_one_draws(stamped, monkeypatch):
     ids, files = ("kink_loci", "views"), {}
     for processes in (1, 2):
         monkeypatch.setattr(draw, "PROCESSES", processes)
-        monkeypatch.setattr(keys, "GENERATED", tmp_path / f"by_{processes}")
+        monkeypatch.setattr(keys, "GENERATED", stamped / f"by_{processes}")
         assert draw.draw(ids, force=True) == len(ids)
         files[processes] = {path.name: path.read_bytes() for path in keys.GENERATED.iterdir()}
     assert files[1] == files[2] and len(files[1]) > len(ids)
 
 
-def test_what_a_figure_raises_in_another_process_names_it(tmp_path, monkeypatch):
-    monkeypatch.setattr(stamps, "STAMPS", tmp_path)
-    monkeypatch.setattr(keys, "GENERATED", tmp_path / "generated")
+def test_what_a_figure_raises_in_another_process_names_it(stamped, monkeypatch):
+    monkeypatch.setattr(keys, "GENERATED", stamped / "generated")
     figures = {"accepted_scenes": all_figures()["accepted_scenes"], "broken": Registered("broken", broken)}
     monkeypatch.setattr(draw, "all_figures", lambda: figures)
     with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
@@ -177,19 +174,19 @@ def test_columns_of_one_length_are_a_table_and_read_back_to_the_last_bit():
 
 
 @pytest.mark.parametrize(
-    ("drawing", "message"),
+    ("heights", "data", "message"),
     [
-        (Drawing(Figure()), "needs data="),
-        (Drawing(line(np.arange(5.0) + 0.5), data={"a": np.arange(5)}), "draws a curve that is not in its data: 0.5"),
-        (Drawing(line([1.0]), data={"a": [None]}), "'a' is object"),
-        (Drawing(line([1.0]), data={"a": 1.0}), r"'a' is float64 of shape \(\)"),
-        (Drawing(line([1.0]), data={"picture_1": [1.0]}), "data name 'picture_1'"),
-        (Drawing(line([1.0]), data={"a": np.random.default_rng(0).random(MOST_BYTES // 8)}), "at most"),
+        ([1.0], {}, "needs data="),
+        (np.arange(5.0) + 0.5, {"a": np.arange(5)}, "draws a curve that is not in its data: 0.5"),
+        ([1.0], {"a": [None]}, "'a' is object"),
+        ([1.0], {"a": 1.0}, r"'a' is float64 of shape \(\)"),
+        ([1.0], {"picture_1": [1.0]}, "data name 'picture_1'"),
+        ([1.0], {"a": np.random.default_rng(0).random(MOST_BYTES // 8)}, "at most"),
     ],
 )
-def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name(drawing, message):
+def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name(heights, data, message):
     with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
-        data_file("f", drawing)
+        data_file("f", Drawing(line(heights), data=data))
 
 
 def test_every_drawn_figure_says_where_it_comes_from(site):

@@ -30,6 +30,12 @@ def mailed(single):
 
 
 @pytest.fixture(scope="module")
+def ids(mailed):
+    """How often the file has each id."""
+    return Counter(element["id"] for element in mailed.find_all(id=True))
+
+
+@pytest.fixture(scope="module")
 def alone(single, tmp_path_factory):
     """The file's address in a folder that holds nothing else."""
     return Path(shutil.copy(single, tmp_path_factory.mktemp("mailed"))).as_uri()
@@ -42,6 +48,11 @@ def tab(browser, alone):
         page.set_default_timeout(120_000)
         wait_for(page, RUNNING)
         yield page
+
+
+def unpacked(packed: str) -> bytes:
+    """What an attribute carries, compressed."""
+    return gzip.decompress(b64decode(packed.rpartition(",")[2]))
 
 
 def show(tab, name: str):
@@ -63,9 +74,8 @@ def test_file_can_be_mailed_and_a_larger_one_is_not_written(single, monkeypatch)
         edition.single_file()
 
 
-def test_edition_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
-    made, place = [], tmp_path / "chapter.html"
-    monkeypatch.setattr(edition.stamps, "STAMPS", tmp_path)
+def test_edition_is_made_when_the_site_changed(stamped, capsys):
+    made, place = [], stamped / "chapter.html"
     for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
         edition.stamps.write("site", site)
         edition.make("single", place, lambda: made.append(1) or b"<html>")
@@ -75,8 +85,7 @@ def test_edition_is_made_when_the_site_changed(tmp_path, monkeypatch, capsys):
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 
-def test_every_id_occurs_once_and_is_what_refers_to_it(mailed):
-    ids = Counter(element["id"] for element in mailed.find_all(id=True))
+def test_every_id_occurs_once_and_is_what_refers_to_it(mailed, ids):
     assert len(ids) > 500
     assert [id for id, count in ids.items() if count > 1] == []
     referred = [tag[name] for name in REFERRING for tag in mailed.select(f".chapter-page [{name}]:not(mo)")]
@@ -84,8 +93,7 @@ def test_every_id_occurs_once_and_is_what_refers_to_it(mailed):
     assert words and words <= ids.keys()
 
 
-def test_every_link_leads_somewhere(mailed):
-    ids = {element["id"] for element in mailed.find_all(id=True)}
+def test_every_link_leads_somewhere(mailed, ids):
     links = [link["href"] for link in mailed.select("a[href]")]
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500
@@ -100,12 +108,10 @@ def test_nothing_is_named_that_would_be_loaded(mailed):
     assert mailed.select("link:not([href^='data:'])") == []
 
 
-def test_every_id_of_the_site_is_there(mailed, site):
-    here = {element["id"] for element in mailed.find_all(id=True)}
+def test_every_id_of_the_site_is_there(mailed, ids, page_of):
     for name in (part["data-page"] for part in mailed.select("[data-page]:not([data-page^='source/'])")):
-        page = parsed((site / f"{name}.html").read_text(encoding="utf-8"))
-        for element in page.select("article [id], article[id]"):
-            assert element["id"] in here or f"{name}:{element['id']}" in here, (name, element["id"])
+        for element in page_of(name).select("article [id], article[id]"):
+            assert {element["id"], f"{name}:{element['id']}"} & ids.keys(), (name, element["id"])
 
 
 def test_a_listing_is_its_file_and_has_the_lines_that_links_lead_to(mailed):
@@ -122,7 +128,7 @@ def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(maile
     assert len(packed) > 100
     assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in packed}
     here = [link for link in packed if not link["href"].startswith("#")]
-    kept = {link["data-packed"]: gzip.decompress(b64decode(link["href"].split(",")[1])) for link in here}
+    kept = {link["data-packed"]: unpacked(link["href"]) for link in here}
     assert kept["s5.md"] == (site / "_sources" / "s5.md").read_bytes()
     left_out = {re.search(r"\w+\.(?:csv|npz)", words.string)[0] for words in mailed.select(".not-mailed")}
     data = [path for path in (site / "_downloads").rglob("*.*") if path.suffix in (".csv", ".npz")]
@@ -133,12 +139,12 @@ def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(maile
 
 def test_a_script_is_its_own_lines_around_what_the_file_has_once(mailed, site):
     def held(address):
-        return gzip.decompress(b64decode(mailed.select_one(address)["href"].split(",")[1]))
+        return unpacked(mailed.select_one(address)["href"])
 
     scripts, shared = mailed.select("[data-own]"), set()
     for link in scripts:
         kernel, certificate = link["data-within"].split()
-        first, second, last = gzip.decompress(b64decode(link["data-own"])).split(b"\0")
+        first, second, last = unpacked(link["data-own"]).split(b"\0")
         whole = first + held(kernel).rstrip() + second + held(certificate).rstrip() + last
         assert whole == (site / "_downloads" / "theorems" / link["data-packed"]).read_bytes()
         shared.add(kernel)
@@ -235,9 +241,14 @@ def test_the_loupe_and_what_is_certified_are_in_the_file(tab):
     tab.select_option("#sim-view", "image")
 
 
-def test_certificates_are_checked(tab):
+def unfold_card(tab):
+    """Turn to a theorem and open all that its card has."""
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
+
+
+def test_certificates_are_checked(tab):
+    unfold_card(tab)
     tab.locator("#theorem-unit_length .checker button").first.click()
     wait_for(tab, "document.querySelector('#theorem-unit_length .check-verdict').textContent.startsWith('Accepted')")
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
@@ -248,18 +259,13 @@ def test_certificates_are_checked(tab):
 
 
 def test_kept_file_comes_out_under_its_own_name(tab, site):
-    go(tab, "theorem-unit_length")
-    tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
-    with tab.expect_download() as kept:
-        tab.locator("a[data-packed='unit_length.json']").first.click()
-    assert kept.value.suggested_filename == "unit_length.json"
-    with tab.expect_download() as script:
-        tab.locator("a[data-packed='unit_length.py']").first.click()
-    written = (site / "_downloads" / "theorems" / "unit_length.py").read_bytes()
-    assert Path(script.value.path()).read_bytes() == written
-    assert json.loads(kept.value.path().read_text()) == json.loads(
-        (site / "_downloads" / "theorems" / "unit_length.json").read_text()
-    )
+    unfold_card(tab)
+    for name, read in (("unit_length.json", json.loads), ("unit_length.py", bytes)):
+        with tab.expect_download() as kept:
+            tab.locator(f"a[data-packed='{name}']").first.click()
+        assert kept.value.suggested_filename == name
+        written = (site / "_downloads" / "theorems" / name).read_bytes()
+        assert read(Path(kept.value.path()).read_bytes()) == read(written)
 
 
 def test_dark_mode_has_dark_pictures(tab):

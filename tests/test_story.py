@@ -6,7 +6,6 @@ import pytest
 from bs4 import NavigableString
 
 from book.assembly.results import look_up
-from book.editions.pages import parsed
 from book.extension.listings import printed
 from book.extension.worked import worked_lines
 from book.ledger import load
@@ -39,8 +38,8 @@ def ways(page):
 
 
 @pytest.fixture(scope="module")
-def measured(site):
-    return {name: ways(parsed((site / f"{name}.html").read_text(encoding="utf-8"))) for name in READ}
+def measured(page_of):
+    return {name: ways(page_of(name)) for name in READ}
 
 
 def test_a_picture_is_never_far(measured):
