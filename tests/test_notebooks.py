@@ -26,6 +26,7 @@ from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
 from book.notebooks.notebook import notebooks, text_of
 from book.notebooks.printed import FUNCTIONS, SCENE, function, refreshed
+from renderer import kernels, render
 from renderer.generate.kernels import function_of
 from renderer.scene.methods import central
 from renderer.scene.scene import Scene
