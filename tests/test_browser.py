@@ -265,3 +265,15 @@ def test_dark_mode_follows_the_system_and_a_button_with_a_name(visit):
         button.click()
         seen.add(tab.evaluate(paper))
     assert len(seen) == 2
+
+
+@pytest.mark.parametrize("link", [".prev-next-area .right-next", ".bd-article a.reference[href^='lemmas.html#']"])
+def test_back_leads_where_one_was(visit, link):
+    tab = visit("s3", "file")
+    tab.evaluate("document.fonts.ready")
+    tab.evaluate("scrollTo(0, 3000)")
+    next_frame(tab)
+    tab.locator(link).first.evaluate("link => link.click()")
+    tab.wait_for_url(lambda url: "s3.html" not in url)
+    tab.go_back()
+    tab.wait_for_function("location.pathname.endsWith('s3.html') && Math.abs(scrollY - 3000) < 2")

@@ -4,7 +4,7 @@
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .graph, [open] > .claim, .theorem > p, .theorem details";
+    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .graph, .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
@@ -18,9 +18,13 @@
   const hidden = (element) => element.scrollWidth - element.clientWidth - 2;
 
   /** @param {Element} element */
-  function put_into_reach(element) {
+  function needs_keys(element) {
     const scrolls = ["auto", "scroll"].includes(getComputedStyle(element).overflowX);
-    const needed = scrolls && hidden(element) > 0 && !element.querySelector(FOCUSABLE);
+    return scrolls && hidden(element) > 0 && !element.querySelector(FOCUSABLE);
+  }
+
+  /** @param {Element} element @param {boolean} needed */
+  function put_into_reach(element, needed) {
     if (needed === element.hasAttribute("data-in-reach")) return;
     const attributes = {
       tabindex: "0",
@@ -33,9 +37,21 @@
   }
 
   /** @param {Element} element */
-  function fade(element) {
-    element.classList.toggle("more", element.scrollLeft < hidden(element));
+  const has_more = (element) => element.scrollLeft < hidden(element);
+
+  /** @param {Element} element */
+  function fade(element, more = has_more(element)) {
+    element.classList.toggle("more", more);
   }
+
+  /** What got a size, which nothing has that is folded. All is read before any is changed, lest each is laid out by itself. */
+  const sizes = new ResizeObserver((resized) => {
+    const read = resized.map(({ target }) => ({ target, needed: needs_keys(target), more: has_more(target) }));
+    for (const { target, needed, more } of read) {
+      put_into_reach(target, needed);
+      fade(target, more);
+    }
+  });
 
   /** Each panel is the whole picture in a window as wide as the panel. @param {HTMLImageElement} image */
   function stack(image) {
@@ -69,8 +85,7 @@
       /** @type {HTMLImageElement[]} */ (find_all(page, "img[data-panels][src]")).forEach(stack);
       /** @type {HTMLTableElement[]} */ (find_all(page, "table.table:not(.as-list)")).forEach(list);
     }
-    page.querySelectorAll(SCROLLS).forEach(put_into_reach);
-    page.querySelectorAll(SCROLLS).forEach(fade);
+    for (const element of page.querySelectorAll(SCROLLS)) sizes.observe(element);
   }
 
   function watch() {
