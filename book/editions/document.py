@@ -196,4 +196,5 @@ def document(site: Path) -> str:
     put_pages(chapter)
     put_head(chapter)
     put_scripts(chapter)
-    return chapter.shell.decode(formatter=Addresses(EntitySubstitution.substitute_xml)).strip() + "\n"
+    text = chapter.shell.decode(formatter=Addresses(EntitySubstitution.substitute_xml)).strip() + "\n"
+    return text.replace(' encoding="application/x-tex"', "")  # of thousands of formulas, each with one annotation
