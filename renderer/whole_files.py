@@ -19,13 +19,20 @@ except ImportError:  # Windows, which removes no file that is open: as good as a
     fcntl = None  # type: ignore[assignment]
 
 
+def named(name: str, path: str | Path) -> Path:
+    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it holds what no file's name can."""
+    if "\0" in str(path):
+        raise not_allowed(name, str(path), "a name without the character 0")
+    return Path(path)
+
+
 def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out") -> Path:
     """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes`, in small letters or capitals,
     and can be written.
 
     `name` is what the message calls it.
     """
-    path, shown = Path(path), str(path)
+    path, shown = named(name, path), str(path)
     if path.suffix.lower() not in suffixes:
         raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
     if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
@@ -33,9 +40,8 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
     try:
         with _unfinished(path):
             return path
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise not_allowed(name, shown, f"a file that can be written ({reason})") from None
+    except OSError as error:
+        raise not_allowed(name, shown, f"a file that can be written ({error.strerror})") from None
 
 
 @contextmanager

@@ -217,7 +217,7 @@ REFUSED = {
         "--gain -1": "gain = -1.0 is not allowed: a finite number from 0 to 1e+300",
         "--out file": "out = 'file' is not allowed: File exists",
         "--out file/views": "out = 'file/views' is not allowed: Not a directory",
-        "--out 'new/a\0b'": "out = 'new/a\\x00b' is not allowed: embedded null byte",
+        "--out 'new/a\0b'": "out = 'new/a\\x00b' is not allowed: a name without the character 0",
         "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
         "--crop 0,0,1,1": "unrecognized arguments: --crop 0,0,1,1",
     },

@@ -191,7 +191,7 @@ def test_a_file_has_the_permissions_of_any_other(tmp_path):
         ("folder.png", "a file in a folder that exists"),
         ("file/a.png", "a file in a folder that exists"),
         ("a" * 300 + ".png", "a file that can be written (File name too long)"),
-        ("a\0.png", "a file that can be written (embedded null byte)"),
+        ("a\0.png", "a name without the character 0"),
     ],
 )
 def test_a_target_that_is_rejected(name, allowed, tmp_path):

@@ -33,7 +33,7 @@ from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.threads import checked_threads
-from renderer.whole_files import checked_target
+from renderer.whole_files import checked_target, named
 
 PIPE = "-"
 OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a picture remembers beside its scene
@@ -99,7 +99,7 @@ def draw_views(options: Namespace) -> None:
     views.difference_linear(0.0, options.gain)
     with extra("plot"):
         import matplotlib  # noqa: F401  # that it is missing is said before anything is drawn
-    folder = Path(options.out)
+    folder = named("out", options.out)
     with _made(folder):
         symbolic = render(scene, *size, threads=options.threads)
         numeric = render(scene, *size, method, threads=options.threads, stage=symbolic.stage)
@@ -123,9 +123,8 @@ def _made(folder: Path) -> Iterator[None]:
     try:
         new = [path for path in (folder, *folder.parents) if not path.exists()]
         folder.mkdir(parents=True, exist_ok=True)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise not_allowed("out", str(folder), str(reason)) from None
+    except OSError as error:
+        raise not_allowed("out", str(folder), str(error.strerror)) from None
     try:
         yield
     except BaseException:
