@@ -7,7 +7,8 @@ import tarfile
 import tomllib
 import zipfile
 from importlib.metadata import packages_distributions, requires
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
+from sysconfig import get_path
 
 import numpy as np
 import pytest
@@ -79,7 +80,7 @@ def installed(built, tmp_path_factory):
     """The folder of the commands of an environment that has the wheel, what it needs, pytest, and nothing else."""
     folder = tmp_path_factory.mktemp("wheel")
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", folder / "environment"], check=True)
-    commands = folder / "environment" / "bin"
+    commands = Path(get_path("scripts", "venv", {"base": str(folder / "environment")}))
     pip = ["pip", "--quiet", "--disable-pip-version-check", "--python", commands / "python"]
     wanted = ["--no-compile", next(built.glob("*.whl")), "pytest"]  # Python compiles what is imported
     installing(*pip, "install", *wanted, cwd=folder)
@@ -164,7 +165,7 @@ def test_the_extra_of_the_book_has_all_that_the_book_imports():
         name.split(".")[0] for path in (ROOT / "book").rglob("*.py") for name in imported(path.read_text("utf-8"))[0]
     }
     homes = packages_distributions()
-    book = needed([*PROJECT["dependencies"], f"{PROJECT['name']}[book]"])
+    book = {PROJECT["name"]} | needed([*PROJECT["dependencies"], f"{PROJECT['name']}[book]"])
     lacking = {n for n in names & homes.keys() if not book & {home.lower().replace("_", "-") for home in homes[n]}}
     assert "filelock" in names and "sphinx" in names
     assert lacking == set()
