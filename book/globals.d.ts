@@ -5,7 +5,7 @@ declare const Simulator: {
   closer: Pick<CloserData, "kernels" | "pairs" | "scene_bounds"> & { program: string };
   running?: ReturnType<typeof simulator_start>;
 };
-declare const Ideas: { data: IdeasData; program: string; module?: IdeasModule };
+declare const Ideas: { data: IdeasData; program: string; module?: Promise<IdeasModule> };
 declare var Chapter: { pages: HTMLElement[]; shown(): Element; show(page: Element): void };
 declare const SearchText: Record<string, [string, string][]>;
 declare const SearchFormulas: Record<string, string>;

@@ -24,7 +24,12 @@ PAGES = {
     "s3": ["bump_surface", "two_slopes"],
 }
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
-STARTED = "document.querySelector('figure.idea') && !document.querySelector('figure.idea:not(.idea-live)')"
+# Brings into sight one figure after another that is still.
+STARTED = """(() => {
+    const still = document.querySelector('figure.idea:not(.idea-live)');
+    still?.scrollIntoView({ behavior: 'instant' });
+    return !still && document.querySelector('figure.idea') !== null;
+})()"""
 
 
 def numbers(text):
@@ -63,7 +68,10 @@ def test_the_compiled_kernels_are_python_s_to_the_last_bit(idea, kernel):
     tab, _ = idea("slope_is_texture")
     rng, count = random.Random(kernel.__name__), len(inputs_of(kernel))
     rows = [[rng.uniform(-1, 1) for _ in range(count)] for _ in range(50)]
-    ask = "([name, rows]) => rows.map(row => [Ideas.module.own.kernel(name, ...row)].flat())"
+    ask = """async ([name, rows]) => {
+        const { own } = await Ideas.module;
+        return rows.map(row => [own.kernel(name, ...row)].flat());
+    }"""
     compiled = np.array(tab.evaluate(ask, [kernel.__name__, rows]), float)
     with np.errstate(all="ignore"):
         np.testing.assert_array_equal(compiled, [np.atleast_1d(kernel(*map(np.float64, row))) for row in rows])
@@ -179,7 +187,7 @@ def test_bump_surface_turns_by_hand_and_keys_and_stays_still_without_a_card(idea
     press(tab, view, *["Shift+ArrowUp"] * 9)
     assert not covered(figure, (232, 227, 217)).any()  # from below there is no floor
     none = "HTMLCanvasElement.prototype.getContext = () => null"
-    without = visit("s3", until="document.querySelector('#fig-two_slopes.idea-live')", prepare=none)
+    without = visit("s3", until=STARTED.replace("'figure.idea:not", "'#fig-two_slopes:not"), prepare=none)
     assert without.locator("#fig-bump_surface .pixels").is_visible()
 
 

@@ -2,7 +2,7 @@
 // page the reader is. It stands in for the theme's own scripts, which bring Bootstrap's.
 "use strict";
 document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so that none moves
-when_ready(() => {
+(() => {
   const root = document.documentElement;
   const dark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -70,9 +70,8 @@ when_ready(() => {
     }
   }
 
-  const sections = find_all(document, ".bd-article section > h2");
   function mark_section() {
-    const above = sections
+    const above = find_all(document, ".bd-article section > h2")
       .filter((title) => title.checkVisibility() && title.getBoundingClientRect().top < innerHeight / 3)
       .pop();
     for (const link of /** @type {HTMLAnchorElement[]} */ (find_all(document, "#pst-page-toc-nav a")))
@@ -89,13 +88,20 @@ when_ready(() => {
     contents?.classList.toggle("folded", reaches);
   }
 
-  colour(root.dataset.mode ?? "auto");
+  function begin() {
+    on_click(".theme-switch-button", next_colour);
+    on_click(".search-button__button", search);
+    /** @type {HTMLDialogElement[]} */ (find_all(document, "#pst-search-dialog")).forEach(close_beside);
+    menu("primary", 992);
+    menu("secondary", 1200);
+    new ResizeObserver(() => {
+      fold_contents();
+      mark_section();
+    }).observe(document.body);
+  }
+
+  colour(root.dataset.mode ?? "auto"); // before anything is in the page, which else gets its colours twice
   dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
-  on_click(".theme-switch-button", next_colour);
-  on_click(".search-button__button", search);
-  /** @type {HTMLDialogElement[]} */ (find_all(document, "#pst-search-dialog")).forEach(close_beside);
-  menu("primary", 992);
-  menu("secondary", 1200);
   addEventListener("click", ({ target }) => drop_down(target instanceof Node ? target : null));
   addEventListener("keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "k") {
@@ -104,7 +110,5 @@ when_ready(() => {
     } else if (event.key === "Escape") drop_down(null);
   });
   addEventListener("scroll", () => requestAnimationFrame(mark_section), { passive: true });
-  addEventListener("resize", fold_contents);
-  fold_contents();
-  mark_section();
-});
+  when_ready(begin);
+})();

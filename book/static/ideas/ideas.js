@@ -226,14 +226,13 @@ async function ideas_module(data) {
   return { ...(await simulator_module(Simulator.data, programs)), own: await simulator_module(data, own) };
 }
 
-document.addEventListener("DOMContentLoaded", async () => {
-  const figures = find_all(document, "figure.idea");
-  if (!figures.length) return;
+/** Bring figures to life. @param {Element[]} figures */
+async function enliven(figures) {
   const data = { ...Simulator.data, ...Ideas.data };
   try {
-    const module = await ideas_module(data);
-    Ideas.module = module;
-    for (const figure of figures) {
+    Ideas.module ??= ideas_module(data);
+    const module = await Ideas.module;
+    for (const figure of /** @type {HTMLElement[]} */ (figures)) {
       const stage = idea_stage(figure);
       const draw = IDEAS[figure.id.replace("fig-", "")](stage, module, data);
       if (draw) stage.begin(draw);
@@ -241,4 +240,15 @@ document.addEventListener("DOMContentLoaded", async () => {
   } catch (error) {
     if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay
   }
-});
+}
+
+// A figure is still until it is less than a screen away.
+const far_figures = new IntersectionObserver(
+  (entries) => {
+    const near = entries.filter(({ isIntersecting }) => isIntersecting).map(({ target }) => target);
+    for (const figure of near) far_figures.unobserve(figure);
+    enliven(near);
+  },
+  { rootMargin: "100%" }
+);
+for (const figure of document.querySelectorAll("figure.idea")) far_figures.observe(figure);

@@ -42,7 +42,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
       worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
       return worker;
     });
-    ask(last);
+    refine(last); // also the first picture, while the page is laid out
   }
 
   function stop() {

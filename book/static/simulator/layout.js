@@ -29,12 +29,14 @@ function simulator_layout(root, resized) {
 
   // Break out of the text's column.
   function spread() {
-    root.style.width = "";
-    root.style.marginLeft = "";
-    if (document.fullscreenElement === root) return;
+    if (document.fullscreenElement === root) {
+      root.style.width = "";
+      root.style.marginLeft = "";
+      return;
+    }
     const { left, width } = page.getBoundingClientRect();
     const edge = width < NARROW ? 8 : 24;
-    const shift = left + edge - root.getBoundingClientRect().left;
+    const shift = left + edge - root.getBoundingClientRect().left + (parseFloat(root.style.marginLeft) || 0);
     root.style.marginLeft = `${shift}px`;
     root.style.width = `${width - 2 * edge}px`;
   }

@@ -84,8 +84,9 @@ function simulator_pictures(root, states, data, module) {
   // The difference in as many pixels as the screen has for it; the others as they are.
   function fit() {
     if (!shown) return;
+    const rooms = boxes.map((_, n) => screen_side(n) || seen.side); // all before any canvas changes the layout
     for (const [n, canvas] of seen.bases.entries()) {
-      const room = screen_side(n) || seen.side;
+      const room = rooms[n];
       if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
       canvas.classList.toggle("smooth", canvas.width > room);
     }
@@ -149,12 +150,13 @@ function simulator_pictures(root, states, data, module) {
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
-    const key = [size, zoom, left, top, whole, field, ku, kv, ...boxes.map((_, n) => screen_side(n))].join();
+    const sides = boxes.map((_, n) => screen_side(n));
+    const key = [size, zoom, left, top, whole, field, ku, kv, ...sides].join();
     if (key === decorated) return;
     decorated = key;
     for (const [n, canvas] of overlays.entries()) {
       canvas.hidden = !whole && NAMES[n] !== "difference";
-      resize(canvas, screen_side(n));
+      resize(canvas, sides[n]);
       if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown, whole);
     }
   }

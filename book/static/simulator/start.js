@@ -288,13 +288,11 @@ function simulator_start(root, compiled, module) {
     }
   }
 
+  engine.start();
   wire_buttons();
   watch_closer();
-  engine.start();
   controls.show(state);
   layout.fit(state.size); // before anything is drawn in it, which else moves once more
-  engine.ask(state);
-  panels();
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
   const fitting = new ResizeObserver(() => layout.fit(state.size));
@@ -347,7 +345,7 @@ function say_failure(root, text) {
   say(root, `The simulator could not start (${text}). The figure below shows the three fields.`);
 }
 
-document.addEventListener("DOMContentLoaded", async () => {
+when_ready(async () => {
   const root = document.getElementById("simulator");
   if (!root) return;
   try {
