@@ -101,7 +101,7 @@ function simulator_curve(root, module) {
       last = label.y;
     }
     const over = Math.max(0, last - bottom);
-    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `${name}-label`));
+    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `name ${name}`));
     return texts.join("");
   }
 

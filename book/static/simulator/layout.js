@@ -53,7 +53,7 @@ function simulator_layout(root, resized) {
     }
     if (wide < NARROW) return alike(wide);
     if (is_apart) return alike(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE));
-    if (wide < COMPACT) return alike(Math.min((wide - SCENE) / 2 - GAP, high - PLOT));
+    if (wide < COMPACT) return alike(Math.min((wide - SCENE) / 2 - GAP, high - PLOT - TITLE));
     const [below, beside] = [Math.min(high - TABLE, wide - BESIDE), Math.min(high, wide - PIXEL)].map((room) =>
       side_for(room, size)
     );
