@@ -320,7 +320,7 @@ def test_the_curve_sets_the_step_by_click_drag_and_key(tab):
 
 
 def test_no_name_lies_on_a_curve_or_on_another(tab):
-    tab.wait_for_function("document.querySelectorAll('.sim-curve path:not(.least)').length === 3")
+    tab.wait_for_function("document.querySelectorAll('.sim-curve path:not(.least, .grid)').length === 3")
     script = """() => {
         const edges = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect());
         const names = edges('.sim-curve .name');

@@ -79,8 +79,7 @@ function simulator_layout(root, resized) {
 
   /** @param {number} size */
   function toggle_apart(size) {
-    is_apart = !is_apart;
-    root.classList.toggle("sim-apart", is_apart);
+    is_apart = root.classList.toggle("sim-apart");
     modes[0].setAttribute("aria-pressed", String(is_apart));
     fit(size);
   }
