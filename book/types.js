@@ -27,6 +27,8 @@
  *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
  *   kink?: boolean, straddling?: boolean }} PixelRecord
  * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
+ * @typedef {{ data: SimulatorData, program: string, running?: ReturnType<typeof simulator_start>,
+ *   closer: Pick<CloserData, "kernels" | "pairs" | "scene_bounds"> & { program: string } }} SimulatorParts
  */
 
 // simulator/state.js
@@ -108,6 +110,7 @@
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
  *   lines: Record<string, { inputs: string[], lines: string[] }>, angles: number[] }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
+ * @typedef {{ data: IdeasData, program: string, module?: Promise<IdeasModule> }} IdeasParts
  * @typedef {SimulatorData & IdeasData} AllData
  * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => (() => void) | null} Idea
  *   sets a stage; returns what draws on it, or null where the browser cannot
@@ -162,7 +165,13 @@
 /** @typedef {[number, number]} Point */
 
 /**
+ * The one file's pages.
+ * @typedef {{ pages: HTMLElement[], shown(): Element, show(page: Element): void }} ChapterPages
+ */
+
+/**
  * Sphinx's search, and what it asks how much a page counts that it has found: name, title, anchor, description, score.
  * @typedef {{ title: Element | null, performSearch(query: string): void }} SphinxSearch
+ * @typedef {new () => { stemWord(word: string): string }} SphinxStemmer
  * @typedef {{ score?(found: [string, string, string, string | null, number]): number }} SearchScorer
  */

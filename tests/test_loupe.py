@@ -34,7 +34,7 @@ SHOWN = """wanted => wanted.map(state => {
         runs: [...bits.querySelectorAll('span')].map(run => [run.className, run.textContent]),
     }));
 })"""
-CERTAIN = "#certified dd:has-text('e')"
+CERTAIN = "#certified td:has-text('e')"
 CERTIFIED = """async state => {
     let found;
     const { states } = Simulator.running, whole = { ...states.start(), ...state };
@@ -218,20 +218,30 @@ def test_what_is_certified_is_the_renderers(tab, given):
     assert found["open"] == np.any([frame.open for frame in frames], axis=0).sum()
 
 
-def test_digits_are_printed_as_far_as_they_are_certain(tab):
+PRINTED = ["rms", "max"]
+
+
+def test_bounds_stand_in_the_pictures_and_beside_certain_digits(tab):
+    """All digits that are certain; the pictures' bounds; and none of an earlier state."""
     wanted = {"field": "sine", "eps": 0.01, "size": 128}
     go(tab, "#sim?view=bounds&" + "&".join(f"{name}={value}" for name, value in wanted.items()))
     tab.locator("#certified").scroll_into_view_if_needed()  # then it is fetched
     tab.wait_for_selector(CERTAIN)
     found = tab.evaluate(CERTIFIED, wanted)
-    shown = [text.replace("−", "-") for text in tab.locator("#certified dd").all_inner_texts()]
-    for text, ends in zip(shown, (found["rms"], found["largest"]), strict=False):
+    for name, ends in zip(PRINTED, (found["rms"], found["largest"]), strict=True):
+        text = tab.inner_text(f"[data-readout={name}]").replace("−", "-")
         assert text.count("e") == 1 and float(text) == float(certain_digits(*ends, 15))
-    assert tab.inner_text("[data-readout=rms]").replace("−", "-") == re.sub("e-0", "e-", f"{float(shown[0]):.2e}")
+    shown = [float(text.replace("−", "-")) for text in tab.locator("#certified td").all_inner_texts() if text]
+    assert shown == [float(f"{bound:.1e}") for bound in sum(found["extremes"], [])] + [found["open"]]
+    maps = """() => [...document.querySelectorAll('.sim-bounds')].map(canvas =>
+        [...new Uint32Array(canvas.getContext('2d').getImageData(0, 0, 128, 128).data.buffer)])"""
+    assert tab.evaluate(maps) == found["maps"]
     go(tab, "#sim?field=sine&eps=1e-14&size=128&view=bounds")
-    tab.wait_for_function("document.querySelector('#certified dd')?.textContent.startsWith('at most')")
+    tab.wait_for_selector(".sim-bounds", state="hidden")
+    tab.wait_for_function("document.querySelector('[data-readout=rms]').textContent.startsWith('at most')")
     go(tab, "#sim?field=sine&view=image")
-    tab.wait_for_selector("#certified", state="hidden")
+    for gone in ("#certified", ".sim-bounds"):
+        tab.wait_for_selector(gone, state="hidden")
 
 
 @with_axe

@@ -27,6 +27,11 @@ WHITE = """() => {
     const { data } = small.getImageData(0, 0, size, size);
     return [...stage.at].flatMap((i, n) => (data[4 * i + 3] > 40 ? [ku * u[n] + kv * v[n]] : []));
 }"""
+# The curve's title is seen whole, and its lines' names have their colours.
+UNCUT = """() => { const title = document.querySelector('[data-reading]').parentElement;
+    const names = [...document.querySelectorAll('.sim-curve .name')].map(name => getComputedStyle(name).fill);
+    return title.scrollWidth <= title.clientWidth && title.scrollHeight <= title.clientHeight + 2
+        && names.length > 1 && new Set(names).size === names.length }"""
 SIGNS = {"eps": "ε", "beta": "β"}
 EDITS = ["", *"&=%-e1ε. #", "9" * 9, "NaN", "\0", "%zz", "__proto__"]
 
@@ -315,10 +320,10 @@ def test_the_curve_sets_the_step_by_click_drag_and_key(tab):
 
 
 def test_no_name_lies_on_a_curve_or_on_another(tab):
-    tab.wait_for_function("document.querySelectorAll('.sim-curve path:not(.least)').length === 3")
+    tab.wait_for_function("document.querySelectorAll('.sim-curve path:not(.least, .grid)').length === 3")
     script = """() => {
         const edges = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect());
-        const names = edges('.sim-curve :is(.numeric-label, .bound-label, .difference-label)');
+        const names = edges('.sim-curve .name');
         const right = Math.max(...edges('.sim-curve path').map(e => e.right));
         const tops = names.map(e => e.top).sort((a, b) => a - b);
         return [names.length, names.every(e => e.left >= right), tops.slice(1).every((top, n) => top >= tops[n] + 12)];
@@ -385,6 +390,12 @@ def test_pictures_step_curve_and_pixel_are_seen_together(visit, width, height, s
 
     assert all_seen(), page.evaluate(script, seen)
     assert page.evaluate("document.querySelector('[data-picture=numeric]').clientWidth") >= side
+    if width > 1000:
+        assert page.evaluate(UNCUT)
+        go(page, "#sim?view=bounds")
+        page.wait_for_selector("#certified td:has-text('e')")
+        seen += ["#certified", "[data-readout=max]"]
+        assert all_seen(), page.evaluate(script, seen)
     if width < 1000:
         page.click("[data-preset=sweep]")
         page.mouse.wheel(0, 300)

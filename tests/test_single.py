@@ -235,7 +235,7 @@ def test_simulator_draws_and_its_slider_works(tab):
 def test_the_loupe_and_what_is_certified_are_in_the_file(tab):
     show(tab, "s4")
     tab.select_option("#sim-view", "bounds")
-    for shown in ("#loupe .sim-bits tbody tr", "#certified dd:has-text('e')"):
+    for shown in ("#loupe .sim-bits tbody tr", "#certified td:has-text('e')"):
         tab.locator(shown.split()[0]).scroll_into_view_if_needed()
         tab.wait_for_selector(shown)
     tab.select_option("#sim-view", "image")

@@ -134,12 +134,18 @@ const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
 const is_typed = ({ target }) =>
   target instanceof Element && target.matches("input:not([type=range], [type=radio], [type=checkbox]), textarea");
 
-/** How far an arrow key points to the right and up, further with shift; undefined for other keys. @param {KeyboardEvent} event */
-function arrow_of(event) {
-  const far = event.shiftKey ? 10 : 1;
-  /** @type {Record<string, Point>} */
-  const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
-  return is_shortcut(event) ? undefined : arrows[event.key];
+/** Tell of arrow keys, ten times as far with shift. @param {HTMLElement} target @param {Stepped} stepped */
+function follow_arrows(target, stepped) {
+  target.addEventListener("keydown", (event) => {
+    const far = event.shiftKey ? 10 : 1;
+    /** @type {Record<string, Point>} */
+    const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
+    const arrow = arrows[event.key];
+    if (!arrow || is_shortcut(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    stepped(...arrow);
+  });
 }
 
 /** Milliseconds as seconds. @param {number} time */

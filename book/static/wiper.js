@@ -21,9 +21,9 @@ function make_wiper(box) {
   }
 
   follow_pointer(knob, box, (x, _, begins) => begins || put((100 * x) / box.clientWidth));
+  follow_arrows(knob, (right, up) => put(share + right + up));
   knob.addEventListener("keydown", (event) => {
-    const arrow = arrow_of(event);
-    const to = arrow ? share + arrow[0] + arrow[1] : { Home: 0, End: 100 }[event.key];
+    const to = { Home: 0, End: 100 }[event.key];
     if (to === undefined || is_shortcut(event)) return;
     event.preventDefault();
     put(to);

@@ -14,7 +14,7 @@ function polynomial_texts(names) {
   const zero = (relation) => ` ${RELATIONS[relation] ?? relation} 0`;
   const { powers, reduced, plus, printed } = certificate_kernel();
   /** @param {string} monomial */
-  const degree = (monomial) => powers(monomial).reduce((sum, [, power]) => sum + Number(power), 0);
+  const degree = (monomial) => total(powers(monomial), ([, power]) => Number(power));
   /** @param {PolynomialData} data */
   const sorted = (data) => Object.entries(data).sort(([a], [b]) => degree(b) - degree(a) || (a < b ? -1 : 1));
 

@@ -39,10 +39,12 @@ IDEAS.bump_surface = (stage, module, data) => {
     return made;
   };
   const program = gl.createProgram();
-  const VERTEX = `attribute vec3 at; attribute float light; uniform mat4 view; varying float lit;
-    void main() { gl_Position = view * vec4(at, 1.0); lit = light; }`;
-  const FRAGMENT = `precision mediump float; uniform vec3 tint; varying float lit;
-    void main() { gl_FragColor = vec4(tint * lit, 1.0); }`;
+  const VERTEX =
+    "attribute vec3 at; attribute float light; uniform mat4 view; varying float lit;" +
+    "void main() { gl_Position = view * vec4(at, 1.0); lit = light; }";
+  const FRAGMENT =
+    "precision mediump float; uniform vec3 tint; varying float lit;" +
+    "void main() { gl_FragColor = vec4(tint * lit, 1.0); }";
   gl.attachShader(program, shader(gl.VERTEX_SHADER, VERTEX));
   gl.attachShader(program, shader(gl.FRAGMENT_SHADER, FRAGMENT));
   gl.bindAttribLocation(program, 0, "at");

@@ -68,24 +68,6 @@ function program_lines(module, data, name, inputs) {
 /** @param {Record<string, number>} lines @param {string} name */
 const vector_of = (lines, name) => ["x", "y", "z"].map((axis) => lines[`${name}_${axis}`]);
 
-/**
- * Tell `moved` of every place of a pressed pointer, and `stepped` of arrow keys.
- * @param {SVGElement} target
- * @param {Element} origin
- * @param {Moved} moved
- * @param {Stepped} stepped
- */
-function listen_to_hand(target, origin, moved, stepped) {
-  follow_pointer(/** @type {any} */ (target), origin, moved);
-  target.addEventListener("keydown", (event) => {
-    const arrow = arrow_of(event);
-    if (!arrow) return;
-    event.preventDefault();
-    event.stopPropagation();
-    stepped(...arrow);
-  });
-}
-
 /** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
 function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
@@ -116,7 +98,8 @@ function idea_stage(figure) {
      */
     function slider_of(tag, attributes, label, moved, stepped) {
       const own = add_shape(svg, tag, { ...attributes, tabindex: 0, role: "slider", "aria-label": label });
-      listen_to_hand(own, svg, moved, stepped);
+      follow_pointer(/** @type {any} */ (own), svg, moved);
+      follow_arrows(/** @type {any} */ (own), stepped);
       /** @param {number} now @param {string} words */
       const tell = (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
       return { own, tell };

@@ -56,8 +56,9 @@ function simulator_certifier(post) {
  */
 function simulator_certified(root, states, parts) {
   const box = find_element(root, "#certified");
-  const canvases = box.querySelectorAll("canvas");
-  const values = box.querySelectorAll("dd");
+  /** @type {HTMLCanvasElement[]} */
+  const canvases = find_all(root, ".sim-bounds");
+  const values = box.querySelectorAll("tbody td");
   const REST = 300; // milliseconds
   /** @type {Worker | undefined} */
   let worker;
@@ -65,8 +66,8 @@ function simulator_certified(root, states, parts) {
   let timer = 0;
 
   /** The number that both ends are to as many digits as they agree on; else what it is at most. @param {number[]} ends */
-  function digits_of([low, high], most = 15) {
-    for (let count = most; count > 0; count--) {
+  function digits_of([low, high]) {
+    for (let count = 15; count > 0; count--) {
       const [text, other] = [low, high].map((end) => scientific(end, count - 1));
       if (text === other) return text;
     }
@@ -85,21 +86,22 @@ function simulator_certified(root, states, parts) {
       const image = new ImageData(new Uint8ClampedArray(maps[n].buffer), maps[n].length ** 0.5);
       canvas.width = canvas.height = image.width;
       canvas.getContext("2d")?.putImageData(image, 0, 0);
+      canvas.hidden = false;
     }
-    /** @param {number[]} pair */
-    const bound = (pair) => pair.map((end) => scientific(end, 1)).join(", ");
-    say([digits_of(rms), digits_of(largest), ...extremes.map(bound), String(open)]);
-    find_element(root, "[data-readout=rms]").textContent = digits_of(rms, 3);
-    find_element(root, "[data-readout=max]").textContent = digits_of(largest, 3);
+    say([...extremes.flat().map((bound) => scientific(bound, 1)), String(open), ""]);
+    find_element(root, "[data-readout=rms]").textContent = digits_of(rms);
+    find_element(root, "[data-readout=max]").textContent = digits_of(largest);
   }
 
-  /** Ask for a state's bounds, if they are viewed and not asked for yet. @param {State} state */
+  /** Ask for a state's bounds, if they are viewed and not asked for yet; those of another state are gone. @param {State} state */
   function ask(state) {
-    const key = states.fragment({ ...state, column: 0, row: 0, axis: "u" });
-    if (state.view !== "bounds" || key === asked) return;
+    const key = state.view === "bounds" ? states.fragment({ ...state, column: 0, row: 0, axis: "u" }) : "";
+    if (key === asked) return;
     asked = key;
+    for (const canvas of canvases) canvas.hidden = true;
     say([]);
     clearTimeout(timer);
+    if (!key) return;
     timer = setTimeout(() => {
       worker ??= worker_of(float64s, simulator_module, simulator_certifier);
       worker.onmessage = show;

@@ -78,7 +78,7 @@ function simulator_curve(root, module) {
     let text = "";
     for (let n = LOWEST; n <= HIGHEST; n += 4) {
       const y = y_of(10 ** n);
-      text += `<line class="grid" x1="${inset}" x2="${width - inset}" y1="${y}" y2="${y}"/>`;
+      text += path_markup("grid", `M${inset} ${y}H${width - inset}`);
       text += text_at(inset - 8, y + 4, ten_to(n), "beside");
     }
     for (let n = LEFT; n <= RIGHT; n += width < 500 ? 5 : 3) {
@@ -101,7 +101,7 @@ function simulator_curve(root, module) {
       last = label.y;
     }
     const over = Math.max(0, last - bottom);
-    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `${name}-label`));
+    const texts = placed.map(({ name, y }) => text_at(width + 2, y - over, NAMES[name], `name ${name}`));
     return texts.join("");
   }
 
@@ -109,8 +109,9 @@ function simulator_curve(root, module) {
   function show_stills(picture, in_colour) {
     const context = strip.getContext("2d");
     strip.width = STILLS * strip.height;
-    strip.style.left = `${x_of(10 ** (LEFT + 0.5))}px`;
-    strip.style.width = `${x_of(10 ** (RIGHT - 0.5)) - x_of(10 ** (LEFT + 0.5))}px`;
+    const [first, last] = [LEFT + 0.5, RIGHT - 0.5].map((power) => x_of(10 ** power));
+    strip.style.left = `${first}px`;
+    strip.style.width = `${last - first}px`;
     for (const { eps, still } of picture.values()) {
       const place = Math.log10(eps) - LEFT - 1;
       if (Number.isInteger(place) && place >= 0 && place < STILLS)

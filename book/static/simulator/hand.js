@@ -54,13 +54,9 @@ function simulator_hand(pictures, act) {
 
   /** @param {KeyboardEvent} event */
   function press(event) {
-    const arrow = arrow_of(event);
-    if (arrow) {
-      pinned = true;
-      act.move([arrow[0], -arrow[1]]);
-    } else if (["+", "=", "-"].includes(event.key) && !is_shortcut(event)) act.zoom(event.key === "-" ? -1 : 1);
-    else return;
+    if (!["+", "=", "-"].includes(event.key) || is_shortcut(event)) return;
     event.preventDefault();
+    act.zoom(event.key === "-" ? -1 : 1);
   }
 
   /** @param {HTMLElement} box */
@@ -97,6 +93,10 @@ function simulator_hand(pictures, act) {
     };
     box.addEventListener("wheel", wheel, { passive: false });
     box.addEventListener("keydown", press);
+    follow_arrows(box, (right, up) => {
+      pinned = true;
+      act.move([right, -up]);
+    });
   }
 
   pictures.boxes.forEach(wire);

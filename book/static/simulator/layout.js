@@ -55,7 +55,7 @@ function simulator_layout(root, resized) {
     }
     if (wide < NARROW) return alike(wide);
     if (is_apart) return alike(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE));
-    if (wide < COMPACT) return alike(Math.min((wide - SCENE) / 2 - GAP, high - PLOT));
+    if (wide < COMPACT) return alike(Math.min((wide - SCENE) / 2 - GAP, high - PLOT - TITLE));
     const [below, beside] = [Math.min(high - TABLE, wide - BESIDE), Math.min(high, wide - PIXEL)].map((room) =>
       side_for(room, size)
     );
@@ -81,8 +81,7 @@ function simulator_layout(root, resized) {
 
   /** @param {number} size */
   function toggle_apart(size) {
-    is_apart = !is_apart;
-    root.classList.toggle("sim-apart", is_apart);
+    is_apart = root.classList.toggle("sim-apart");
     modes[0].setAttribute("aria-pressed", String(is_apart));
     fit(size);
   }

@@ -197,10 +197,6 @@ function simulator_loupe(root, states, data, module, act) {
     const [x, y] = pointed(event);
     act.move([x - SIDE / 2, y - SIDE / 2]);
   });
-  frame.addEventListener("keydown", (event) => {
-    const arrow = arrow_of(event);
-    if (arrow) act.move([arrow[0], -arrow[1]]);
-    if (arrow) event.preventDefault();
-  });
+  follow_arrows(frame, (right, up) => act.move([right, -up]));
   return { show };
 }

@@ -19,7 +19,10 @@ function simulator_pictures(root, states, data, module) {
   const scale = simulator_scale(root, data);
   // What the page draws while something moves, and what the workers draw when it rests, each in canvases of its own:
   // a drawer sends what has changed since its last picture.
-  const [by_page, by_workers] = [canvases(".pixels"), canvases(".pixels").map(copied)].map((bases) => ({
+  const [by_page, by_workers] = [
+    canvases(".pixels"),
+    canvases(".pixels").map((canvas) => /** @type {HTMLCanvasElement} */ (canvas.cloneNode()))
+  ].map((bases) => ({
     bases,
     mask: document.createElement("canvas"),
     levels: new Uint8Array(),
@@ -30,11 +33,6 @@ function simulator_pictures(root, states, data, module) {
   let shown = null;
   let decorated = "";
   let held = false; // the key that shows the crease lines
-
-  /** @param {HTMLCanvasElement} canvas */
-  function copied(canvas) {
-    return /** @type {HTMLCanvasElement} */ (canvas.cloneNode());
-  }
 
   /** @param {HTMLCanvasElement} canvas */
   const context_of = (canvas, alpha = true) =>
@@ -77,8 +75,7 @@ function simulator_pictures(root, states, data, module) {
     seen = now;
     shown = state;
     scale.choose(state.scale, seen.levels);
-    fit();
-    decorate();
+    resized();
   }
 
   // The difference in as many pixels as the screen has for it; the others as they are.

@@ -92,6 +92,7 @@ function simulator_readouts(root, data, module) {
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
     put(".sim-remark", remark(state));
     $(".sim-legend").hidden = view !== "terms";
+    $("#certified").hidden = view !== "bounds";
   }
 
   const terms = data.terms.map(

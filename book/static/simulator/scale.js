@@ -11,7 +11,9 @@ function simulator_scale(root, data) {
   const BLACK = 0xff000000;
   const DECADE = 16; // levels, of the logarithmic scale; level 0 is 10⁻¹⁶ and whatever is less
   const HIGH = 20; // of the counts
-  const [bar, marks] = ["span", "p"].map((selector) => find_element(root, `.sim-bar ${selector}`));
+  /** @type {HTMLCanvasElement} */
+  const bar = find_element(root, ".sim-bar canvas");
+  const marks = find_element(root, ".sim-bar p");
   const counts_path = find_element(root, ".sim-counts path");
   let is_linear = false;
   let colors = Uint32Array.from(inferno);
@@ -44,13 +46,10 @@ function simulator_scale(root, data) {
     const palette = is_linear ? grey : inferno;
     const place = (/** @type {number} */ level) => clamp(0, Math.round(((level - low) / (high - 1 - low)) * 255), 255);
     colors = Uint32Array.from(palette, (_, level) => palette[place(level)]);
-    const css = palette
-      .filter((_, n) => n % 15 === 0)
-      .map((color) => `rgb(${[0, 8, 16].map((shift) => (color >>> shift) & 255)})`);
     const powers = [0, 0.25, 0.5, 0.75, 1].map((share) => first + share * (last - first) - DECADE);
     const texts = powers.filter(Number.isInteger).map((power) => (power ? ten_to(power) : "1"));
     const ends = ["0", scale === "1e0" ? "1" : ten_to(-Math.log10(Number(scale)))];
-    bar.style.background = `linear-gradient(to right, ${css})`;
+    bar.getContext("2d")?.putImageData(image_of(Uint32Array.from(palette), LEVELS), 0, 0);
     marks.replaceChildren(...(is_linear ? ends : texts).map((mark) => make_element("span", {}, mark)));
   }
 

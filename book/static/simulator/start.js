@@ -241,7 +241,6 @@ function simulator_start(root, compiled, module) {
 
   // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
   function watch_closer() {
-    const boxes = ["#loupe", "#certified"].map($);
     const watch = new IntersectionObserver(async (entries) => {
       if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
       watch.disconnect();
@@ -256,10 +255,7 @@ function simulator_start(root, compiled, module) {
       root.addEventListener("pixel", show);
       show();
     });
-    for (const box of boxes) watch.observe(box);
-    root.addEventListener("pixel", () => {
-      boxes[1].hidden = state.view !== "bounds";
-    });
+    for (const box of ["#loupe", "#certified"]) watch.observe($(box));
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.

@@ -9,10 +9,9 @@ function simulator_states(root, { fields, models, scene }) {
 
   /** The number in a text as code has it, or as print has: 1e-8, 1.2e−8, 10⁻⁸, 3 · 10⁻⁴, 2^-20, 1/8; NaN in others. @param {string} text */
   function number_in(text) {
-    const lowered = text.replace(/[⁻⁰¹²³⁴-⁹]/g, (digit) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)]);
-    const raised_at = text.search(/[⁻⁰¹²³⁴-⁹]/);
-    const plain = raised_at > 0 ? `${lowered.slice(0, raised_at)}^${lowered.slice(raised_at)}` : lowered;
-    const in_code = plain
+    const in_code = text
+      .replace(/(?<![⁻⁰¹²³⁴-⁹])(?=[⁻⁰¹²³⁴-⁹])/g, "^")
+      .replace(/[⁻⁰¹²³⁴-⁹]/g, (digit) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)])
       .replaceAll("−", "-")
       .replace(/ *[·×*] *10\^/, "e")
       .replace(/^ *10\^/, "1e")
