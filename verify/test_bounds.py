@@ -144,6 +144,12 @@ def test_an_operation_stays_in_its_bounds(name):
     assert escapes(name) == 0
 
 
+@pytest.mark.parametrize(("found", "at"), [(operations.floor, 3.0), (operations.rint, 2.5)])
+def test_a_bound_however_small_moves_a_whole_number(found, at):
+    """So few roundings are a bound that float64 takes for 0."""
+    assert found(Enclosed.counted(np.float64(at), 2.0**-1074)).bound >= 1.0
+
+
 def one_sided(mask, value, otherwise):
     """Return a selection that covers the side alone that was computed."""
     value, otherwise = map(enclosing.enclosed, (value, otherwise))

@@ -252,6 +252,62 @@ Proof.
     rewrite Rabs_minus_sym. exact Ty.
 Qed.
 
+(* A whole number that is found of x: it changes only where a multiple of a half is in reach. *)
+Lemma whole_rule (s x e x' away y y' : R) (n : Z) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 e -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) -> e <= 2 ^ 60 ->
+  y - y' = IZR n -> Rabs (y - y') <= Rabs (x - x') + 1 -> (x = x' \/ Rabs (x - x') < away -> y = y') -> let b := rounded (ROUNDING * e) in
+  let c := rounded (9007199254740992 * (if both (Rle_dec (rounded away) (rounded (b * (562949953421313 / 562949953421312)))) (Rlt_dec 0 e) then rounded (1 + whole_below b) else whole_below b)) in
+  float64 c /\ 0 <= c /\ Rabs (y - y') <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S1 S2 E P D U N G H b c. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption).
+  assert (B0 : 0 <= b) by (apply not_negative_rounded; unfold ROUNDING; lra). assert (B1 : b <= bpow radix2 8).
+  { apply round_le_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | unfold ROUNDING; simpl; lra]. }
+  set (w := Zfloor b). assert (W : (0 <= w <= 256)%Z) by (split; [apply Zfloor_lub, B0 | rewrite <- (Zfloor_IZR 256); apply Zfloor_le; exact B1]).
+  assert (small : forall m j, (0 <= m <= 257)%Z -> (0 <= j)%Z -> rounded (IZR m * bpow radix2 j) = IZR m * bpow radix2 j) by (intros; apply kept, whole_is_float64; lia).
+  assert (plain : forall m, (0 <= m <= 257)%Z -> rounded (IZR m) = IZR m) by (intros m L; rewrite <- (Rmult_1_r (IZR m)); exact (small m 0%Z L ltac:(easy))).
+  assert (K : exists m : Z, (0 <= m <= 257)%Z /\ c = IZR m * bpow radix2 53 /\ Rabs (y - y') <= IZR m).
+  { unfold c. change (whole_below b) with (IZR w). rewrite (Rmult_comm 9007199254740992). change 9007199254740992 with (bpow radix2 53). destruct (both _ _) as [_|Far].
+    - exists (1 + w)%Z. rewrite <- plus_IZR, plain, small by lia. split; [lia | split; [reflexivity|]].
+      rewrite N, <- abs_IZR in *. apply IZR_le. destruct (Z_le_gt_dec (Z.abs n) 1) as [|L]; [lia|]. assert (Q : (Z.abs n - 1 <= w)%Z); [|lia].
+      assert (T : IZR (Z.abs n - 1) <= ROUNDING * e) by (rewrite minus_IZR; unfold ROUNDING; lra). assert (V : (Z.abs n - 1 <= 256)%Z) by (apply le_IZR; unfold ROUNDING in T; lra).
+      apply Zfloor_lub. rewrite <- plain by lia. apply round_le; [typeclasses eauto..| exact T].
+    - exists w. rewrite small by lia. split; [lia | split; [reflexivity|]]. assert (Y : y = y'); [apply H | rewrite Rminus_diag_eq, Rabs_R0 by exact Y; apply IZR_le; lia].
+      destruct Far as [Far|Far]; [right | left].
+      + apply Rnot_le_lt in Far. apply Rle_lt_trans with (ROUNDING * e); [unfold ROUNDING; lra|]. apply rounded_below. eapply Rle_lt_trans; [|exact Far]. fold b. rewrite <- (kept b) at 1 by (apply rounded_is_float64).
+        apply round_le; [typeclasses eauto..|]. lra.
+      + replace e with 0 in D by lra. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (x - x')). intro. apply Rminus_diag_uniq. destruct (Req_dec (x - x') 0) as [|Z]; [assumption|]. apply Rabs_pos_lt in Z. lra. }
+  destruct K as (m & Bm & -> & L). assert (0 <= IZR m) by (apply IZR_le; lia). split; [apply whole_is_float64; lia | split; [apply Rmult_le_pos; [assumption | apply bpow_ge_0]|]].
+  eapply Rle_trans; [exact L|]. replace (IZR m * bpow radix2 53 / 2 ^ 53) with (IZR m) by (simpl; lra). assert (0 <= (s - 1) * IZR m) by (apply Rmult_le_pos; lra). lra.
+Qed.
+Lemma nearest_half (x : R) : Rabs (x - rint x) <= 1 / 2.
+Proof. generalize (Znearest_half (fun n => negb (Z.even n)) x). unfold rint. lra. Qed.
+Lemma nearest_is_nearest (x : R) (m : Z) : Rabs (x - rint x) <= Rabs (x - IZR m).
+Proof.
+  assert (H := nearest_half x). unfold rint in *. set (n := Znearest _ x) in *. destruct (Z.eq_dec m n) as [->|D]; [apply Rle_refl|].
+  assert (G : 1 <= Rabs (IZR n - IZR m)) by (rewrite <- minus_IZR, <- abs_IZR; apply IZR_le; lia). generalize (Rabs_triang (x - IZR m) (- (x - IZR n))). rewrite Rabs_Ropp.
+  replace (x - IZR m + - (x - IZR n)) with (IZR n - IZR m) by ring. lra.
+Qed.
+Lemma rounded_abs (x : R) : Rabs (rounded x) = rounded (Rabs x).
+Proof. symmetry. apply round_NE_abs. typeclasses eauto. Qed.
+Theorem enclosing_rules__floor : Statements.enclosing_rules__floor.
+Proof.
+  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_floor_float64.below_error, enclosed_floor_float64.below. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
+  unfold whole_below at 5. unfold whole_below at 5. apply whole_rule with x x' (Zfloor x - Zfloor x')%Z; try assumption; [symmetry; apply minus_IZR | |].
+  - generalize (Zfloor_lb x) (Zfloor_ub x) (Zfloor_lb x') (Zfloor_ub x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros. apply Rabs_le. lra.
+  - intros [->|N]; [reflexivity|]. f_equal. symmetry. apply Zfloor_imp. rewrite plus_IZR. generalize (nearest_is_nearest x (Zfloor x)) (nearest_is_nearest x (Zfloor x + 1)) (Zfloor_lb x) (Zfloor_ub x) (Rle_abs (x - x')) (Rabs_maj2 (x - x')).
+    rewrite plus_IZR. intros A B L H. rewrite (Rabs_pos_eq (x - IZR (Zfloor x))) in A by lra. rewrite (Rabs_left (x - (_ + 1))) in B by lra. lra.
+Qed.
+Theorem enclosing_rules__nearest : Statements.enclosing_rules__nearest.
+Proof.
+  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_nearest_float64.nearest_error, enclosed_nearest_float64.nearest. fold ROUNDING. assert (H := nearest_half x).
+  assert (F : rounded (x - rint x) = x - rint x).
+  { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
+    eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }
+  rewrite F, rounded_abs. apply whole_rule with x x' (Znearest (fun n => negb (Z.even n)) x - Znearest (fun n => negb (Z.even n)) x')%Z; try assumption; [symmetry; apply minus_IZR | |].
+  - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. apply Rabs_le_between in H. apply Rabs_le_between in H'. apply Rabs_le. lra.
+  - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. rewrite (Rabs_left1 (Rabs _ - 1 / 2)) in N by lra. generalize (Rabs_triang (x' - x) (x - IZR (Znearest (fun n => negb (Z.even n)) x))).
+    rewrite (Rabs_minus_sym x' x). replace (x' - x + _) with (x' - IZR (Znearest (fun n => negb (Z.even n)) x)) by ring. lra.
+Qed.
+
 (* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)
 Theorem enclosing_rules__slack (n : nat) : INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22 /\ (1 + 1 / 2 ^ 49) ^ n / 2 ^ 53 <= ROUNDING.
 Proof.

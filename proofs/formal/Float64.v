@@ -281,6 +281,22 @@ Definition root_error := rounded ((if Rlt_dec x_error (rounded (x * 900719925474
 End program.
 End enclosed_root_float64.
 
+Module enclosed_floor_float64.
+Section program.
+Variables x x_error : R.
+Definition below := whole_below x.
+Definition below_error := rounded (9007199254740992 * (if both (Rle_dec (Rabs (rounded (x - (rint x)))) (rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) * (562949953421313 / 562949953421312)))) (Rlt_dec 0 x_error) then (rounded (1 + (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))) else (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))).
+End program.
+End enclosed_floor_float64.
+
+Module enclosed_nearest_float64.
+Section program.
+Variables x x_error : R.
+Definition nearest := rint x.
+Definition nearest_error := rounded (9007199254740992 * (if both (Rle_dec (Rabs (rounded ((Rabs (rounded (x - (rint x)))) - (1 / 2)))) (rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) * (562949953421313 / 562949953421312)))) (Rlt_dec 0 x_error) then (rounded (1 + (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))) else (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))).
+End program.
+End enclosed_nearest_float64.
+
 Module enclosed_selection_float64.
 Section program.
 Variables left left_error right right_error x x_error y y_error : R.

@@ -132,13 +132,16 @@ Proof.
   assert (O : forall x, float64 x -> float64 (- x)) by (intros x; apply generic_format_opp).
   intro C. unfold sine_of_half_turns_float64.sine. repeat destruct Rlt_dec; try apply O; apply rounded_is_float64.
 Qed.
+Lemma rings_height_near (k : R) : float64 k -> forall w, carried (2 * k) w -> Rabs (height_rings_float64.h w k - height_rings.h w k) <= 76/10 / 2 ^ 53 /\ float64 (height_rings_float64.h w k).
+Proof.
+  intros F w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra].
+Qed.
 Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
   intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
   destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
-  assert (N : forall w, carried (2 * k_v) w -> Rabs (height_rings_float64.h w k_v - height_rings.h w k_v) <= 76/10 / 2 ^ 53 /\ float64 (height_rings_float64.h w k_v)).
-  { intros w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra]. }
+  assert (N := rings_height_near k_v F).
   destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
   destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
     (PI * (2 * k_v)) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
@@ -229,6 +232,63 @@ Proof.
     rewrite !whole_turn_less. fold k_u. field. lra.
 Qed.
 
+(* At the pole v - epsilon is clamped to 0: two roundings, and that of the span; what the clamp itself costs is truncation. *)
+Definition kappa_clamped : R := (3 / 2 ^ 53 + (/ 2 ^ 53) ^ 2) / (1 - / 2 ^ 53).
+Lemma clamped_arguments (v e : R) : float64 v -> float64 e -> 0 <= v < e -> e + v <= 1 ->
+  central_any_float64.v_plus v e = rounded (e + v) /\ central_any_float64.v_minus v e = 0 /\ central_any_float64.span_v v e = rounded (e + v).
+Proof.
+  intros V E B W. assert (P := proj1 (up_to_1 _) W). assert (M : rounded (v - e) < 0).
+  { destruct (difference_near v e V E) as (d & D & ->). apply Rabs_le_between in D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
+  unfold central_any_float64.span_v, central_any_float64.v_plus, central_any_float64.v_minus. rewrite Rmin_right, Rmax_left by lra. repeat split.
+  destruct (both _ _) as [[_ N]|_]; [replace (e - v) with (- (v - e)) in N by ring; rewrite rounded_opp in N; lra|]. rewrite Rminus_0_r. apply kept, rounded_is_float64.
+Qed.
+Definition clamped_bound (L w : R) : R := (16 / w + 2 * L) / 2 ^ 53 * (1 + kappa_clamped) + L * kappa_clamped.
+Lemma clamped_parts (h h1 : R -> R) (L v e a b : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> float64 v -> float64 e -> 0 <= v < e -> e + v <= 1 -> float64 a -> float64 b ->
+  Rabs (a - h (rounded (e + v))) <= 76/10 / 2 ^ 53 -> Rabs (b - h 0) <= 76/10 / 2 ^ 53 -> Rabs (rounded (rounded (a - b) / rounded (e + v)) - (h (e + v) - h 0) / (e + v)) <= clamped_bound L (e + v).
+Proof.
+  intros D S V E B W Fa Fb A' B'. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
+  destruct (difference_near e (- v) E ltac:(apply generic_format_opp, V)) as (d3 & D3 & R3). replace (e - - v) with w in R3 by (unfold w; ring).
+  assert (W0 : 0 < w) by (unfold w; lra). assert (A : Rabs (rounded w - w) <= w / 2 ^ 53) by (rewrite R3; replace (w * (1 + d3) - w) with (w * d3) by ring; rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat_l; lra).
+  rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). apply Rabs_le_between in D1. apply Rabs_le_between in D2. apply Rabs_le_between in D3.
+  replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <= kappa_clamped).
+  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H'); try lra. unfold t. field. lra. }
+  assert (N := roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A' B').
+  assert (Y' : Rabs ((a - b) / w * t + y - (a - b) / w * t) <= / 2 ^ 100) by (replace (_ - _) with y by ring; exact Y). eapply Rle_trans; [exact (through _ _ _ _ _ Y' N)|].
+  assert (I : 1 <= / w) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). assert (Q : 0 <= kappa_clamped) by (eapply Rle_trans; [apply Rabs_pos | exact T]).
+  replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). assert (0 <= / w * kappa_clamped) by (apply Rmult_le_pos; lra). unfold clamped_bound, Rdiv in *. nra.
+Qed.
+Definition clamped_in_v (k v e : R) : Prop := float64 v /\ float64 e /\ 0 < k /\ 0 <= v < e /\ e + v <= 1 /\ carried k (rounded (e + v)).
+Lemma zero_carried (k w : R) : carried k w -> carried k 0.
+Proof. intro C. refine (conj (proj1 C) (conj (generic_format_0 _ _) _)). rewrite Rmult_0_r, Rabs_R0. split; [left; reflexivity | lra]. Qed.
+Lemma exact_when_clamped (v e : R) : 0 <= v < e -> e + v <= 1 -> Rmin 1 (e + v) = e + v /\ Rmax (v - e) 0 = 0 /\ forall f g : R, (if both (Rle_dec (e + v) 1) (Rle_dec (e - v) 0) then f else g) = g.
+Proof. intros B W. rewrite Rmin_right, Rmax_right by lra. repeat split. intros f g. destruct (both _ _) as [[_ F]|_]; [lra | reflexivity]. Qed.
+(* In one, of sine, ridges and rings, which have twice the wave number: s is the sign of sine's heights at both ends of the span, and at the rounded one. *)
+Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v) /\
+  (forall s, s = 1 \/ s = -1 -> 0 <= s * height_sine.h u (epsilon + v) k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v ->
+    Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - central_ridges.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)) /\
+  forall k, float64 k -> 2 * k = k_v -> Rabs (central_any_float64.h_v (fun _ v _ k => height_rings_float64.h v k) u v k_u k epsilon - central_rings.h_v v k epsilon) <= clamped_bound (PI * k_v) (epsilon + v).
+Proof.
+  intros (V & E & K & B & W & C) U. assert (Z := zero_carried _ _ C). destruct (clamped_arguments v epsilon V E B W) as (P & M & S). destruct (exact_when_clamped v epsilon B W) as (P' & M' & S').
+  assert (N : Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)).
+  { unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus, central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus. rewrite P, M, S, P', M', S', Rminus_0_r.
+    refine (clamped_parts (fun x => height_sine.h u x k_u k_v) (fun x => PI * k_v * (cos (PI * (k_v * x)) * sin (PI * (k_u * u)))) _ v epsilon _ _ _ _ V E B W
+      (rounded_is_float64 _) (rounded_is_float64 _) (sine_height_near _ _ _ _ U C) (sine_height_near _ _ _ _ U Z)).
+    - unfold height_sine.h. derived.
+    - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1]. }
+  split; [exact N|]. split.
+  2: { intros k F <-. assert (R := rings_height_near k F).
+    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus, central_rings.h_v, central_rings.h_v_plus, central_rings.h_v_minus, central_rings.span_v, central_rings.v_plus, central_rings.v_minus. rewrite P, M, S, P', M', S', Rminus_0_r.
+    refine (clamped_parts (fun x => height_rings.h x k) (fun x => PI * (2 * k) * (cos (PI * (2 * k * x)) * 1)) _ v epsilon _ _ _ _ V E B W (proj2 (R _ C)) (proj2 (R _ Z)) (proj1 (R _ C)) (proj1 (R _ Z))).
+    - unfold height_rings.h. derived.
+    - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra]. }
+  intros s G H H'. assert (H0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _ _ _ _ _ G _ _ N).
+  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, !(ridges_height s) by (assumption || lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).
+  - unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus, central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
+    rewrite P', M', !S'. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v * 0))) in *. clearbody x z.
+    replace (Rabs x) with (s * x) by (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). replace (Rabs z) with (s * z) by (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). unfold Rdiv. ring.
+Qed.
+
 (* False variants: without the part of the arguments, where the slope dies. *)
 Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
 Proof.
@@ -272,6 +332,21 @@ Theorem roundoff_bound__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, 
 Proof.
   intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
   rewrite (proj2 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). cbv zeta. unfold_slopes. lra.
+Qed.
+Lemma clamped_witness : clamped_in_v (201 / 2) 0 (bpow radix2 (-1)) /\ carried (201 / 2) (bpow radix2 (-1)).
+Proof.
+  destruct witness as (_ & _ & C). split; [|exact C]. unfold clamped_in_v. rewrite Rplus_0_r, (kept (bpow radix2 (-1))) by apply C.
+  split; [apply generic_format_0 | split; [apply C|]]. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply C; lra.
+Qed.
+Theorem roundoff_bound__clamped_in_float64__point : exists u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon /\ carried k_u u.
+Proof. do 5 eexists. exact clamped_witness. Qed.
+(* It is not the slope itself. *)
+Theorem roundoff_bound__clamped_in_float64__false : ~ forall u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon -> carried k_u u ->
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= clamped_bound (PI * k_v) (epsilon + v).
+Proof.
+  intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (roundoff_bound__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
+  destruct V as (_ & _ & _ & B & W & _). destruct (exact_when_clamped _ _ B W) as (P & M & S). unfold central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus. rewrite P, M, S.
+  change (bpow radix2 (-1)) with (/ 2). unfold height_sine.h, clamped_bound, kappa_clamped. unfold_slopes. interval with (i_prec 80).
 Qed.
 Lemma for_rings : float64 (201 / 2 / 2) /\ sampled_in_v (2 * (201 / 2 / 2)) (bpow radix2 (-1)) (bpow radix2 (-55)).
 Proof.

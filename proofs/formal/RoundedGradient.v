@@ -8,16 +8,11 @@ From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns Rounde
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
-Proof. intros N E. apply generic_format_FLT. exists (Float radix2 n e); [reflexivity | exact N | exact E]. Qed.
 Lemma twice_float64 (x : R) : float64 x -> float64 (2 * x).
 Proof.
   intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. cbn [Fnum Fexp] in *.
   apply generic_format_FLT. exists (Float radix2 m (e + 1)); [|exact M | cbn [Fexp]; lia]. rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite bpow_plus. change (bpow radix2 1) with 2. ring.
 Qed.
-Lemma kept (x : R) : float64 x -> rounded x = x.
-Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
-
 (* The number of quarters of a turn, and what remains of a float64 product: both are exact. *)
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
@@ -27,23 +22,9 @@ Proof.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
-  intro F. destruct (Rlt_le_dec (Rabs p) (1/4)) as [S|S].
-  - replace (quarters p) with 0%Z; [replace (p - 0 / 2) with p by lra; exact F|].
-    symmetry. apply Znearest_imp. apply Rabs_def2 in S. apply Rabs_def1; simpl; lra.
-  - apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
-    destruct (Z_le_gt_dec e (-1)) as [N|P].
-    + set (n := (m - quarters p * 2 ^ (-1 - e))%Z).
-      assert (X : p - IZR (quarters p) / 2 = IZR n * bpow radix2 e).
-      { unfold n. rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, <- E, Rmult_assoc, <- bpow_plus.
-        replace (-1 - e + e)%Z with (-1)%Z by lia. simpl. lra. }
-      rewrite X. apply whole_is_float64; [|exact L]. apply lt_IZR. apply Rmult_lt_reg_r with (bpow radix2 e); [apply bpow_gt_0|].
-      rewrite abs_IZR. replace (Rabs (IZR n) * bpow radix2 e) with (Rabs (p - IZR (quarters p) / 2)).
-      * apply Rle_lt_trans with (Rabs p); [eapply Rle_trans; [apply near_quarters | exact S]|]. rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
-        apply Rmult_lt_compat_r; [apply bpow_gt_0|]. rewrite <- abs_IZR. apply IZR_lt. exact M.
-      * rewrite X, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. reflexivity.
-    + replace (p - IZR (quarters p) / 2) with 0; [apply generic_format_0|].
-      assert (I : 2 * p = IZR (m * 2 ^ (e + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
-      unfold quarters. rewrite I, (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))), <- I. lra.
+  intro F. assert (N := near_quarters p). change (IZR (quarters p) / 2) with (IZR (quarters p) * bpow radix2 (-1)) in *. apply part_is_float64; [exact F | easy | | change (bpow radix2 (-1)) with (/ 2) in *; lra].
+  destruct (Rlt_le_dec (Rabs p) (1/4)) as [S|S]; [|lra]. replace (quarters p) with 0%Z; [rewrite Rmult_0_l, Rminus_0_r; apply Rle_refl|].
+  symmetry. apply Znearest_imp. apply Rabs_def2 in S. apply Rabs_def1; simpl; lra.
 Qed.
 
 Section reduction.

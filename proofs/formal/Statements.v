@@ -657,6 +657,32 @@ Definition enclosing_rules__root : Prop :=
   0 <= enclosed_root_float64.root_error x x_error /\
   Rabs (enclosed_root_float64.root x - (sqrt x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_root_float64.root_error x x_error / 2 ^ 53).
 
+Definition enclosing_rules__floor : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  float64 (enclosed_floor_float64.below_error x x_error) /\
+  0 <= enclosed_floor_float64.below_error x x_error /\
+  Rabs (enclosed_floor_float64.below x - (IZR (Int_part x_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_floor_float64.below_error x x_error / 2 ^ 53).
+
+Definition enclosing_rules__nearest : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  float64 (enclosed_nearest_float64.nearest_error x x_error) /\
+  0 <= enclosed_nearest_float64.nearest_error x x_error /\
+  Rabs (enclosed_nearest_float64.nearest x - (rint x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_nearest_float64.nearest_error x x_error / 2 ^ 53).
+
 Definition enclosing_rules__selection : Prop :=
   forall slack left left_error left_exact right right_error right_exact x x_error x_exact y y_error y_exact : R,
   1 <= slack ->

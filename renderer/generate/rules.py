@@ -38,13 +38,16 @@ class Decision:
     def __invert__(self):
         return Decision(self.text, not self.negated)
 
-    def __or__(self, other):
+    def _joined(self, both_of, other):
         if self.negated or other.negated:
             raise ValueError(f"no form for a negation within {self.text} or {other.text}")
-        return Decision(f"either ({self.text}) ({other.text})")
+        return Decision(f"{both_of} ({self.text}) ({other.text})")
+
+    def __or__(self, other):
+        return self._joined("either", other)
 
     def __and__(self, other):
-        return ~(~self | ~other)
+        return ~(~self | ~other) if self.negated else self._joined("both", other)
 
 
 class Operations:
@@ -60,6 +63,16 @@ class Operations:
     def sqrt(number: "Term") -> "Term":
         """Return a root, rounded."""
         return Term(f"rounded (sqrt {_text(number)})")
+
+    @staticmethod
+    def floor(number: "Term") -> "Term":
+        """Return the next whole number below, which is not rounded."""
+        return Term(f"whole_below {_text(number)}")
+
+    @staticmethod
+    def rint(number: "Term") -> "Term":
+        """Return the nearest whole number, which is not rounded."""
+        return Term(f"rint {_text(number)}")
 
 
 class Term:
@@ -88,6 +101,9 @@ class Term:
 
     def __lt__(self, other):
         return Decision(f"Rlt_dec {_text(self)} {_text(other)}")
+
+    def __le__(self, other):
+        return Decision(f"Rle_dec {_text(self)} {_text(other)}")
 
     def __gt__(self, other):
         return Decision(f"Rlt_dec {_text(other)} {_text(self)}")

@@ -11,8 +11,8 @@ are rounded too, and an operation makes its own too small by less than 2⁻⁴�
 sizes are counts of its operands, which are as much too small as their own operations made them. A pixel has fewer than
 2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
 where a bound is asked for, compared, or multiplied by another bound. So says theorem enclosing_rules, which Coq proves
-of what sums, products, quotients, roots and selections do here. Of the elementary functions, which ask for bounds, each
-one makes up for its own by SLACK.
+of what sums, products, quotients, roots, whole numbers and selections do here. Of the elementary functions, which ask
+for bounds, each one makes up for its own by SLACK.
 
 What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
 nothing.
@@ -262,8 +262,9 @@ class Operations:
         """Return a whole number that is found, which may be the next one where what changes it is in reach."""
         if is_zero(number.error):
             return Enclosed(found, stays_exact=True)
-        reaches = (away <= number.bound * SLACK) & (number.bound > 0.0)
-        return Enclosed(found, where(reaches, 1.0, 0.0) + operations.floor(number.bound), True)
+        reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
+        further = operations.floor(number.bound)
+        return Enclosed(found, where(reaches, 1.0 + further, further), True)
 
     @classmethod
     def floor(cls, number: Enclosed) -> Enclosed:

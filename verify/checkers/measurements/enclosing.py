@@ -34,8 +34,8 @@ def shares(program: Program, random: np.random.Generator, samples: int) -> list[
         found = machine(*map(Enclosed.counted, values, counts))
         exact = balls(ends, BITS)[output.name]
         with ctx.workprec(BITS):
-            off = abs(arb(float(found.value)) - exact) / arb(float(found.bound))
-        ratios.append(float(off.upper()))
+            off = abs(arb(float(found.value)) - exact)
+            ratios.append(0.0 if off.is_zero() else float((off / arb(float(found.bound))).upper()))
     return ratios
 
 
