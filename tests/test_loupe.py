@@ -232,7 +232,7 @@ def test_bounds_stand_in_the_pictures_and_beside_certain_digits(tab):
         text = tab.inner_text(f"[data-readout={name}]").replace("−", "-")
         assert text.count("e") == 1 and float(text) == float(certain_digits(*ends, 15))
     shown = [float(text.replace("−", "-")) for text in tab.locator("#certified td").all_inner_texts() if text]
-    assert shown == [float(f"{bound:.1e}") for bound in sum(found["extremes"], [])] + [found["open"]]
+    assert shown == [float(f"{bound:.1e}") for pair in found["extremes"] for bound in pair] + [found["open"]]
     maps = """() => [...document.querySelectorAll('.sim-bounds')].map(canvas =>
         [...new Uint32Array(canvas.getContext('2d').getImageData(0, 0, 128, 128).data.buffer)])"""
     assert tab.evaluate(maps) == found["maps"]
