@@ -288,9 +288,9 @@ function simulator_start(root, compiled, module) {
   wire_buttons();
   watch_closer();
   controls.show(state);
+  layout.fit(state.size); // before anything is drawn in it, which else moves once more
   if (from_address()) root.scrollIntoView();
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
-  // It tells first of the next frame, before a worker has drawn anything, which else would move once more.
   const fitting = new ResizeObserver(() => layout.fit(state.size));
   for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
   window.addEventListener("resize", () => layout.fit(state.size));
