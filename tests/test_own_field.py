@@ -133,6 +133,10 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written():
     ("make", "text"),
     [
         (lambda: Scene(field=HeightField("sine", v)), "name = 'sine' is not allowed: a name that no other formula has"),
+        (lambda: HeightField("n" * 61, v), "n...' is not allowed: a name of at most 60 characters, and it has 61"),
+        (lambda: LightModel("n" * 10**6, light_direction), "a name of at most 60 characters, and it has 1000000"),
+        (lambda: HeightField(5, v), "name = 5 is not allowed: a text"),
+        (lambda: HeightField("none", None), "expression = None is not allowed: an expression of SymPy"),
         (lambda: [Scene(field=HeightField("twice", w)) for w in (v, v**2)], "name = 'twice' is not allowed: a name"),
         (lambda: Scene(field=DUNES), f"field = {DUNES!r} is not allowed: one of 'sine'"),
         (lambda: Scene(field=LIGHT_MODELS["phong"]), "is not allowed: one of 'sine'"),

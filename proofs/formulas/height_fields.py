@@ -58,6 +58,8 @@ class HeightField:
     @evaluated
     def __post_init__(self):
         check_name(self.name)
+        if not isinstance(self.expression, Expr):
+            raise self._refused("an expression of SymPy")
         for formula in (self.expression, *self.gradient()):
             try:
                 enclosure(formula, CHART)

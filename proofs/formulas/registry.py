@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from keyword import iskeyword
 from typing import Any
 
+LONGEST_NAME = 60  # characters: a name is part of a message, a kernel's name and a file's
+
 
 def not_allowed(name: str, value: object, allowed: str) -> ValueError:
     """Return the ValueError that says so."""
@@ -11,7 +13,12 @@ def not_allowed(name: str, value: object, allowed: str) -> ValueError:
 
 
 def check_name(name: str) -> None:
-    """Raise ValueError unless a function, in Python and in Coq, can be called so."""
+    """Raise ValueError unless a function, in Python and in Coq, can be called so, and the name is not too long."""
+    if not isinstance(name, str):
+        raise not_allowed("name", name, "a text")
+    if len(name) > LONGEST_NAME:
+        allowed = f"a name of at most {LONGEST_NAME} characters, and it has {len(name)}"
+        raise not_allowed("name", f"{name[:LONGEST_NAME]}...", allowed)
     if not (name.isascii() and name.isidentifier()) or iskeyword(name):
         raise not_allowed("name", name, "an identifier of ASCII letters, digits and _, and no keyword of Python")
 

@@ -134,7 +134,8 @@ class Scene:
             if kinds[name] is bool:
                 check_kind(name, value, bool, "True or False")
             given[name] = own_from_record(name, value) if name in ("field", "model") else value
-        if isinstance(given.get("lights"), list):
+        if "lights" in given:
+            check_kind("lights", given["lights"], list, "a list of records")
             given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]
         return cls(**given)
 
