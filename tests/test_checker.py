@@ -1,6 +1,5 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement."""
 
-import functools
 import gzip
 import json
 import re
@@ -33,12 +32,6 @@ CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", all_theorems())
 
 
-@pytest.fixture
-def page(visit):
-    """A function that opens a page of the book when its buttons are there."""
-    return functools.partial(visit, until="!!document.querySelector('.check-body')")
-
-
 def unpacked(text):
     """The data that a page carries, compressed."""
     return json.loads(gzip.decompress(b64decode(text)))
@@ -62,8 +55,8 @@ def verdict(place):
 
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
-def test_a_card_checks_its_theorem_and_asks_for_nothing(page, scheme):
-    tab, requests = page("lemmas", scheme), []
+def test_a_card_checks_its_theorem_and_asks_for_nothing(visit, scheme):
+    tab, requests = visit("lemmas", scheme), []
     place = card(tab, "unit_length")
     icon = tab.evaluate("document.querySelector('link[rel~=icon]').href")  # a browser asks for it when it likes
     tab.on("request", lambda request: requests.append(request.url))
@@ -79,8 +72,8 @@ def test_a_card_checks_its_theorem_and_asks_for_nothing(page, scheme):
     assert [url for url in requests if url != icon and not url.startswith("blob:")] == []
 
 
-def test_check_all_accepts_everything_and_says_so_on_every_line(page):
-    tab = page("findings")
+def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
+    tab = visit("findings")
     place = tab.locator(".checker[data-all]")
     press(place, CHECK_ALL)
     said = verdict(place)
@@ -112,8 +105,8 @@ def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(site):
     assert sorted(map(json.dumps, shown)) == sorted(map(json.dumps, STORED.values()))
 
 
-def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(page):
-    tab = page("lemmas")
+def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_put_back(visit):
+    tab = visit("lemmas")
     place = card(tab, "unit_length")
     place.get_by_role("button", name=CHANGE).focus()
     tab.keyboard.press("Enter")
@@ -135,8 +128,8 @@ def test_a_statement_that_is_changed_from_the_keyboard_is_rejected_and_can_be_pu
     assert place.locator(".check-changed").count() == 0
 
 
-def test_what_is_typed_is_read_or_refused_in_words(page):
-    place = card(page("lemmas"), "unit_length")
+def test_what_is_typed_is_read_or_refused_in_words(visit):
+    place = card(visit("lemmas"), "unit_length")
     press(place, CHANGE)
     place.locator(".check-line").first.click()
     box, error = place.locator(".check-panel input"), place.locator(".check-error")
@@ -153,8 +146,8 @@ def test_what_is_typed_is_read_or_refused_in_words(page):
 
 
 @with_axe
-def test_an_open_card_has_no_serious_violation(page):
-    tab = page("lemmas")
+def test_an_open_card_has_no_serious_violation(visit):
+    tab = visit("lemmas")
     place = card(tab, "unit_length")
     for button in (CHECK_HERE, CHANGE):
         press(place, button)
@@ -166,10 +159,10 @@ def test_an_open_card_has_no_serious_violation(page):
     assert violations(tab, place="#theorem-unit_length") == []
 
 
-def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(page):
+def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(visit):
     """That sin² + cos² = 1 is what the oddness of a sine does not need."""
     name = "clamped_difference_of_odd"
-    place = card(page(PLACES[name]), name)
+    place = card(visit(PLACES[name]), name)
     press(place, CHANGE)
     line = place.locator(".check-line").nth(1)
     circle = line.inner_text()
@@ -193,18 +186,21 @@ def tampered_data(tab, selector):
     return data
 
 
-def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(page):
-    tab = page("lemmas")
+def test_a_false_certificate_is_rejected_by_the_card_and_by_check_all(visit):
+    tab = visit("lemmas")
     wrong = tampered_data(tab, "#theorem-unit_length")
+    card(tab, "unit_length").locator(".check-body").wait_for()
     tab.evaluate(
         "data => checker_card(document.querySelector('#theorem-unit_length .checker'), data, checking_clerk())", wrong
     )
     press(card(tab, "unit_length"), CHECK_HERE)
     said = verdict(card(tab, "unit_length"))
     assert "Rejected" in said and "g is tangent" in said and "Left over" in said
-    tab = page("findings")
+    tab = visit("findings")
     wrong = tampered_data(tab, ".checker[data-all]")
-    tab.evaluate("data => check_all(document.querySelector('.checker[data-all]'), data, checking_clerk())", wrong)
+    tab.evaluate(
+        "data => check_all(document.querySelector('.checker[data-all]'), async () => data, checking_clerk())", wrong
+    )
     press(tab.locator(".checker[data-all]"), CHECK_ALL)
     said = verdict(tab.locator(".checker[data-all]"))
     assert "Rejected" in said and said.endswith("Rejected: unit_length.")
@@ -221,8 +217,8 @@ BROKEN_KERNEL = "certificate_kernel = function certificate_kernel() { throw new 
         ("findings", CHECK_ALL, BROKEN_KERNEL, "the worker failed"),
     ],
 )
-def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, words):
-    tab = page(name)
+def test_a_worker_that_does_not_start_says_so(visit, name, button, breakage, words):
+    tab = visit(name)
     tab.evaluate(f"() => {{ {breakage} }}")
     place = tab.locator(".checker[data-all]") if name == "findings" else card(tab, "unit_length")
     press(place, button)
@@ -231,8 +227,8 @@ def test_a_worker_that_does_not_start_says_so(page, name, button, breakage, word
     assert "Accepted" not in said
 
 
-def test_a_worker_that_never_answers_is_given_up(page):
-    tab = page("lemmas")
+def test_a_worker_that_never_answers_is_given_up(visit):
+    tab = visit("lemmas")
     tab.clock.install()
     tab.evaluate("() => { window.Worker = class { postMessage() {} terminate() {} } }")
     press(card(tab, "unit_length"), CHECK_HERE)
@@ -240,9 +236,9 @@ def test_a_worker_that_never_answers_is_given_up(page):
     assert "no answer within 20 seconds" in verdict(card(tab, "unit_length"))
 
 
-def test_a_refuted_claim_has_its_counterexample_put_in(page):
+def test_a_refuted_claim_has_its_counterexample_put_in(visit):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    seed_clamp = card(page(PLACES["seed_clamp"]), "seed_clamp")
+    seed_clamp = card(visit(PLACES["seed_clamp"]), "seed_clamp")
     press(seed_clamp, CHECK_HERE)
     said = verdict(seed_clamp)
     assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said
@@ -258,6 +254,9 @@ def test_without_scripts_the_card_says_what_there_is(visit):
 def test_the_editor_fits_a_phone_and_a_finger(visit):
     tab = visit("s3", **PHONE)
     tab.evaluate("document.querySelectorAll('.theorem > details').forEach(fold => fold.open = true)")
+    for place in tab.locator(".checker[data-theorem]").all():  # which has its buttons when it is near
+        place.scroll_into_view_if_needed()
+        place.locator(".check-body").wait_for()
     tab.evaluate(OPEN_EVERYTHING)
     tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
     tab.evaluate("document.querySelectorAll('.checker details').forEach(fold => fold.open = true)")

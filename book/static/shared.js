@@ -167,8 +167,9 @@ function worker_of(...functions) {
 
 /** The bytes that a text of the page carries, compressed. @param {string} base64 */
 function unpacked(base64) {
-  const packed = new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]);
-  return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")));
+  const letters = atob(base64);
+  const packed = new Uint8Array(letters.length).map((_, n) => letters.charCodeAt(n));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
 /** Save what stands at an address, under a name. @param {string} name @param {string} href */
@@ -178,6 +179,25 @@ const download = (name, href) => make_element("a", { href, download: name }).cli
 function when_ready(work) {
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", work);
   else work();
+}
+
+/**
+ * Do some work for each element, once: when it is less than a screen away.
+ * @param {Iterable<HTMLElement>} elements
+ * @param {(element: HTMLElement) => void} work
+ */
+function when_near(elements, work) {
+  const far = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        if (!isIntersecting) continue;
+        far.unobserve(target);
+        work(/** @type {HTMLElement} */ (target));
+      }
+    },
+    { rootMargin: "100%" }
+  );
+  for (const element of elements) far.observe(element);
 }
 
 /** What is said of what was thrown. @param {unknown} error */

@@ -33,16 +33,11 @@ async function show_verdict(button, verdict, check) {
 /**
  * Every certificate of the book, one after the other, with a bar and a summary.
  * @param {Element} place
- * @param {TheoremData[]} theorems
+ * @param {() => Promise<TheoremData[]>} read
  * @param {Clerk} clerk
  */
-function check_all(place, theorems, clerk) {
-  const listed = theorems.map(({ theorem, claims }) => ({
-    theorem,
-    cases: claims.flatMap(({ statements }) => statements)
-  }));
-  const certificates = total(listed, ({ cases }) => cases.length);
-  const bar = make_element("progress", { max: certificates, value: 0, "aria-label": "Certificates checked" });
+function check_all(place, read, clerk) {
+  const bar = make_element("progress", { value: 0, "aria-label": "Certificates checked" });
   const verdict = verdict_box();
   const button = make_button("Check all", () => show_verdict(button, verdict, check));
 
@@ -50,8 +45,14 @@ function check_all(place, theorems, clerk) {
     const begin = performance.now();
     /** @type {string[]} */
     const rejected = [];
-    bar.value = 0;
     verdict.replaceChildren();
+    const theorems = await read();
+    const listed = theorems.map(({ theorem, claims }) => ({
+      theorem,
+      cases: claims.flatMap(({ statements }) => statements)
+    }));
+    const certificates = total(listed, ({ cases }) => cases.length);
+    set_attributes(bar, { max: certificates, value: 0 });
     const asked = listed.map(async ({ theorem, cases }) => {
       const answers = cases.map(async ({ statement, certificate }) => {
         const { accepted } = await clerk.check(statement, certificate);
@@ -78,20 +79,20 @@ function check_all(place, theorems, clerk) {
   put_checker(place, make_element("p", { class: "check-buttons" }, button, bar), verdict);
 }
 
-async function start_checker() {
+/** @param {Element} place */
+async function data_of(place) {
+  const script = find_element(place, "script[type='application/gzip']");
+  return parsed_canonical(await unpacked(script.textContent).text());
+}
+
+function start_checker() {
   const clerk = checking_clerk();
-  /** @param {Element} place */
-  async function data_of(place) {
-    const script = find_element(place, "script[type='application/gzip']");
-    return parsed_canonical(await unpacked(script.textContent).text());
-  }
   const places = find_all(document, ".checker[data-theorem]");
-  /** @type {CardData[]} */
-  const cards = await Promise.all(places.map(data_of));
-  for (const [n, place] of places.entries()) checker_card(place, cards[n], clerk);
+  when_near(places, async (place) => checker_card(place, await data_of(place), clerk));
   for (const place of document.querySelectorAll(".checker[data-all]")) {
     // None of its own where all cards stand in this document: the file that is mailed.
-    check_all(place, place.querySelector("script") ? await data_of(place) : cards, clerk);
+    const read = () => (place.querySelector("script") ? data_of(place) : Promise.all(places.map(data_of)));
+    check_all(place, read, clerk);
   }
 }
 

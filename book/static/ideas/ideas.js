@@ -164,15 +164,17 @@ function idea_stage(figure) {
    */
   function picture(parent, size, label) {
     const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
+    // In a task of its own: it takes as long as all else that is drawn.
     /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
-    return (module, state, raster) => {
-      const stage = module.make_stage(state, raster);
-      module.render(state, { name: "exact" }, stage);
-      module.paint("paint_colors", stage, "picture", { whole: true });
-      const image = new ImageData(stage.pitch, raster.high);
-      image.data.set(module.bytes(stage, "picture", [0, raster.high]));
-      canvas.getContext("2d")?.putImageData(image, 0, 0);
-    };
+    return (module, state, raster) =>
+      setTimeout(() => {
+        const stage = module.make_stage(state, raster);
+        module.render(state, { name: "exact" }, stage);
+        module.paint("paint_colors", stage, "picture", { whole: true });
+        const image = new ImageData(stage.pitch, raster.high);
+        image.data.set(module.bytes(stage, "picture", [0, raster.high]));
+        canvas.getContext("2d")?.putImageData(image, 0, 0);
+      });
   }
 
   /** @param {() => void} drawing */
@@ -209,29 +211,18 @@ async function ideas_module(data) {
   return { ...(await simulator_module(Simulator.data, programs)), own: await simulator_module(data, own) };
 }
 
-/** Bring figures to life. @param {Element[]} figures */
-async function enliven(figures) {
+/** Bring a figure to life. @param {HTMLElement} figure */
+async function enliven(figure) {
   const data = { ...Simulator.data, ...Ideas.data };
   try {
     Ideas.module ??= ideas_module(data);
     const module = await Ideas.module;
-    for (const figure of /** @type {HTMLElement[]} */ (figures)) {
-      const stage = idea_stage(figure);
-      const draw = IDEAS[figure.id.replace("fig-", "")](stage, module, data);
-      if (draw) stage.begin(draw);
-    }
+    const stage = idea_stage(figure);
+    const draw = IDEAS[figure.id.replace("fig-", "")](stage, module, data);
+    if (draw) stage.begin(draw);
   } catch (error) {
     if (!error_text(error).includes("WebAssembly")) throw error; // without it, the still pictures stay
   }
 }
 
-// A figure is still until it is less than a screen away.
-const far_figures = new IntersectionObserver(
-  (entries) => {
-    const near = entries.filter(({ isIntersecting }) => isIntersecting).map(({ target }) => target);
-    for (const figure of near) far_figures.unobserve(figure);
-    enliven(near);
-  },
-  { rootMargin: "100%" }
-);
-for (const figure of document.querySelectorAll("figure.idea")) far_figures.observe(figure);
+when_near(find_all(document, "figure.idea"), enliven);
