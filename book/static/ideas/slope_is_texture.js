@@ -10,6 +10,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
   const FLAT = 186;
   const raster = { width: 360, height: 360, left: 30, top: 4, wide: SIZE, high: SIZE };
   const all = float64s(513, (n) => n / 512);
+  const between = float64s(512, (n) => (n + 0.5) / 512);
   const few = float64s(2 * ku, (n) => (n + 0.5) / (2 * ku));
   let u = 0.453;
   let beta = first_beta;
@@ -59,11 +60,12 @@ IDEAS.slope_is_texture = (stage, module, data) => {
     return all[circle.indexOf(least_of(circle, ([a, b]) => Math.hypot(a - x, b - y)))];
   }
 
-  /** What light each place of the circle catches, in a row. @param {number} top @param {number} high @param {Float64Array} cosines */
+  /** What light each place between two of the circle catches, in a row. @param {number} top @param {number} high @param {Float64Array} cosines */
   function strip(top, high, cosines) {
     const colors = Array.from(cosines, (mu) => `color(srgb-linear${` ${mu.toFixed(4)}`.repeat(3)})`);
+    const wide = (profile.width() - 2 * EDGE) / cosines.length;
     return (
-      `<foreignObject x="${EDGE}" y="${top}" width="${profile.width() - 2 * EDGE}" height="${high}">` +
+      `<foreignObject x="${EDGE + wide / 2}" y="${top}" width="${wide * (cosines.length - 1)}" height="${high}">` +
       `<div style="height: 100%; background: linear-gradient(to right, ${colors})"></div></foreignObject>`
     );
   }
@@ -85,9 +87,10 @@ IDEAS.slope_is_texture = (stage, module, data) => {
     const width = profile.width() - 2 * EDGE;
     /** @param {number} along @param {number} h @returns {Point} */
     const at = (along, h) => [EDGE + along * width, HEIGHTS.top + (1 - h) * HEIGHTS.high];
-    const [heights, , , , cosines] = over(all, beta);
+    const [heights] = over(all, beta);
     const [, slopes, , tilts] = over(few, beta);
-    const [, , , , plain] = over(all, 0);
+    const [, , , , cosines] = over(between, beta);
+    const [, , , , plain] = over(between, 0);
     const [h, slope, , tilt, mu] = at_point(beta);
     const [, , , , before] = at_point(0);
     const point = at(u, h);
