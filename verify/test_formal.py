@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
+from importlib.util import find_spec
 
 import pytest
 
@@ -15,7 +16,8 @@ from verify.sources import ROOT
 from verify.test_campaign import draw, edited
 
 needs_coq = pytest.mark.skipif(
-    shutil.which("coqc") is None, reason="Coq is not installed: the record is not re-checked"
+    shutil.which("coqc") is None or find_spec("tqdm") is None,
+    reason="needs Coq, and tqdm: the record is not re-checked",
 )
 
 
