@@ -29,9 +29,9 @@ GRADIENT_LABELS = {
     "scipy.differentiate": ("SciPy", "above"),
     "numdifftools": ("numdifftools", "below"),
     "mpmath": ("mpmath,\n5 to 15 digits", "above"),
-    "forward": ("forward", "left", 1e-2),
+    "forward": ("forward", "right", 1e-2),
     "central": ("central", "left", 1e-2),
-    "central, 4th order": ("central, 4th order", "left", 1e-6),
+    "central, 4th order": ("central, 4th order", "right", 1e-6),
     "central, 6th order": ("central, 6th order", "right", 1e-1),
     "Richardson, 8th order": ("Richardson, 8th order", "right", 1e-8),
 }
