@@ -15,7 +15,7 @@ from tests.test_browser import PAGES, violations, with_axe
 from verify.checkers.breakages import stored
 from verify.sources import ROOT
 
-CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Change the statement", "Check all"
+CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Read or change the statement", "Check all"
 OPEN_EVERYTHING = """() => { for (const place of document.querySelectorAll('.checker[data-theorem]')) {
     for (const button of place.querySelectorAll('.check-buttons button')) button.click();
     for (const line of [...place.querySelectorAll('.check-line')].slice(-1)) line.click();
@@ -62,13 +62,11 @@ def test_a_card_checks_its_theorem_and_asks_for_nothing(visit, scheme):
     tab.on("request", lambda request: requests.append(request.url))
     press(place, CHECK_HERE)
     said = verdict(place)
-    assert re.match(r"✓? ?Accepted, in (\d+|less than 1) ms, by this browser\. 2 statements under 4 hypotheses: ", said)
+    assert re.match(r"✓? ?Accepted, in [\d,]+ ms, by this browser\. 2 statements under 4 hypotheses: ", said)
     assert re.search(
         r"\d+ polynomial identities multiplied out, [\d,]+ products of terms, and nothing is left over", said
     )
     assert "Not checked here: that these polynomials say what the words above say." in said
-    place.get_by_text("What was checked").click()
-    assert place.locator(".checker ol > li").count() == 2
     assert [url for url in requests if url != icon and not url.startswith("blob:")] == []
 
 
@@ -151,7 +149,6 @@ def test_an_open_card_has_no_serious_violation(visit):
     place = card(tab, "unit_length")
     for button in (CHECK_HERE, CHANGE):
         press(place, button)
-    place.get_by_text("What was checked").click()
     place.locator(".check-line").first.click()
     place.locator(".check-chips button").first.click()
     place.locator(".check-editor .check-rejected").wait_for()

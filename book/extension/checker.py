@@ -6,6 +6,7 @@ import unicodedata
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
+from typing import Any
 
 from sympy import Symbol, latex
 
@@ -34,8 +35,9 @@ def check_here(book: Here, id: str) -> Filled | str:
         return filled("unchecked", why=WITHOUT[grade]) if grade in WITHOUT else ""
     claims = stored(path)
     names = {name: spelling(name) for name in sorted(names_of(claims))}
-    data = {"theorem": id, "claims": claims, "names": names, "given": given(book.proofs, id)}
-    return place(data, NO_SCRIPT, id, book.page("trusted"))
+    shown = [step["of"] for case in statements_of(claims) for step in case.get("steps", ()) if step["step"] == "show"]
+    limits = {"trusted": book.page("trusted"), "given": given(book.proofs, id), "nothing_left": not all(shown)}
+    return place({"theorem": id, "claims": claims, "names": names}, NO_SCRIPT, theorem=id, **limits)
 
 
 def check_all(proofs: Proofs) -> Filled:
@@ -53,11 +55,11 @@ def stored(path: Path) -> list[dict]:
     return claims
 
 
-def place(data: dict | list, no_script: str, theorem: str = "", trusted: str = "") -> Filled:
-    """An element with its data, compressed JSON, and what a reader without JavaScript is told."""
+def place(data: dict | list, no_script: str, **values: Any) -> Filled:
+    """Its data, compressed JSON, in an element; what a reader without JavaScript is told; the template's values."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
     script = raw(f'<script type="application/gzip">{base64_gzip(text.encode())}</script>')
-    return filled("checker", script=script, no_script=no_script, theorem=theorem, trusted=trusted)
+    return filled("checker", script=script, no_script=no_script, **values)
 
 
 def given(proofs: Proofs, id: str) -> list[str]:
@@ -69,10 +71,15 @@ def given(proofs: Proofs, id: str) -> list[str]:
     return own + [f"a lemma from {source}" for source in cited]
 
 
+def statements_of(claims: list[dict]) -> list[dict]:
+    """What the claims state, each of them once or several times."""
+    return [pair["statement"] for claim in claims for pair in claim["statements"]]
+
+
 def names_of(claims: list[dict]) -> set[str]:
     """The names that the polynomials of the claims use."""
     names = set()
-    for statement in (pair["statement"] for claim in claims for pair in claim["statements"]):
+    for statement in statements_of(claims):
         names.update(statement.get("variables", ()), statement.get("state", ()))
         names.update(step["new"] for step in statement.get("steps", ()) if "new" in step)
         names.update(name for name, _ in statement.get("lines", ()))

@@ -63,9 +63,6 @@ function polynomial_texts(names) {
     return make_element("span", { class: "check-polynomial" }, ...(parts.length ? parts : ["0"]), ...more);
   }
 
-  /** @param {PolynomialData} data @param {string} relation */
-  const related = (data, relation) => make_element("span", {}, typeset(data), zero(relation));
-
   /** The polynomial as it can be typed. @param {PolynomialData} data */
   function text(data) {
     const parts = sorted(data).map(([monomial, coefficient], n) => {
@@ -125,5 +122,5 @@ function polynomial_texts(names) {
     return data;
   }
 
-  return { typeset, related, zero, term, sorted, spelled, text, parse };
+  return { typeset, zero, term, sorted, spelled, text, parse };
 }

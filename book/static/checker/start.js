@@ -47,13 +47,10 @@ function check_all(place, read, clerk) {
     const rejected = [];
     verdict.replaceChildren();
     const theorems = await read();
-    const listed = theorems.map(({ theorem, claims }) => ({
-      theorem,
-      cases: claims.flatMap(({ statements }) => statements)
-    }));
-    const certificates = total(listed, ({ cases }) => cases.length);
-    set_attributes(bar, { max: certificates, value: 0 });
-    const asked = listed.map(async ({ theorem, cases }) => {
+    let certificates = 0;
+    const asked = theorems.map(async ({ theorem, claims }) => {
+      const cases = claims.flatMap(({ statements }) => statements);
+      certificates += cases.length;
       const answers = cases.map(async ({ statement, certificate }) => {
         const { accepted } = await clerk.check(statement, certificate);
         bar.value++;
@@ -68,6 +65,7 @@ function check_all(place, read, clerk) {
       const words = ` ${accepted ? "✓" : "✗"} ${refuted}${said} here`;
       line?.append(make_element("span", { class: `check-mark check-${said}` }, words));
     });
+    set_attributes(bar, { max: certificates, value: 0 });
     await Promise.all(asked);
     const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${certificates} in all`;
     const spent = seconds(performance.now() - begin);
