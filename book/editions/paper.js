@@ -4,17 +4,13 @@
 
 /** Put pages on paper: those with the names, or without any all but listings and the reference. @param {string[]} names */
 async function put_on_paper(names) {
-  const still =
-    "On paper the simulator stands still. It runs in the chapter's site, and in its single file; here are its figures.";
   const active =
-    "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim";
+    "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim, .simulator";
   document.documentElement.dataset.theme = "light";
   const pages = Chapter.pages.filter(({ dataset: { page = "" } }) =>
     names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)
   );
   document.body.replaceChildren(...pages.map((page) => find_element(page, ".bd-article")));
-  for (const simulator of find_all(document, ".simulator"))
-    simulator.replaceWith(make_element("p", { class: "on-paper" }, still));
   for (const element of find_all(document, active)) element.remove();
   for (const details of find_all(document, "details")) details.setAttribute("open", "");
   // A heading gets its section's name: it may stand on the page after the one on which the section begins.
@@ -30,16 +26,14 @@ async function put_on_paper(names) {
 
   // The table of contents: pages, and their sections. The front's title is the whole chapter's.
   function list_contents() {
-    const [front, ...others] = document.querySelectorAll("article");
-    const titles = others.flatMap((page) => [
-      ...page.querySelectorAll(":scope > section > h1, :scope > section > section > h2")
-    ]);
-    const entries = titles.map((title) => {
-      const link = make_element("a", { href: `#${title.id}` }, ...title.cloneNode(true).childNodes);
-      return make_element("li", { class: title.localName }, link);
+    const titles = find_all(document, "article + article > section > h1, article + article > section > section > h2");
+    const entries = titles.map(({ id, localName, childNodes }) => {
+      const link = make_element("a", { href: `#${id}` }, ...Array.from(childNodes, (node) => node.cloneNode(true)));
+      return make_element("li", { class: localName }, link);
     });
     const list = make_element("ol", {}, ...entries);
-    front.after(make_element("nav", { class: "paper-contents" }, make_element("h2", {}, "Contents"), list));
+    const contents = make_element("nav", { class: "paper-contents" }, make_element("h2", {}, "Contents"), list);
+    find_element(document, "article").after(contents);
   }
 
   /** The graph is taller than a page: it is cut between its rows. A row keeps its id. @param {SVGSVGElement} graph */

@@ -53,17 +53,14 @@
     }
   });
 
-  /** Each panel is the whole picture in a window as wide as the panel. @param {HTMLImageElement} image */
+  /** Each panel is the whole picture, cut at its sides. @param {HTMLImageElement} image */
   function stack(image) {
+    const [whole, high] = ["width", "height"].map((name) => Number(image.getAttribute(name)));
     let left = 0;
     for (const width of (image.dataset.panels ?? "").split(" ").map(Number)) {
-      const copy = /** @type {HTMLImageElement} */ (image.cloneNode());
-      copy.removeAttribute("data-panels");
-      const panel = make_element("div", { class: "panel" }, copy);
-      panel.classList.add(...[...image.classList].filter((name) => name.startsWith("only-")));
-      panel.style.cssText = `aspect-ratio: ${width} / ${image.getAttribute("height")}; max-width: ${width}px`;
-      copy.style.cssText = `margin-left: ${(-100 * left) / width}%; width: ${(100 * Number(image.getAttribute("width"))) / width}%`;
-      copy.alt = left ? "" : image.alt;
+      const look = `${image.className} panel`;
+      const panel = make_element("img", { src: image.src, loading: "lazy", class: look, alt: left ? "" : image.alt });
+      panel.style.cssText = `aspect-ratio: ${width} / ${high}; object-position: ${(100 * left) / (whole - width)}%; max-width: ${width}px`;
       image.parentElement?.append(panel);
       left += width;
     }

@@ -97,7 +97,7 @@ const total = (items, count) => items.reduce((sum, item) => sum + count(item), 0
 /** The first for which a measure is least. @template Item @param {Item[]} items @param {(item: Item) => number} measure */
 const least_of = (items, measure) => items.reduce((best, item) => (measure(item) < measure(best) ? item : best));
 
-/** Where the pointer is in an element, and how large that is. @param {Element} element @param {MouseEvent} event */
+/** Where the pointer is in an element, and how large that is. @param {Element} element @param {Place} place */
 function pointer_in(element, { clientX, clientY }) {
   const { left, top, width, height } = element.getBoundingClientRect();
   return { x: clientX - left, y: clientY - top, width, height };
@@ -225,6 +225,3 @@ const line_markup = (look, points) => path_markup(look, line_path(points));
 /** @param {number} x @param {number} y @param {string} words */
 const text_at = (x, y, words, look = "") =>
   `<text class="${look}" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${words}</text>`;
-
-/** An entry of a list of names and values. @param {string} name @param {string | number | undefined} value */
-const entry_markup = (name, value) => `<div><dt>${name}</dt><dd>${value}</dd></div>`;

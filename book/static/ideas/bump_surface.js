@@ -18,9 +18,9 @@ IDEAS.bump_surface = (stage, module, data) => {
   const ALONG = 160;
   const FLOOR = -1.4;
   const DISC = [-0.6, -0.6, 2.4]; // the floor's middle and radius
-  const RED = [0.88, 0.54, 0.45];
-  const GROUND = [0.91, 0.89, 0.85];
-  const SHADE = 0.62;
+  const RED = [0.88, 0.54, 0.45, 0]; // the least light at the end
+  const GROUND = [0.91, 0.89, 0.85, 1];
+  const SHADE = [0.564, 0.552, 0.527, 1];
   const [light_x, light_y, light_z] = lights[0].position;
   let shown = 0;
   let turn = -0.5; // the eye: how far around,
@@ -28,7 +28,7 @@ IDEAS.bump_surface = (stage, module, data) => {
   let from = [0, 0];
 
   const canvas = make_element("canvas", { "aria-hidden": "true" });
-  const gl = canvas.getContext("webgl");
+  const gl = canvas.getContext("webgl2");
   if (!gl) return null;
 
   /** @param {number} kind @param {string} text */
@@ -40,19 +40,16 @@ IDEAS.bump_surface = (stage, module, data) => {
   };
   const program = gl.createProgram();
   const VERTEX =
-    "attribute vec3 at; attribute float light; uniform mat4 view; varying float lit;" +
+    "#version 300 es\nlayout(location = 0) in vec3 at; layout(location = 1) in float light; uniform mat4 view; out float lit;" +
     "void main() { gl_Position = view * vec4(at, 1.0); lit = light; }";
   const FRAGMENT =
-    "precision mediump float; uniform vec3 tint; varying float lit;" +
-    "void main() { gl_FragColor = vec4(tint * lit, 1.0); }";
+    "#version 300 es\nprecision mediump float; uniform vec4 tint; in float lit; out vec4 colour;" +
+    "void main() { colour = vec4(tint.rgb * clamp(lit, tint.a, 1.0), 1.0); }";
   gl.attachShader(program, shader(gl.VERTEX_SHADER, VERTEX));
   gl.attachShader(program, shader(gl.FRAGMENT_SHADER, FRAGMENT));
-  gl.bindAttribLocation(program, 0, "at");
-  gl.bindAttribLocation(program, 1, "light");
   gl.linkProgram(program);
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
-  gl.enableVertexAttribArray(0);
   const view_at = gl.getUniformLocation(program, "view");
   const tint_at = gl.getUniformLocation(program, "tint");
 
@@ -123,24 +120,14 @@ IDEAS.bump_surface = (stage, module, data) => {
     stage.redraw();
   }
 
-  /**
-   * Let the card draw what stands in a buffer; without a number for its light, each point has its own.
-   * @param {WebGLBuffer} points
-   * @param {number[]} tint
-   * @param {number} [lit]
-   */
-  const draw = (points, tint, lit) => {
-    gl.bindBuffer(gl.ARRAY_BUFFER, points);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.uniform3fv(tint_at, tint);
-    if (lit === undefined) {
-      gl.bindBuffer(gl.ARRAY_BUFFER, light[shown]);
-      gl.vertexAttribPointer(1, 1, gl.FLOAT, false, 0, 0);
-      gl.enableVertexAttribArray(1);
-    } else {
-      gl.disableVertexAttribArray(1);
-      gl.vertexAttrib1f(1, lit);
+  /** Let the card draw what stands in a buffer. @param {WebGLBuffer} points @param {number[]} tint */
+  const draw = (points, tint) => {
+    for (const [place, values] of [points, light[shown]].entries()) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, values);
+      gl.vertexAttribPointer(place, place ? 1 : 3, gl.FLOAT, false, 0, 0);
+      gl.enableVertexAttribArray(place);
     }
+    gl.uniform4fv(tint_at, tint);
     if (points === floor) gl.drawArrays(gl.TRIANGLE_FAN, 0, circle.length);
     else gl.drawElements(gl.TRIANGLES, corners.length, gl.UNSIGNED_SHORT, 0);
   };
@@ -158,8 +145,8 @@ IDEAS.bump_surface = (stage, module, data) => {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const shape = shapes[Number(shown === DISPLACED)];
     if (tip > 0) {
-      draw(floor, GROUND, 1);
-      draw(shape.shadow, GROUND, SHADE);
+      draw(floor, GROUND);
+      draw(shape.shadow, SHADE);
     }
     draw(shape.points, RED);
     for (const [number, button] of buttons.entries()) button.setAttribute("aria-pressed", String(number === shown));

@@ -65,9 +65,6 @@ function program_lines(module, data, name, inputs) {
   return Object.fromEntries(program.lines.map((line, n) => [line, values[n]]));
 }
 
-/** @param {Record<string, number>} lines @param {string} name */
-const vector_of = (lines, name) => ["x", "y", "z"].map((axis) => lines[`${name}_${axis}`]);
-
 /** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
 function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
@@ -171,8 +168,7 @@ function idea_stage(figure) {
         const stage = module.make_stage(state, raster);
         module.render(state, { name: "exact" }, stage);
         module.paint("paint_colors", stage, "picture", { whole: true });
-        const image = new ImageData(stage.pitch, raster.high);
-        image.data.set(module.bytes(stage, "picture", [0, raster.high]));
+        const image = new ImageData(module.bytes(stage, "picture", [0, raster.high]).slice(), stage.pitch);
         canvas.getContext("2d")?.putImageData(image, 0, 0);
       });
   }

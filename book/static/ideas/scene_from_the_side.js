@@ -90,7 +90,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
     /** @param {Point} point @returns {Point} */
     const place = ([along, height]) => [middle + scale * along, ground - scale * height];
     const found = program_lines(module, data, "pixel_lines", { ...data.given, x: s * way[0], y: s * way[1] });
-    const hit = place(flat(vector_of(found, "point")));
+    const hit = place(flat(["x", "y", "z"].map((axis) => found[`point_${axis}`])));
     const top = place([0, eye]);
     const foot = place([s, 0]);
     const ball = place(flat(ball_center));

@@ -113,7 +113,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
         strip(268, 32, cosines)
     );
     sphere.show(line_markup("circle", circle));
-    if (drawn !== beta) paint(module, scene_state(data, { beta, ball: false, lights: [true, false] }), raster);
+    if (drawn !== beta) paint(module, scene_state(data, { beta, ball: 0, lights: [true, false] }), raster);
     drawn = beta;
     const words = `slope ${decimal(slope)}, tilt ${decimal(tilt, 1)}°`;
     on_profile(point, u, words);
