@@ -6,7 +6,7 @@
  * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
  *   a part of a picture of width × height pixels
  * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
- * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: boolean, lights: boolean[] }}
+ * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: number, lights: boolean[] }}
  *   SceneState
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
@@ -76,8 +76,8 @@
 
 // simulator/presets.js
 /**
- * @typedef {{ says: string, begin: Partial<State>, seconds: number, from: number, to: number,
- *   at(quantity: number): Partial<State>, still: number }} Experiment
+ * @typedef {{ says: string, begin: Partial<State>, moves: string, seconds: number, from: number, to: number,
+ *   still: number }} Experiment
  *   still: where the quantity is put at once, if the reader wants no motion
  */
 
@@ -101,7 +101,7 @@
 // simulator/certified.js
 /**
  * @typedef {{ key: string, parts: CloserParts, state: State, raster: Raster }} CertifiedTask
- * @typedef {{ key: string, maps: Uint32Array<ArrayBuffer>[], rms: number[], largest: number[], extremes: number[][],
+ * @typedef {{ key: string, maps: Uint8Array[], rms: number[], largest: number[], extremes: number[][],
  *   open: number }} CertifiedFound ends of the RMS and of the largest difference; each picture's largest and median bound
  */
 
@@ -114,6 +114,7 @@
  * @typedef {SimulatorData & IdeasData} AllData
  * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => (() => void) | null} Idea
  *   sets a stage; returns what draws on it, or null where the browser cannot
+ * @typedef {{ clientX: number, clientY: number }} Place of a pointer, or between two
  * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
  * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
  */
@@ -150,7 +151,7 @@
 /**
  * @typedef {{ statement: Statement, certificate: Certificate }} Case
  * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
- * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0], given: string[] }} CardData
+ * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0] }} CardData
  * @typedef {Case & { name: string }} NamedCase
  */
 

@@ -179,7 +179,7 @@ def test_menu_of_downloads_says_what_they_are(visit):
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_and_when_it_complains(visit, mode):
     tab = visit("s4", until=RUNNING, **MODES[mode])
-    tab.click("[data-preset=sweep]")  # with its bar
+    tab.click("#sim-sweep")  # with its bar
     tab.click("[data-pause]")
     box = tab.locator("[data-parameter=eps] input[type=text]")
     box.fill("nonsense")

@@ -34,6 +34,7 @@ SHOWN = """wanted => wanted.map(state => {
         runs: [...bits.querySelectorAll('span')].map(run => [run.className, run.textContent]),
     }));
 })"""
+OPEN = 0xFF739E00  # the colour of a bound that is not known
 CERTAIN = "#certified td:has-text('e')"
 CERTIFIED = """async state => {
     let found;
@@ -235,13 +236,29 @@ def test_bounds_stand_in_the_pictures_and_beside_certain_digits(tab):
     assert shown == [float(f"{bound:.1e}") for pair in found["extremes"] for bound in pair] + [found["open"]]
     maps = """() => [...document.querySelectorAll('.sim-bounds')].map(canvas =>
         [...new Uint32Array(canvas.getContext('2d').getImageData(0, 0, 128, 128).data.buffer)])"""
-    assert tab.evaluate(maps) == found["maps"]
+    colours = [*tab.evaluate("Simulator.data.tables.inferno")[:255], OPEN]
+    assert tab.evaluate(maps) == [[colours[level] for level in levels] for levels in found["maps"]]
     go(tab, "#sim?field=sine&eps=1e-14&size=128&view=bounds")
     tab.wait_for_selector(".sim-bounds", state="hidden")
     tab.wait_for_function("document.querySelector('[data-readout=rms]').textContent.startsWith('at most')")
     go(tab, "#sim?field=sine&view=image")
     for gone in ("#certified", ".sim-bounds"):
         tab.wait_for_selector(gone, state="hidden")
+
+
+def test_a_single_open_pixel_is_seen_where_the_picture_is_shown_smaller(tab):
+    """Bounds are reduced to the screen's pixels by their largest, as the difference is."""
+    go(tab, "#sim?size=1024")
+    tab.wait_for_function("Simulator.running.shown()?.includes('size=1024')")
+    seen = """level => { const levels = new Uint8Array(1024 * 1024);
+        levels[1024 * 333 + 501] = level;
+        Simulator.running.pictures.show_bounds([levels, levels]);
+        return [...document.querySelectorAll('.sim-bounds')].map(canvas => [canvas.width, ...new Uint32Array(
+            canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.width).data.buffer)]); }"""
+    for level, count in ((255, 1), (254, 0)):
+        for side, *words in tab.evaluate(seen, level):
+            assert 0 < side < 1024 and words.count(OPEN) == count
+    tab.evaluate("Simulator.running.pictures.show_bounds([])")
 
 
 @with_axe

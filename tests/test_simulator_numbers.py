@@ -210,7 +210,7 @@ def random_state(rng):
         "kv": rng.choice([4, 3, 0, -3.1]),
         "model": rng.choice(list(LIGHT_MODELS)),
         "method": rng.choice(list(METHODS)),
-        "ball": rng.random() < 0.8,
+        "ball": int(rng.random() < 0.8),
         "lights": [rng.random() < 0.8, rng.random() < 0.8],
         "size": rng.choice([128, 256, 512]),
         "zoom": zoom,
@@ -265,6 +265,6 @@ def test_the_copied_line_prints_the_numbers_shown(tab, capsys):
 
 
 def test_the_wrong_pixel_would_be_seen(tab):
-    (shown,) = tab.evaluate(SHOWN, [BASE | {"column": 100, "row": 80}])
+    (shown,) = tab.evaluate(SHOWN, [BASE | {"ball": 1, "column": 100, "row": 80}])
     there = pixel(Scene(), 256, 256, 101, 80).rgb
     assert [float(shown["table"][name][1]) for name in ("red", "green", "blue")] != list(there)

@@ -8,10 +8,9 @@
  * @returns {(task: CertifiedTask) => Promise<void>}
  */
 function simulator_certifier(post) {
-  const OPEN = 0xff739e00; // the palette's green, which the map has nowhere
+  const OPEN = 255; // a level of its own
   return async ({ key, parts, state, raster }) => {
     const module = await simulator_module(...parts);
-    const { inferno } = parts[0].tables;
     const stage = module.make_stage(state, raster);
     const methods = Object.values(module.methods_of(state));
     const pictures = methods.map((method) => module.draw_bounded(state, method, stage));
@@ -39,8 +38,8 @@ function simulator_certifier(post) {
       red.map((bound, i) => Math.max(bound, green[i], blue[i]))
     );
     const maps = bounds.map((plane) => {
-      const levels = plane.map((bound) => Math.max(0, Math.min(Math.floor(256 + 16 * Math.log10(bound)), 255)));
-      return new Uint32Array(levels.map((level, i) => (is_open[i] ? OPEN : inferno[level])));
+      const levels = plane.map((bound) => Math.max(0, Math.min(Math.floor(256 + 16 * Math.log10(bound)), OPEN - 1)));
+      return new Uint8Array(levels.map((level, i) => (is_open[i] ? OPEN : level)));
     });
     const sorted = bounds.map((plane) => plane.filter((_, i) => is_a[i]).sort());
     const extremes = sorted.map((plane) => [plane[plane.length - 1], plane[plane.length >> 1]]);
@@ -53,11 +52,10 @@ function simulator_certifier(post) {
  * @param {HTMLElement} root
  * @param {States} states
  * @param {CloserParts} parts
+ * @param {(maps: Uint8Array[]) => void} show_bounds
  */
-function simulator_certified(root, states, parts) {
+function simulator_certified(root, states, parts, show_bounds) {
   const box = find_element(root, "#certified");
-  /** @type {HTMLCanvasElement[]} */
-  const canvases = find_all(root, ".sim-bounds");
   const values = box.querySelectorAll("tbody td");
   const REST = 300; // milliseconds
   /** @type {Worker | undefined} */
@@ -82,12 +80,7 @@ function simulator_certified(root, states, parts) {
   /** @param {MessageEvent<CertifiedFound>} message */
   function show({ data: { key, maps, rms, largest, extremes, open } }) {
     if (key !== asked) return;
-    for (const [n, canvas] of canvases.entries()) {
-      const image = new ImageData(new Uint8ClampedArray(maps[n].buffer), maps[n].length ** 0.5);
-      canvas.width = canvas.height = image.width;
-      canvas.getContext("2d")?.putImageData(image, 0, 0);
-      canvas.hidden = false;
-    }
+    show_bounds(maps);
     say([...extremes.flat().map((bound) => scientific(bound, 1)), String(open), ""]);
     find_element(root, "[data-readout=rms]").textContent = digits_of(rms);
     find_element(root, "[data-readout=max]").textContent = digits_of(largest);
@@ -98,7 +91,7 @@ function simulator_certified(root, states, parts) {
     const key = state.view === "bounds" ? states.fragment({ ...state, column: 0, row: 0, axis: "u" }) : "";
     if (key === asked) return;
     asked = key;
-    for (const canvas of canvases) canvas.hidden = true;
+    show_bounds([]);
     say([]);
     clearTimeout(timer);
     if (!key) return;

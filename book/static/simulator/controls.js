@@ -12,11 +12,8 @@ function simulator_controls(root, states, act) {
   /** @type {Partial<State>} */
   let shown = {};
 
-  // epsilon's slider is logarithmic.
-  /** @param {string} name @param {number} value */
-  const to_slider = (name, value) => (name === "eps" ? Math.log10(value) : value);
-  /** @param {string} name @param {number} position */
-  const from_slider = (name, position) => (name === "eps" ? power_of_ten(position) : position);
+  /** What a slider's place stands for: epsilon's is logarithmic. @param {string} name @param {HTMLInputElement} input */
+  const slid_to = (name, { valueAsNumber }) => (name === "eps" ? power_of_ten(valueAsNumber) : valueAsNumber);
 
   /** @param {Holder} holder @param {string} text */
   function say({ complaint, inputs }, text) {
@@ -26,9 +23,9 @@ function simulator_controls(root, states, act) {
 
   /** What an input's place or text means for the state. @param {Holder} holder @param {HTMLInputElement} input */
   function value_of({ name }, input) {
-    if (input.type === "range") return from_slider(name, Number(input.value));
+    if (input.type === "range") return slid_to(name, input);
     if (input.type !== "checkbox") return states.read(name, input.value);
-    if (name !== "lights") return input.checked;
+    if (name !== "lights") return Number(input.checked);
     return act.state().lights.map((on, n) => (n === Number(input.dataset.index) ? input.checked : on));
   }
 
@@ -50,8 +47,8 @@ function simulator_controls(root, states, act) {
     const in_powers = name === "eps" && (input.type === "range" || value < 1e-3);
     const text = in_powers ? value.toExponential() : String(value);
     if (input.type === "range") {
-      const is_held = input === document.activeElement && from_slider(name, Number(input.value)) === value;
-      if (!is_held) input.value = String(to_slider(name, value));
+      if (input !== document.activeElement || slid_to(name, input) !== value)
+        input.value = String(name === "eps" ? Math.log10(value) : value);
       input.setAttribute("aria-valuetext", text);
     } else if (input.type === "checkbox")
       input.checked = name === "lights" ? value[Number(input.dataset.index)] : value;
@@ -59,14 +56,10 @@ function simulator_controls(root, states, act) {
     else if (input.getAttribute("aria-invalid") !== "true") input.value = text;
   }
 
-  /** @param {Holder} holder @param {State} state */
-  function put_all({ inputs, name }, state) {
-    for (const input of inputs) put(input, name, state);
-  }
-
   /** Show what has changed. @param {State} state */
   function show(state) {
-    for (const holder of holders) if (shown[holder.name] !== state[holder.name]) put_all(holder, state);
+    for (const { inputs, name } of holders)
+      if (shown[name] !== state[name]) for (const input of inputs) put(input, name, state);
     shown = state;
   }
 

@@ -7,6 +7,12 @@ function simulator_cursor(root, states, data, module) {
   const facts = find_element(root, ".sim-facts");
   const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
   const AXES = ["x", "y", "z"];
+  /** @type {{ key: "gradient" | "normal" | "rgb", names: string[] }[]} */
+  const COMPUTED = [
+    { key: "gradient", names: ["h<sub>u</sub>", "h<sub>v</sub>"] },
+    { key: "normal", names: AXES.map((axis) => `N′<sub>${axis}</sub>`) },
+    { key: "rgb", names: ["red", "green", "blue"] }
+  ];
 
   /** Where a float stands among all floats, counted from 0. @param {number} number */
   function place(number) {
@@ -38,12 +44,6 @@ function simulator_cursor(root, states, data, module) {
     };
   }
 
-  /** Both records of a pixel, as renderer.pixel gives them. @param {State} state */
-  function records(state) {
-    const raster = states.crop(state);
-    return Object.values(module.methods_of(state)).map((method) => module.pixel(state, method, raster));
-  }
-
   /** What both pipelines share. @param {PixelRecord} one @param {State} state */
   function shared(one, state) {
     const { column, row, surface, u, v, theta, phi, h, point } = one;
@@ -60,32 +60,24 @@ function simulator_cursor(root, states, data, module) {
     return Object.entries(found);
   }
 
-  /** What they compute, each in its own way: rows of a name and two numbers. @param {PixelRecord} one @param {PixelRecord} other */
+  /** What they compute, each in its own way. @param {PixelRecord} one @param {PixelRecord} other */
   function compared(one, other) {
-    /** @param {string[]} names @param {number[]} [ours] @param {number[]} [theirs] */
-    const rows = (names, ours = [], theirs = []) =>
-      ours.map((number, n) => ({ name: names[n], numbers: [number, theirs[n]] }));
-    return [
-      ...rows(["h<sub>u</sub>", "h<sub>v</sub>"], one.gradient, other.gradient),
-      ...rows(
-        AXES.map((axis) => `N′<sub>${axis}</sub>`),
-        one.normal,
-        other.normal
-      ),
-      ...rows(["red", "green", "blue"], one.rgb, other.rgb)
-    ];
+    return COMPUTED.flatMap(({ key, names }) =>
+      (one[key] ?? []).map((a, n) => {
+        const b = /** @type {number[]} */ (other[key])[n];
+        const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
+        return `<tr><th scope="row">${names[n]}</th>${cells.join("")}</tr>`;
+      })
+    );
   }
 
   /** @param {State} state */
   function show(state) {
-    const [one, other] = records(state);
-    const entries = shared(one, state).map(([name, value]) => entry_markup(name, value));
-    const rows = compared(one, other).map(({ name, numbers: [a, b] }) => {
-      const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
-      return `<tr><th scope="row">${name}</th>${cells.join("")}</tr>`;
-    });
+    const methods = Object.values(module.methods_of(state));
+    const [one, other] = methods.map((method) => module.pixel(state, method, states.crop(state)));
+    const entries = shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`);
     facts.innerHTML = entries.join("");
-    body.innerHTML = rows.join("");
+    body.innerHTML = compared(one, other).join("");
     find_element(root, ".sim-far").hidden = !body.textContent.includes("—");
     find_element(root, ".sim-python code").textContent = states.python(state);
   }

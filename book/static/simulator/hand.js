@@ -21,7 +21,7 @@ function simulator_hand(pictures, act) {
     return other ? Math.hypot(one[0] - other[0], one[1] - other[1]) : 0;
   }
 
-  /** @param {MouseEvent} event @param {HTMLElement} box */
+  /** @param {Place} event @param {HTMLElement} box */
   function share(event, box) {
     const { x, y, width, height } = pointer_in(box, event);
     return [x / width, y / height];
@@ -49,7 +49,7 @@ function simulator_hand(pictures, act) {
     const steps = Math.round(2 * Math.log2(apart(points) / begun.apart));
     const middle = { clientX: (points[0][0] + points[1][0]) / 2, clientY: (points[0][1] + points[1][1]) / 2 };
     const missing = begun.zoom + steps - act.state().zoom;
-    if (missing) act.zoom(missing, share(/** @type {MouseEvent} */ (middle), box));
+    if (missing) act.zoom(missing, share(middle, box));
   }
 
   /** @param {KeyboardEvent} event */

@@ -29,11 +29,6 @@ function simulator_layout(root, resized) {
 
   // Break out of the text's column.
   function spread() {
-    if (document.fullscreenElement === root) {
-      root.style.width = "";
-      root.style.marginLeft = "";
-      return;
-    }
     const { left, width } = page.getBoundingClientRect();
     const edge = width < NARROW ? 8 : 24;
     const shift = left + edge - root.getBoundingClientRect().left + (parseFloat(root.style.marginLeft) || 0);

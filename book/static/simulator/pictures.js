@@ -16,6 +16,8 @@ function simulator_pictures(root, states, data, module) {
   /** @param {string} selector @returns {HTMLCanvasElement[]} */
   const canvases = (selector) => boxes.map((box) => find_element(box, selector));
   const overlays = canvases(".over");
+  /** @type {HTMLCanvasElement[]} */
+  const covers = find_all(root, ".sim-bounds");
   const scale = simulator_scale(root, data);
   // What the page draws while something moves, and what the workers draw when it rests, each in canvases of its own:
   // a drawer sends what has changed since its last picture.
@@ -31,6 +33,8 @@ function simulator_pictures(root, states, data, module) {
   let seen = by_page;
   /** @type {State | null} */
   let shown = null;
+  /** @type {Uint8Array[]} */
+  let bounds = [];
   let decorated = "";
   let held = false; // the key that shows the crease lines
 
@@ -164,8 +168,27 @@ function simulator_pictures(root, states, data, module) {
     decorate();
   }
 
+  // The bounds of either picture's colours over it, in as many pixels as the screen has: one that is open stays seen.
+  function fit_bounds() {
+    for (const [n, canvas] of covers.entries()) {
+      canvas.hidden = !bounds.length;
+      if (canvas.hidden) continue;
+      const side = bounds[n].length ** 0.5;
+      const image = scale.bounds(bounds[n], side, Math.min(side, screen_side(n) || side));
+      resize(canvas, image.width);
+      context_of(canvas).putImageData(image, 0, 0);
+    }
+  }
+
+  /** Show levels of bounds, or none. @param {Uint8Array[]} maps */
+  function show_bounds(maps) {
+    bounds = maps;
+    fit_bounds();
+  }
+
   function resized() {
     fit();
+    fit_bounds();
     decorate();
   }
 
@@ -178,5 +201,5 @@ function simulator_pictures(root, states, data, module) {
     return whole;
   }
 
-  return { boxes, paint, show, decorate, hold, resized, canvas: canvas_of, still: scale.still };
+  return { boxes, paint, show, show_bounds, decorate, hold, resized, canvas: canvas_of, still: scale.still };
 }

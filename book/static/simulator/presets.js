@@ -1,49 +1,14 @@
-// The four experiments of the page: a state to begin with, and one quantity that then moves.
+// The experiments of the page, each in its button: a state to begin with, and one quantity that then moves.
 "use strict";
 
 /** @param {HTMLElement} root @param {States} states @param {Act} act */
 function simulator_presets(root, states, act) {
   const no_motion = window.matchMedia("(prefers-reduced-motion: reduce)");
-  /** @param {number} exponent */
-  const of_power = (exponent) => ({ eps: power_of_ten(exponent) });
-  /** @type {Record<string, Experiment>} */
-  const experiments = {
-    sweep: {
-      says: "Sine, ε from 10⁻¹ down to 10⁻¹⁸. The difference darkens, and then comes back as grain: where is it darkest?",
-      begin: { field: "sine", eps: 0.1 },
-      seconds: 14,
-      from: -1,
-      to: -18,
-      at: of_power,
-      still: -6
-    },
-    creases: {
-      says: "Ridges. As ε falls, the glow along the creases gets narrower, and hardly fainter. Hold C to see where they are.",
-      begin: { field: "ridges", eps: 0.1 },
-      seconds: 6,
-      from: -1,
-      to: -3.5,
-      at: of_power,
-      still: -2
-    },
-    pole: {
-      says: "Rings, magnified at the pole. The pinch is in both pictures, so the difference has nothing to say about it.",
-      begin: { field: "rings", eps: 1e-3 },
-      seconds: 5,
-      from: 0,
-      to: 10,
-      at: (zoom) => act.to_pole(Math.round(zoom)),
-      still: 10
-    },
-    flat: {
-      says: "β falls to 0. The two pictures become one plain sphere, and the difference is zero, not merely dark.",
-      begin: { field: "ridges", eps: 1e-2 },
-      seconds: 4,
-      from: 0.35,
-      to: 0,
-      at: (beta) => ({ beta: Number(beta.toFixed(3)) }),
-      still: 0
-    }
+  /** What each quantity changes that moves. @type {Record<string, (number: number) => Partial<State>>} */
+  const moves = {
+    eps: (exponent) => ({ eps: power_of_ten(exponent) }),
+    zoom: (zoom) => act.to_pole(Math.round(zoom)),
+    beta: (beta) => ({ beta: Number(beta.toFixed(3)) })
   };
   const says = find_element(root, ".sim-says");
   const play = find_element(root, ".sim-play");
@@ -62,7 +27,7 @@ function simulator_presets(root, states, act) {
     if (!now) return;
     share = clamp(0, to, 1);
     bar.value = String(share);
-    act.change(now.at(rescaled(share, 0, 1, now.from, now.to)));
+    act.change(moves[now.moves](rescaled(share, 0, 1, now.from, now.to)));
   }
 
   function pause() {
@@ -97,20 +62,22 @@ function simulator_presets(root, states, act) {
     root.classList.remove("sim-running");
   }
 
-  /** @param {string} name */
-  function run(name) {
+  /** @param {string} experiment */
+  function run(experiment) {
     stop();
-    now = experiments[name];
-    says.textContent = now.says;
+    /** @type {Experiment} */
+    const begun = JSON.parse(experiment);
+    now = begun;
+    says.textContent = begun.says;
     const { size, column, row } = states.zoomed(act.state(), { zoom: 0 });
-    act.replace({ ...states.start(), size, column, row, ...now.begin });
+    act.replace({ ...states.start(), size, column, row, ...begun.begin });
     play.hidden = false;
     root.classList.add("sim-running");
     if (!no_motion.matches) {
       share = 0;
       return go_on();
     }
-    put(rescaled(now.still, now.from, now.to, 0, 1));
+    put(rescaled(begun.still, begun.from, begun.to, 0, 1));
   }
 
   function reset() {

@@ -11,7 +11,6 @@ function simulator_readouts(root, data, module) {
     if (place.textContent !== text) place.textContent = text; // else some screen readers say it again
   }
   const ENOUGH = 8;
-  const MOST = 24;
   const SPREAD = 0.25; // times are shown when so many agree so far
   /** @type {Record<string, number[]>} */
   let times = {};
@@ -61,10 +60,7 @@ function simulator_readouts(root, data, module) {
    * @param {number} symbolic
    */
   function timed(numeric, symbolic) {
-    for (const [name, time] of Object.entries({ numeric, symbolic, ratio: numeric / symbolic })) {
-      times[name].push(time);
-      if (times[name].length > MOST) times[name].shift();
-    }
+    for (const [name, time] of Object.entries({ numeric, symbolic, ratio: numeric / symbolic })) times[name].push(time);
     if (times.ratio.length < ENOUGH || !times.ratio.every(Number.isFinite)) return;
     const [low, middle, high] = quartiles(times.ratio);
     if (high - low > SPREAD * middle) return;

@@ -9,6 +9,7 @@ function simulator_scale(root, data) {
   const LEVELS = 256;
   const SOME = 0x100; // set in a logarithmic level of what is not 0
   const BLACK = 0xff000000;
+  const OPEN = 0xff739e00; // the palette's green, for a bound that is not known
   const DECADE = 16; // levels, of the logarithmic scale; level 0 is 10⁻¹⁶ and whatever is less
   const HIGH = 20; // of the counts
   /** @type {HTMLCanvasElement} */
@@ -106,8 +107,18 @@ function simulator_scale(root, data) {
       side
     );
 
+  /** Levels of bounds in colour, in so many pixels a side, each the largest there. @param {Uint8Array} levels @param {number} side @param {number} wide */
+  function bounds(levels, side, wide) {
+    const largest = new Uint8Array(wide * wide);
+    reduce(levels, largest, side, wide);
+    return image_of(
+      Uint32Array.from(largest, (level) => (level < LEVELS - 1 ? inferno[level] : OPEN)),
+      wide
+    );
+  }
+
   /** @param {Uint32Array<ArrayBuffer>} pixels @param {number} wide */
   const image_of = (pixels, wide) => new ImageData(new Uint8ClampedArray(pixels.buffer), wide);
 
-  return { choose, colored, still };
+  return { choose, colored, still, bounds };
 }

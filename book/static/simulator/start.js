@@ -247,7 +247,7 @@ function simulator_start(root, compiled, module) {
       const parts = await closer_parts(data, compiled);
       const [all, ...programs] = parts;
       const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
-      const certified = simulator_certified(root, states, parts);
+      const certified = simulator_certified(root, states, parts, pictures.show_bounds);
       function show() {
         loupe.show(state);
         certified.ask(state);

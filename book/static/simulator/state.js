@@ -82,13 +82,7 @@ function simulator_states(root, { fields, models, scene }) {
     scale: choice(offered("scale"), "log"),
     axis: choice(["u", "v"], "u"),
     lights: switches(scene.lights.length),
-    ball: {
-      start: true,
-      read: (text) => (/^[01]$/.test(text) ? text === "1" : null),
-      write: (on) => String(Number(on)),
-      holds: (x) => typeof x === "boolean",
-      allowed: "1 or 0"
-    },
+    ball: choice([1, 0], 1),
     size: choice(offered("size").map(Number), 256),
     zoom: whole(0, FURTHEST, 0),
     left: whole(0, MOST, 0),
@@ -153,7 +147,7 @@ function simulator_states(root, { fields, models, scene }) {
   function moved(state, by) {
     const next = { ...state };
     for (const [n, [corner, cursor]] of AXES.entries()) {
-      next[cursor] = clamp(0, state[cursor] + by[n], side(state) - 1);
+      next[cursor] = state[cursor] + by[n];
       next[corner] = clamp(next[cursor] - state.size + 1, state[corner], next[cursor]);
     }
     return within(next);

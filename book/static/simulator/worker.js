@@ -209,14 +209,12 @@ function simulator_worker(post) {
     timer = setTimeout(go_on);
   }
 
-  /** @param {SimulatorData} data @param {WebAssembly.Module} compiled */
-  async function begin(data, compiled) {
-    module = await simulator_module(data, compiled);
-  }
-
   /** @param {Task} task */
   async function take(task) {
-    if (task.kind === "begin") ready = begin(task.data, task.compiled);
+    if (task.kind === "begin")
+      ready = simulator_module(task.data, task.compiled).then((made) => {
+        module = made;
+      });
     await ready;
     pending = task.kind === "idle" ? idle(task) : null;
     clearTimeout(timer);
