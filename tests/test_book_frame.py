@@ -9,7 +9,8 @@ from book.editions.document import POLICY as MAILED
 from book.editions.pages import parsed
 from book.extension import mathematics
 from book.extension.scripts import POLICY
-from book.extension.styles import pruned
+from book.extension.styles import NAMED, NESTED, pruned
+from verify.sources import ROOT
 
 HEAVIEST = 1_000_000  # bytes: a page, its scripts, style sheets and fonts, as they are before a server compresses them
 LIGHT = ["index", *(f"s{n}" for n in range(1, 10))]
@@ -68,6 +69,17 @@ def test_style_sheets_keep_what_pages_use_and_follow_the_system():
     dark = 'html[data-theme="dark"] .a{c:f}@media (prefers-color-scheme:dark){html[data-theme=auto] .a{c:f}}'
     assert pruned(css, {"a", "e"}) == '@charset "x";.a{c:d}.e:not(.f)>p{c:url("{}")}@media print{.a{c:e}}' + dark
     assert pruned(css, {"b"}) == '@charset "x";.b{c:d}@media print{.b{c:d}}'
+
+
+def test_no_rule_of_our_own_is_left_out_of_the_site(site):
+    """A class that a script puts together from parts is found in no page and no script."""
+    sheets = sorted((ROOT / "book" / "static").rglob("*.css"))
+    for sheet in sheets:
+        css = re.sub(r"/\*.*?\*/", "", sheet.read_text(encoding="utf-8"), flags=re.DOTALL)
+        heads = NESTED.sub("", " ".join(re.findall(r"[^{};]+(?=\{)", css)))
+        built = (site / "_static" / sheet.relative_to(ROOT / "book" / "static")).read_text(encoding="utf-8")
+        assert set(NAMED.findall(heads)) - set(NAMED.findall(built)) == set(), sheet
+    assert len(sheets) > 10
 
 
 def weight(site, name):

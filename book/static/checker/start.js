@@ -9,8 +9,8 @@ function put_checker(place, ...parts) {
 
 /** A verdict: its word, and what is said of it. @param {"Accepted" | "Accepted all the same" | "Rejected" | "No verdict"} word @param {string} text */
 function verdict_line(word, text) {
-  const kind = word.startsWith("Accepted") ? "accepted" : "rejected";
-  return make_element("p", { class: `check-${kind}` }, make_element("strong", {}, word), text);
+  const look = word.startsWith("Accepted") ? "check-accepted" : "check-rejected"; // whole: else no page has the name
+  return make_element("p", { class: look }, make_element("strong", {}, word), text);
 }
 
 const verdict_box = () => make_element("div", { class: "check-verdict", role: "status" });

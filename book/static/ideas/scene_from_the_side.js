@@ -6,7 +6,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
   const across = Math.hypot(ball_center[0], ball_center[1]);
   const way = [ball_center[0] / across, ball_center[1] / across];
   const FURTHEST = 2.2;
-  const LIGHTS = ["first light", "second light"];
+  const LIGHTS = ["first light", "second light"]; // also what style sheets know them by
   /** @type {Vector} */
   const ORIGIN = [0, 0, 0];
   let s = 0.52;
@@ -57,7 +57,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
         const is_dark = is_open(at) && hidden.some((flags) => flags[n]);
         return is_dark ? place(point(n, beside)) : [NaN, NaN];
       });
-      return line_markup(`dark light-${light}`, line);
+      return line_markup(`dark ${LIGHTS[light]}`, line);
     }
 
     /** @param {Vector} center @param {number} size @returns {(n: number, beside: number) => Point} */
@@ -101,7 +101,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
       /** @type {Point} */
       const near = [hit[0] + reach * (end[0] - hit[0]), hit[1] + reach * (end[1] - hit[1])];
       const name = text_at(near[0] + (near[0] > hit[0] ? 6 : -76), near[1] - 4, LIGHTS[n]);
-      return arrow_path(hit, near, is_hidden[n] ? "blocked" : `shine light-${n}`, 8) + name;
+      return arrow_path(hit, near, is_hidden[n] ? "blocked" : `shine ${LIGHTS[n]}`, 8) + name;
     });
     const wide = radius * scale;
     panel.svg.setAttribute("height", String(ground + 24));
