@@ -148,5 +148,6 @@ def write_tiff(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndar
                     yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
 
     form: dict[str, Any] = {"shape": (*shape, 3), "dtype": np.uint8, "photometric": "rgb", "metadata": None}
+    form |= {"tile": (TILE, TILE), "compression": "zlib", "buffersize": 0}  # tifffile's workers gather no further tiles
     with whole_file(path) as name:
-        tifffile.imwrite(name, tiles(), bigtiff=True, tile=(TILE, TILE), compression="zlib", **form)
+        tifffile.imwrite(name, tiles(), bigtiff=True, **form)
