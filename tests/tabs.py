@@ -4,9 +4,12 @@ from contextlib import ExitStack, contextmanager
 from functools import partial
 from urllib.parse import urljoin
 
+from playwright.sync_api import Route, expect
+
 DESKTOP = {"viewport": {"width": 1280, "height": 900}}
 PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
 RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
+CERTAIN = "#certified td:has-text('e')"  # once the certified bounds are there
 
 # Run before a page's own scripts, it counts in `seen`: for how many milliseconds tasks block it, when the last one
 # ended, how far the layout shifts, and when the simulator shows its first picture.
@@ -20,11 +23,6 @@ WATCH = """
         else if (performance.now() < 60000) setTimeout(look, 20);
     })();
 """
-
-
-def giving(script):
-    """What answers a request with a script."""
-    return lambda route: route.fulfill(body=script, content_type="text/javascript")
 
 
 def wait_for(tab, condition, arg=None):
@@ -47,7 +45,7 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
     context, asked, complaints = browser.new_context(**DESKTOP | options), [], []
     context.add_init_script(prepare)
     for place, script in dict(given).items():
-        context.route(place, giving(script))
+        context.route(place, partial(Route.fulfill, body=script, content_type="text/javascript"))
     tab = context.new_page()
     tab.wait_for_function = partial(wait_for, tab)
     tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
@@ -72,6 +70,21 @@ def visits(browser, site, server):
             return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **options))
 
         yield visit
+
+
+def says(tab, place, text):
+    """Wait until a place of the page says this; text: all of it, or a pattern that it has."""
+    expect(tab.locator(place)).to_have_text(text)
+
+
+def number(text):
+    """Return the number that a page prints."""
+    return float(text.replace("−", "-"))
+
+
+def readout(tab, name):
+    """Return a number beside the simulator's pictures."""
+    return number(tab.inner_text(f"[data-readout={name}]"))
 
 
 def next_frame(tab):
