@@ -1,5 +1,6 @@
 """Sphinx over a folder of a page or two, for the tests of the extension."""
 
+import re
 from io import StringIO
 from pathlib import Path
 
@@ -23,3 +24,16 @@ def build(folder: Path, text: str) -> tuple[str, str]:
     with docutils_namespace():
         Sphinx(folder, None, out, out / "doctrees", "html", SETTINGS, None, warnings, freshenv=True).build()
     return (out / "index.html").read_text(encoding="utf-8"), warnings.getvalue()
+
+
+def refused(folder: Path, mistakes: dict[str, str], more: str = "") -> str:
+    """Build one page of mistakes, {what is written: what is said of it, a pattern}: each must be named by its line.
+
+    more: what else stands on the page. Returns its HTML.
+    """
+    text = "\n\n".join([*mistakes, more])
+    html, warnings = build(folder, text)
+    for written, said in mistakes.items():
+        line = 3 + text[: text.index(written)].count("\n")
+        assert re.search(rf"index\.md:{line}:.*{said}", warnings), warnings
+    return html

@@ -1,6 +1,7 @@
 """Where a figure comes from: the numbers beside it, the key that it is kept by, what is drawn again and why."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,9 +12,9 @@ from book.drawing import draw, keys, save
 from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
+from tests.folders import contents
 from tests.processes import python
 
-NARROW = ("verify/stability/maps.py", "renderer/picture/facts.py")  # what only some figures may reach
 MODULES = sorted(path.stem for path in (stamps.ROOT / "book" / "figures").glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
@@ -31,83 +32,47 @@ for name in names:
 """
 
 
-def ours(files) -> set[str]:
-    """Those of the files that are the repository's, by path from its root."""
-    paths = (keys.source_of(stamps.ROOT / file) for file in files)
-    return {path.relative_to(stamps.ROOT).as_posix() for path in paths if path}
-
-
-@pytest.fixture(scope="module")
-def imported() -> dict[str, set[str]]:
-    """Module of figures → the repository's files that Python itself imports with it."""
-    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
-    return {name: ours(files) for name, files in map(json.loads, printed.splitlines())}
-
-
 @pytest.fixture(scope="module")
 def hashes_of_figures() -> dict[str, dict[str, str]]:
     """Figure → the hashes of its files, while no file looks edited."""
     return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
 
 
-def module_of(entry) -> str:
-    return keys.source_file(entry).stem
+def test_a_key_has_what_python_imports_and_what_is_read_and_the_quick_look_misses_nothing(hashes_of_figures):
+    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
+    imported, seen = dict(map(json.loads, printed.splitlines())), keys.all_sources().keys()
+    for id, entry in all_figures().items():
+        own = keys.source_file(entry)
+        paths = {*filter(None, map(keys.source_of, map(Path, imported[own.stem])))}
+        assert own in paths and len(paths) > 3
+        named = {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data}
+        named |= {path.relative_to(stamps.ROOT).as_posix() for path in paths}
+        assert named <= hashes_of_figures[id].keys() <= seen, id
 
 
-def test_keys_have_every_module_that_python_imports(imported, hashes_of_figures):
-    for entry in all_figures().values():
-        python = imported[module_of(entry)]
-        assert f"book/figures/{module_of(entry)}.py" in python and len(python) > 3
-        assert python <= hashes_of_figures[entry.id].keys(), entry.id
-
-
-def test_keys_have_data_style_and_lock_and_nothing_that_the_quick_look_misses(hashes_of_figures):
-    seen = keys.all_sources().keys()
-    for entry in all_figures().values():
-        now = hashes_of_figures[entry.id].keys()
-        assert {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data} <= now
-        assert now <= seen, f"{entry.id}: `make figures` would not look"
-
-
-def edited(monkeypatch, name):
-    """Let a file of the repository look edited."""
-    hashes = stamps.hashes
-    monkeypatch.setattr(
-        stamps, "hashes", lambda paths: {k: "edited" if k == name else v for k, v in hashes(paths).items()}
-    )
-
-
-@pytest.fixture
-def drawn(hashes_of_figures, stamped, monkeypatch):
-    """Every figure, as if it had just been drawn; what is drawn now."""
+def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures, stamped, monkeypatch, capsys):
+    drawn, edited, hashes = [], set(), stamps.hashes
     monkeypatch.setattr(keys, "GENERATED", stamped / "generated")
     monkeypatch.setattr(draw, "PROCESSES", 1)
-    drawings = []
-    monkeypatch.setattr(save, "save", lambda entry, *rest: drawings.append(entry.id) or [])
+    monkeypatch.setattr(save, "save", lambda entry, *rest: drawn.append(entry.id) or [])
+    monkeypatch.setattr(
+        stamps, "hashes", lambda paths: {k: "edited" if k in edited else v for k, v in hashes(paths).items()}
+    )
     for id, now in hashes_of_figures.items():
         stamps.write(f"figures/{id}", {"files": [], "sources": now})
-    return drawings
-
-
-@pytest.mark.parametrize(
-    "name",
-    ["verify/stability/maps.py", "renderer/picture/facts.py", "renderer/machines/traced.py", "book/drawing/style.py",
-     "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
-     "book/drawing/matplotlibrc"],
-)  # fmt: skip
-def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, hashes_of_figures, drawn, monkeypatch, capsys):
-    assert draw.draw() == 0 and drawn == []
-    reach = {id for id, now in hashes_of_figures.items() if name in now}
-    edited(monkeypatch, name)
-    capsys.readouterr()
-    assert draw.draw() == len(reach) > 0
-    assert sorted(drawn) == sorted(reach)
-    assert len(reach) < len(hashes_of_figures) or name not in NARROW, f"figures import too widely: {name}"
-    said = capsys.readouterr().out
-    assert said.count(f"({name} changed") == len(reach)
-    assert f"  {len(reach)} drawn, {len(hashes_of_figures) - len(reach)} up to date" in said
-    drawn.clear()
-    assert draw.draw() == 0 and drawn == []  # and once is enough
+    narrow = ("verify/stability/maps.py", "renderer/picture/facts.py")  # what only some figures may reach
+    for name in (*narrow, "verify/results/work_precision.json", "book/drawing/matplotlibrc"):
+        assert draw.draw() == 0 and drawn == []  # once is enough
+        reach = {id for id, now in hashes_of_figures.items() if name in now}
+        assert len(reach) < len(hashes_of_figures) or name not in narrow, f"figures import too widely: {name}"
+        edited.add(name)
+        capsys.readouterr()
+        assert draw.draw() == len(reach) > 0
+        assert sorted(drawn) == sorted(reach)
+        drawn.clear()
+        said = capsys.readouterr().out
+        assert said.count(f"({name} changed") == len(reach)
+        assert f"  {len(reach)} drawn, {len(hashes_of_figures) - len(reach)} up to date" in said
 
 
 def broken() -> Drawing:
@@ -115,19 +80,15 @@ def broken() -> Drawing:
     raise ZeroDivisionError("no such slope")
 
 
-def test_two_processes_draw_what_one_draws(stamped, monkeypatch):
-    ids, files = ("kink_loci", "views"), {}
+def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamped, monkeypatch):
+    ids, files = ("accepted_scenes", "crease"), {}
     for processes in (1, 2):
         monkeypatch.setattr(draw, "PROCESSES", processes)
         monkeypatch.setattr(keys, "GENERATED", stamped / f"by_{processes}")
         assert draw.draw(ids, force=True) == len(ids)
-        files[processes] = {path.name: path.read_bytes() for path in keys.GENERATED.iterdir()}
+        files[processes] = contents(keys.GENERATED)
     assert files[1] == files[2] and len(files[1]) > len(ids)
-
-
-def test_what_a_figure_raises_in_another_process_names_it(stamped, monkeypatch):
-    monkeypatch.setattr(keys, "GENERATED", stamped / "generated")
-    figures = {"accepted_scenes": all_figures()["accepted_scenes"], "broken": Registered("broken", broken)}
+    figures = {ids[0]: all_figures()[ids[0]], "broken": Registered("broken", broken)}
     monkeypatch.setattr(draw, "all_figures", lambda: figures)
     with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
         draw.draw(force=True)
@@ -148,13 +109,8 @@ def test_file_that_is_read_and_not_in_the_key_is_an_error():
     with pytest.raises(ValueError, match=r"'careless' read verify/results/work_precision.json.*data="):
         keys.require(entry, seen, keys.figure_hashes(Registered("declares_nothing", all_figures()["hero"].draw)))
     keys.require(entry, seen, keys.figure_hashes(all_figures()["work_precision"]))
-
-
-def test_trace_sees_lazy_imports_as_sources_and_nothing_outside(tmp_path):
-    folder = stamps.ROOT / "book" / "drawing"
+    folder = stamps.ROOT / "book" / "drawing"  # a module that is imported late is seen as its source
     assert keys.source_of(folder / "__pycache__" / "style.cpython-311.pyc") == folder / "style.py"
-    for path in (tmp_path / "a.py", stamps.ROOT / "book" / "_generated" / "hero.json"):
-        assert keys.source_of(path) is None
 
 
 def line(heights) -> Figure:
@@ -173,27 +129,24 @@ def test_columns_of_one_length_are_a_table_and_read_back_to_the_last_bit():
     assert back["word"].tolist() == list("abcd")
 
 
-@pytest.mark.parametrize(
-    ("heights", "data", "message"),
-    [
+def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
+    for heights, data, message in (
         ([1.0], {}, "needs data="),
         (np.arange(5.0) + 0.5, {"a": np.arange(5)}, "draws a curve that is not in its data: 0.5"),
         ([1.0], {"a": [None]}, "'a' is object"),
         ([1.0], {"a": 1.0}, r"'a' is float64 of shape \(\)"),
         ([1.0], {"picture_1": [1.0]}, "data name 'picture_1'"),
         ([1.0], {"a": np.random.default_rng(0).random(MOST_BYTES // 8)}, "at most"),
-    ],
-)
-def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name(heights, data, message):
-    with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
-        data_file("f", Drawing(line(heights), data=data))
+    ):
+        with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
+            data_file("f", Drawing(line(heights), data=data))
 
 
-def test_every_drawn_figure_says_where_it_comes_from(site):
+def test_every_drawn_figure_says_where_it_comes_from(site, hashes_of_figures):
     for id, entry in all_figures().items():
         description = json.loads((keys.GENERATED / f"{id}.json").read_text())
         assert (description["id"], description["function"]) == (id, entry.draw.__name__)
-        assert description["key"] == stamps.key(keys.figure_hashes(entry)), f"{id} was drawn from other sources"
+        assert description["key"] == stamps.key(hashes_of_figures[id]), f"{id} was drawn from other sources"
         if description["kind"] != "numbers":
             assert description["data"] in {f"{id}.csv", f"{id}.npz"}
             assert read_data(description["data"], (keys.GENERATED / description["data"]).read_bytes())

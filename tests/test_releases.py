@@ -4,7 +4,6 @@ import copy
 import shutil
 import subprocess
 import sys
-from hashlib import sha256
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -48,24 +47,21 @@ def draw_into(folder: Path, rms=0.0121, pixels=PIXELS, heights=STEPS**2, width=3
 
 
 @pytest.fixture
-def grades():
-    """The theorems as the run grades them; a test may change them."""
-    return copy.deepcopy(GRADES)
-
-
-@pytest.fixture
-def places(tmp_path, monkeypatch, grades):
-    """A project with drawn figures, three theorems and its first release."""
+def places(stamped, monkeypatch):
+    """A project with drawn figures, three theorems (`grades`, which a test may change) and its first release."""
     modules = {"releases": archive, "generated": record, "changelog": release_notes, "out": command}
-    paths = SimpleNamespace(**{name: tmp_path / name for name in modules})
+    paths = SimpleNamespace(**{name: stamped / name for name in modules}, grades=copy.deepcopy(GRADES))
     for name, module in modules.items():
-        monkeypatch.setattr(module, name.upper(), tmp_path / name)
+        monkeypatch.setattr(module, name.upper(), stamped / name)
     other = "\n- unit_length, sweep.rms_1e-3\n\n"
     paths.changelog.write_text(f"## 0.1.0.1\n{other}## 0.1.0 (unreleased)\n\n- A line.\n\n## 0.0.1\n{other}")
-    monkeypatch.setattr(record, "theorems", lambda: copy.deepcopy(grades))
+    monkeypatch.setattr(record, "theorems", lambda: copy.deepcopy(paths.grades))
     monkeypatch.setattr(record, "version", lambda: "0.1.0")
+    monkeypatch.setattr(report, "make", lambda: None)
+    monkeypatch.setattr(command_line, "figures", lambda: None)
+    monkeypatch.setattr(command_line.evidence, "stale", lambda: {})
     draw_into(paths.generated)
-    assert command.release() == 0
+    assert command_line.main(["release"]) == 0
     return paths
 
 
@@ -74,29 +70,28 @@ def notes(places, capsys):
     """A function: the status and the text of the notes as they are now."""
 
     def made():
-        capsys.readouterr()
-        status, written = command.release_notes(), (places.out / "notes.md").read_text()
-        assert capsys.readouterr().out.strip() == written.strip()
+        status, written = command_line.main(["release-notes"]), (places.out / "notes.md").read_text()
+        assert capsys.readouterr().out.strip().endswith(written.strip())
         return status, written
 
     return made
 
 
-@pytest.fixture
-def planted(places, grades):
-    """A theorem is weaker, a number moved by 1e-3, a picture changed."""
-    grades["unit_length"] |= {"grade": "measured"}
+def released(places) -> dict[str, bytes]:
+    return {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()}
+
+
+def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not_name(places, notes):
+    """First nothing moves; then a theorem is weaker, a number moved by 1e-3, a picture changed."""
+    before = released(places)
+    draw_into(places.generated)
+    status, said = notes()
+    assert status == 0 and "Nothing moved." in said
+    assert command_line.main(["release"]) == 0 and released(places) == before
+    places.grades["unit_length"]["grade"] = "measured"
     pixels = PIXELS.copy()
     pixels[2, 3, 1] += 40
     draw_into(places.generated, rms=0.0121 * (1 + 1e-3), pixels=pixels)
-
-
-def name_in_changelog(places, id) -> None:
-    text = places.changelog.read_text()
-    places.changelog.write_text(text.replace("- A line.\n", f"- A line.\n- `{id}` moved, for a reason.\n"))
-
-
-def test_planted_changes_are_all_named_and_fail(places, planted, notes):
     status, said = notes()
     assert status == 1
     assert "Weakened: 1\n\n- `unit_length`: proved → measured" in said
@@ -105,33 +100,12 @@ def test_planted_changes_are_all_named_and_fail(places, planted, notes):
     assert said.endswith("- `unit_length` (weakened)\n- `sweep.rms_1e-3` (out of tolerance)\n")
     difference = np.asarray(Image.open(places.out / "hero.png"))
     assert difference.shape == (8, 9) and difference[2, 3] == 255 and np.count_nonzero(difference) == 1
-
-
-def released(places) -> dict[str, bytes]:
-    return {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()}
-
-
-def test_planted_changes_that_the_changelog_names_pass_and_are_released(places, planted, notes):
-    before = released(places)
-    name_in_changelog(places, "unit_length")
-    assert notes()[0] == command.release() == 1
-    assert released(places) == before
-    name_in_changelog(places, "sweep.rms_1e-3")
-    status, said = notes()
-    assert status == 0
-    assert all(id in said for id in ("`unit_length`", "`sweep.rms_1e-3`", "`hero`"))
-    assert command.release() == 0
-    assert released(places) != before
+    for id, status in (("unit_length", 1), ("sweep.rms_1e-3", 0)):
+        text = places.changelog.read_text()
+        places.changelog.write_text(text.replace("- A line.\n", f"- A line.\n- `{id}` moved, for a reason.\n"))
+        assert notes()[0] == command_line.main(["release"]) == status
+        assert (released(places) == before) == bool(status)
     assert "Nothing moved." in notes()[1]
-
-
-def test_the_same_state_gives_the_same_record_and_pictures(places, notes):
-    before = released(places)
-    draw_into(places.generated)
-    status, said = notes()
-    assert status == 0 and "Nothing moved." in said
-    assert command.release() == 0
-    assert released(places) == before
 
 
 def test_curves_are_compared_by_their_numbers_and_looks_apart(places, notes):
@@ -142,19 +116,39 @@ def test_curves_are_compared_by_their_numbers_and_looks_apart(places, notes):
     draw_into(places.generated, width=3.5)
     status, said = notes()
     assert status == 0 and "`sweep`: the same numbers, other bytes: sweep.dark.svg, sweep.svg" in said
-    path, hero = places.releases / "0.1.0.json", (places.generated / "hero.png").read_bytes()
-    path.write_text(path.read_text().replace(sha256(hero).hexdigest(), "0"))
-    draw_into(places.generated)
-    assert "`hero`: the same pixels, other bytes: hero.png" in notes()[1]
     draw_into(places.generated, pixels=PIXELS[:4])
     assert "`hero`: other arrays: picture_0 8×9×4 u → picture_0 4×9×4 u" in notes()[1]
 
 
-def changes(before, after):
-    return [(change.kind, change.id, change.must_be_named) for change in compare.theorems(before, after)]
+def test_versions_are_in_order_the_two_newest_keep_pictures_and_what_cannot_be_released_is_refused(
+    places, monkeypatch, capsys
+):
+    for version in ("0.2.0", "0.10.0"):
+        monkeypatch.setattr(record, "version", lambda version=version: version)
+        places.changelog.write_text(f"## {version}\n")
+        assert command_line.main(["release"]) == 0
+    assert archive.versions() == ["0.1.0", "0.2.0", "0.10.0"]
+    assert [archive.before(version) for version in ("0.10.0", "0.9.2", "0.1.0")] == ["0.2.0", "0.2.0", "0.1.0"]
+    assert sorted(path.name for path in places.releases.iterdir() if path.is_dir()) == ["0.10.0", "0.2.0"]
+    with pytest.raises(stamps.Refused, match=r"up to 0\.0\.1"):
+        archive.before("0.0.1")
+    places.changelog.write_text("## 0.1.0\n")
+    old = {"frames": "renderer/kernels.py changed"}
+    for arguments, stale, said in (
+        (["release-notes", "--against", "9.9"], {}, ["there is no release 9.9; there are: 0.1.0, 0.2.0, 0.10.0"]),
+        (["release"], {}, ["changelog has no heading ## 0.10.0"]),
+        (["release"], old, ["make evidence", "frames: renderer/kernels.py changed: python -m verify.benchmark\n"]),
+    ):
+        monkeypatch.setattr(command_line.evidence, "stale", lambda stale=stale: stale)
+        assert command_line.main(arguments) == 2
+        written = capsys.readouterr().err
+        assert all(words in written for words in said)
 
 
 def test_theorems_added_removed_strengthened_weakened_and_restated():
+    def changes(before, after):
+        return [(change.kind, change.id, change.must_be_named) for change in compare.theorems(before, after)]
+
     after = copy.deepcopy(GRADES)
     after["known_lemma"]["given"] = []
     after["sampled"]["statement"] = "smaller"
@@ -162,10 +156,6 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
     expected = [("added", "news", False), ("removed", "unit_length", True), ("restated", "sampled", False)]
     assert changes(GRADES, after) == [*expected, ("strengthened", "known_lemma", False)]
     assert changes(after, GRADES)[-1] == ("weakened", "known_lemma", True)
-    failed = copy.deepcopy(GRADES)
-    failed["sampled"]["grade"] = "failed"
-    assert changes(GRADES, failed) == [("weakened", "sampled", True)]
-    assert changes(GRADES, GRADES) == []
 
 
 @pytest.mark.parametrize(
@@ -176,10 +166,7 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
         (1.0, 1.001, 1e-9, "out of tolerance", "+0.1 %"),
         (2.0, 1.9, 0.25, "moved", "-5 %"),
         (0.0, 1e-300, 1e-9, "out of tolerance", "from zero"),
-        (-1e-9, 1e-9, 1e-9, "out of tolerance", "+200 %"),
-        (3, 4, 0, "out of tolerance", "+33.3 %"),
         (3, 3.0, 1e-9, "moved", "another kind"),
-        ("met", "not met", 0, "out of tolerance", "another value"),
         ("Tuesday", "Friday", "any", "moved", "another value"),
         (True, False, 0, "out of tolerance", "another value"),
     ],
@@ -191,103 +178,42 @@ def test_numbers_that_moved(old, new, tolerance, kind, how):
     assert list(compare.numbers(before, before)) == []
 
 
-def test_tolerances_are_exact_for_counts_narrow_for_floats_and_wide_for_times():
+def test_tolerances_are_exact_for_counts_narrow_for_floats_and_wide_for_times(tmp_path):
     assert tolerances.tolerance("eps_table.flips", 0) == 0
     assert tolerances.tolerance("u_curve.slope", 2.0) == 1e-9
     assert tolerances.tolerance("bench:frames.algebraic_256_2_ms", 2.5) == 0.25
     assert tolerances.tolerance("bench:frames.a_alone_central_to_algebraic_verdict", "met") == 0
     assert tolerances.tolerance("work_precision.date", "2026-11-21") == tolerances.ANY
+    rule = '[[rule]]\nnumbers = ["a.*"]\nwithin = {}\nwhy = "{}"\n'
+    for within, why, message in ((0.5, " ", "needs a why"), (-1, "so", "≥ 0")):
+        path = tmp_path / f"{within}.toml"
+        path.write_text(rule.format(within, why))
+        with pytest.raises(ValueError, match=message):
+            tolerances.rules(path)
 
 
-@pytest.mark.parametrize(("good", "bad", "message"), [("so", " ", "needs a why"), ("0.5", "-1", "≥ 0")])
-def test_every_rule_has_a_reason_and_a_tolerance(tmp_path, good, bad, message):
-    path, rule = tmp_path / "rules.toml", 'floats = 1e-9\n[[rule]]\nnumbers = ["a.*"]\nwithin = 0.5\nwhy = "so"\n'
-    path.write_text(rule.replace(good, bad))
-    with pytest.raises(ValueError, match=message):
-        tolerances.rules(path)
-
-
-def test_every_rule_speaks_of_a_number_that_the_last_release_or_the_next_has(site):
-    releases = (archive.read(archive.versions()[-1]), record.make())
-    names = [name for release in releases for name in command.all_numbers(release)]
-    for rule in tolerances.rules()["rule"]:
-        for pattern in rule["numbers"]:
-            assert any(tolerances.fnmatchcase(name, pattern) for name in names), pattern
-
-
-@pytest.mark.parametrize(
-    ("text", "named"),
-    [("`u_curve.least` fell", True), ("u_curve.least.", True), ("u_curve.least_at", False), ("u_curve", False),
-     ("bench:u_curve.least", False), ("u_curve.least-2", False), ("u_curve.least.x", False),
-     ("`u_curve.*`", True), ("`u_curve.l*st`", True), ("u_curve.*", False), ("`pole.*`", False), ("`*`", False)],
-)  # fmt: skip
-def test_an_id_is_named_as_a_whole(text, named):
-    assert release_notes.names("u_curve.least", text) is named
-
-
-def test_versions_are_in_order_and_compared_with_the_one_before(tmp_path, monkeypatch):
-    monkeypatch.setattr(archive, "RELEASES", tmp_path)
-    for version in ("0.2.0", "0.10.0", "0.9.1"):
-        (tmp_path / f"{version}.json").write_text("{}")
-    assert archive.versions() == ["0.2.0", "0.9.1", "0.10.0"]
-    assert [archive.before(version) for version in ("0.10.0", "0.9.2", "0.2.0")] == ["0.9.1", "0.9.1", "0.2.0"]
-    with pytest.raises(stamps.Refused, match=r"up to 0\.1\.0"):
-        archive.before("0.1.0")
-
-
-def test_only_the_two_newest_releases_keep_pictures(places, monkeypatch):
-    for version in ("0.2.0", "0.3.0"):
-        monkeypatch.setattr(record, "version", lambda version=version: version)
-        places.changelog.write_text(f"## {version}\n")
-        assert command.release() == 0
-    assert archive.versions() == ["0.1.0", "0.2.0", "0.3.0"]
-    assert sorted(path.name for path in places.releases.iterdir() if path.is_dir()) == ["0.2.0", "0.3.0"]
-
-
-def test_the_command_line_gives_the_status_on(monkeypatch, stamped, places, planted, capsys):
-    monkeypatch.setattr(report, "make", lambda: None)
-    monkeypatch.setattr(command_line, "figures", lambda: None)
-    assert command_line.main(["release-notes"]) == 1
-    assert command_line.main(["release-notes", "--against", "9.9"]) == 2
-    assert "there is no release 9.9; there are: 0.1.0" in capsys.readouterr().err
-    places.changelog.write_text("## 0.0.1\n")
-    old = {}
-    monkeypatch.setattr(command_line.evidence, "stale", lambda: old)
-    assert command_line.main(["release"]) == 2
-    assert "changelog has no heading ## 0.1.0" in capsys.readouterr().err
-    old["frames"] = "renderer/kernels.py changed"
-    assert command_line.main(["release"]) == 2
-    said = capsys.readouterr().err
-    assert "make evidence" in said and "frames: renderer/kernels.py changed: python -m verify.benchmark\n" in said
+def test_an_id_is_named_as_a_whole():
+    id = "u_curve.least"
+    for text in ("`u_curve.least` fell", "u_curve.least.", "`u_curve.*`", "`u_curve.l*st`"):
+        assert release_notes.names(id, text), text
+    for text in (
+        "u_curve.least_at",
+        "u_curve",
+        "bench:u_curve.least",
+        "u_curve.least-2",
+        "u_curve.*",
+        "`pole.*`",
+        "`*`",
+    ):
+        assert not release_notes.names(id, text), text
 
 
 def test_the_committed_release_is_whole_and_small():
-    version = archive.versions()[-1]
-    then = archive.read(version)
-    assert then["version"] == version
-    assert all(entry["grade"] != "failed" for entry in then["theorems"].values()) and len(then["theorems"]) > 60
-    assert all(entry["tolerance"] == "any" or entry["tolerance"] >= 0 for entry in then["numbers"].values())
-    assert all(result["label"]["machine"] for result in then["measured"].values())
-    folder = archive.RELEASES / version
-    names = {picture["kept"] for picture in then["pictures"].values()}
-    assert {path.name for path in folder.iterdir()} == names
+    then, folder = archive.read(archive.versions()[-1]), archive.RELEASES / archive.versions()[-1]
+    kept = {picture["kept"]: picture["content"] for picture in then["pictures"].values()}
+    assert kept == {path.name: archive.pictures.digest(archive.pictures.arrays_of(path)) for path in folder.iterdir()}
     assert sum(path.stat().st_size for path in folder.iterdir()) < 5e6
-    for picture in then["pictures"].values():
-        assert archive.pictures.digest(archive.pictures.arrays_of(folder / picture["kept"])) == picture["content"]
-
-
-def test_a_file_that_differs_or_is_missing_is_reported_by_name(tmp_path):
-    one, other = tmp_path / "one", tmp_path / "other"
-    for folder, text in ((one, "<p>0.0121</p>"), (other, "<p>0.0122</p>")):
-        folder.mkdir()
-        (folder / "index.html").write_text(text)
-    (one / "extra.json").touch()
-    extra, index = same_bytes.differences(one, other)
-    assert index == "index.html: differs from byte 8 on: b'<p>0.0121</p>' and b'<p>0.0122</p>'"
-    assert extra == f"extra.json: only in {one}"
-    shutil.rmtree(other)
-    with pytest.raises(ValueError, match="nothing was built there"):
-        same_bytes.differences(one, other)
+    assert all(entry["grade"] != "failed" for entry in then["theorems"].values()) and len(then["theorems"]) > 60
 
 
 PROGRAM = """
@@ -295,53 +221,49 @@ import os, pathlib
 for part in ('html', '../_generated'):
     out = pathlib.Path('book/_build') / part
     out.mkdir(parents=True)
-    (out / 'index.html').write_text({content})
+    for name, content in {files}.items():
+        (out / name).write_text(content)
 """
 
 
-@pytest.fixture
-def repository(tmp_path, monkeypatch):
-    """A function: a project whose build writes what an expression gives, a stand-in for this one; it is built."""
-
-    def built(content):
-        root = tmp_path / "here"
-        for package in stamps.PACKAGES:
-            (root / package).mkdir(parents=True)
-            (root / package / "__init__.py").touch()
-        (root / "book" / "__main__.py").write_text(PROGRAM.format(content=content))
-        for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
-            (root / name).write_text(text)
-        subprocess.run([sys.executable, "-m", "book"], cwd=root, check=True)
-        monkeypatch.setattr(stamps, "ROOT", root)
-        return root
-
-    return built
+def built(root: Path, monkeypatch, files: str) -> None:
+    """Make a project, a stand-in for this one, whose build writes {{name: content}}, an expression; build it."""
+    for package in stamps.PACKAGES:
+        (root / package).mkdir(parents=True)
+        (root / package / "__init__.py").touch()
+    (root / "book" / "__main__.py").write_text(PROGRAM.format(files=files))
+    for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
+        (root / name).write_text(text)
+    subprocess.run([sys.executable, "-m", "book"], cwd=root, check=True)
+    monkeypatch.setattr(stamps, "ROOT", root)
 
 
-@pytest.mark.parametrize(
-    "place", ["os.getcwd()", "os.environ.get('TZ', '')", "str(hash('word'))", "os.environ['HOME']"]
-)
-def test_a_build_that_depends_on_its_place_is_found_out(repository, capfd, place):
-    repository(place)
+def test_a_build_that_depends_on_its_place_is_found_out(tmp_path, monkeypatch, capfd):
+    place = "'folder': os.getcwd(), 'zone': os.environ.get('TZ', ''), 'seed': str(hash('word'))"
+    built(
+        tmp_path, monkeypatch, f"{{{place}, 'home': os.environ['HOME'], os.path.basename(os.getcwd()): '', 'same': ''}}"
+    )
     assert same_bytes.same_bytes() == 1
     said = capfd.readouterr().out
-    assert "book/_build/html/index.html: differs" in said and "agree" not in said
+    for name in ("folder", "zone", "seed", "home"):
+        assert f"book/_build/html/{name}: differs from byte" in said
+    assert said.count(": only in ") == 4 and "same: differs" not in said and "agree" not in said
 
 
-def test_a_build_that_does_not_agrees_without_git(repository, capfd):
-    (repository("'the same'") / ".stamps").mkdir()
+def test_a_build_that_does_not_agrees_and_a_clone_is_of_what_is_committed(tmp_path, monkeypatch, capfd):
+    built(tmp_path, monkeypatch, "{'index.html': 'the same'}")
+    (tmp_path / ".stamps").mkdir()
     assert same_bytes.same_bytes() == 0
     assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
-
-
-@pytest.mark.skipif(shutil.which("git") is None, reason="there is no git")
-def test_a_clone_is_of_what_is_committed(repository, capfd):
-    root = repository("'the same'")
+    with pytest.raises(ValueError, match="nothing was built there"):
+        same_bytes.differences(tmp_path, tmp_path / ".stamps")
+    if shutil.which("git") is None:
+        pytest.skip("there is no git")
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
     for arguments in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
-        subprocess.run([*git, *arguments], cwd=root, check=True)
+        subprocess.run([*git, *arguments], cwd=tmp_path, check=True)
     assert same_bytes.same_bytes() == 0
-    (root / "book" / "new.py").touch()
+    (tmp_path / "book" / "new.py").touch()
     with pytest.raises(stamps.Refused, match=r"book/new\.py"):
         same_bytes.same_bytes()
 
@@ -352,24 +274,20 @@ def lint(program: str, *arguments) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    ("name", "commands"),
-    [
-        ("publish", (".ci/run", "make release-notes", "book/_build/html")),
-        ("weekly", (".ci/run", ".ci/long")),
-        ("checks", (".ci/run", "3.14", "macos", "windows", "pytest -q verify", "tests/test_wheel.py")),
-    ],
-)
-def test_the_workflows_are_valid_pinned_and_without_secrets(name, commands):
-    path = stamps.ROOT / ".github" / "workflows" / f"{name}.yml"
-    lint("check-jsonschema", "--builtin-schema", "vendor.github-workflows", path)
-    lint("zizmor", "--offline", "--no-config", "--persona", "pedantic", path)  # pinned, few permissions, no injections
-    text = path.read_text()
-    assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
-    assert all(command in text for command in commands)
-
-
-def test_the_citation_is_valid_and_of_this_version():
-    citation = stamps.ROOT / "CITATION.cff"
+def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_of_this_version():
+    commands = {
+        "publish": (".ci/run", "make release-notes", "book/_build/html"),
+        "weekly": (".ci/run", ".ci/long"),
+        "checks": (".ci/run", "3.14", "macos", "windows", "pytest -q verify", "tests/test_wheel.py"),
+    }
+    folder, citation = stamps.ROOT / ".github" / "workflows", stamps.ROOT / "CITATION.cff"
+    lint("check-jsonschema", "--builtin-schema", "vendor.github-workflows", *folder.iterdir())
+    lint(
+        "zizmor", "--offline", "--no-config", "--persona", "pedantic", folder
+    )  # pinned, few permissions, no injections
+    for name, asked in commands.items():
+        text = (folder / f"{name}.yml").read_text()
+        assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
+        assert all(command in text for command in asked)
     lint("check-jsonschema", "--builtin-schema", "vendor.citation-file-format", citation)
     assert f"\nversion: {record.version()}\n" in citation.read_text()

@@ -15,10 +15,9 @@ from PIL import Image
 
 from book.editions import files as edition
 from book.editions.document import LARGEST_DATA, document
-from book.editions.inlined import as_webp, packed_address, svg_parts
+from book.editions.inlined import packed_address, svg_address, svg_parts
 from book.editions.names import REFERRING, Names
 from book.editions.pages import BrokenSite, Page, parsed
-from book.editions.pictures import change, difference
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened, wait_for
 from verify.sources import ROOT
@@ -27,12 +26,6 @@ from verify.sources import ROOT
 @pytest.fixture(scope="module")
 def mailed(single):
     return parsed(single.read_text(encoding="utf-8"))
-
-
-@pytest.fixture(scope="module")
-def ids(mailed):
-    """How often the file has each id."""
-    return Counter(element["id"] for element in mailed.find_all(id=True))
 
 
 @pytest.fixture(scope="module")
@@ -85,33 +78,20 @@ def test_edition_is_made_when_the_site_changed(stamped, capsys):
     assert len(made) == 3 and "skipped" in capsys.readouterr().out
 
 
-def test_every_id_occurs_once_and_is_what_refers_to_it(mailed, ids):
-    assert len(ids) > 500
-    assert [id for id, count in ids.items() if count > 1] == []
+def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothing_would_be_loaded(mailed):
+    ids = Counter(element["id"] for element in mailed.find_all(id=True))
+    assert len(ids) > 500 and [id for id, count in ids.items() if count > 1] == []
     referred = [tag[name] for name in REFERRING for tag in mailed.select(f".chapter-page [{name}]:not(mo)")]
     words = {word for value in referred for word in (value if isinstance(value, list) else value.split())}
     assert words and words <= ids.keys()
-
-
-def test_every_link_leads_somewhere(mailed, ids):
     links = [link["href"] for link in mailed.select("a[href]")]
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
-    assert len(inside) > 500
-    assert [link for link in inside if link not in ids] == []
+    assert len(inside) > 500 and [link for link in inside if link not in ids] == []
     known = re.compile(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:")
     assert [link for link in links if not known.match(link)] == []
-
-
-def test_nothing_is_named_that_would_be_loaded(mailed):
     for name in ("src", "srcset", "poster", "data"):
         assert mailed.select(f"[{name}]:not([{name}^='data:'], [{name}=''])") == []
     assert mailed.select("link:not([href^='data:'])") == []
-
-
-def test_every_id_of_the_site_is_there(mailed, ids, page_of):
-    for name in (part["data-page"] for part in mailed.select("[data-page]:not([data-page^='source/'])")):
-        for element in page_of(name).select("article [id], article[id]"):
-            assert {element["id"], f"{name}:{element['id']}"} & ids.keys(), (name, element["id"])
 
 
 def test_a_listing_is_its_file_and_has_the_lines_that_links_lead_to(mailed):
@@ -124,33 +104,27 @@ def test_a_listing_is_its_file_and_has_the_lines_that_links_lead_to(mailed):
 
 
 def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(mailed, site):
-    packed = mailed.select("[data-packed]")
-    assert len(packed) > 100
-    assert {"unit_length.json", "unit_length.py", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in packed}
-    here = [link for link in packed if not link["href"].startswith("#")]
-    kept = {link["data-packed"]: unpacked(link["href"]) for link in here}
+    """A script is its own lines around what the file has once."""
+    links, held = mailed.select("[data-packed]"), {f"#{link['id']}": link for link in mailed.select("a[id^='file-']")}
+    kept = {link["data-packed"]: unpacked(link["href"]) for link in links if not link["href"].startswith("#")}
     assert kept["s5.md"] == (site / "_sources" / "s5.md").read_bytes()
+    assert len(links) > 100 and {"unit_length.json", "unit_length.py", "s5.ipynb"} <= {x["data-packed"] for x in links}
     left_out = {re.search(r"\w+\.(?:csv|npz)", words.string)[0] for words in mailed.select(".not-mailed")}
     data = [path for path in (site / "_downloads").rglob("*.*") if path.suffix in (".csv", ".npz")]
     sizes = {path.name: len(packed_address(path.read_bytes())) for path in data}
     assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA}
     assert left_out and left_out < sizes.keys()
-
-
-def test_a_script_is_its_own_lines_around_what_the_file_has_once(mailed, site):
-    def held(address):
-        return unpacked(mailed.select_one(address)["href"])
-
-    scripts, shared = mailed.select("[data-own]"), set()
+    scripts, kernels = mailed.select("[data-own]"), set()
     for link in scripts:
-        kernel, certificate = link["data-within"].split()
+        kernel, certificate = (unpacked(held[address]["href"]) for address in link["data-within"].split())
         first, second, last = unpacked(link["data-own"]).split(b"\0")
-        whole = first + held(kernel).rstrip() + second + held(certificate).rstrip() + last
+        whole = first + kernel.rstrip() + second + certificate.rstrip() + last
         assert whole == (site / "_downloads" / "theorems" / link["data-packed"]).read_bytes()
-        shared.add(kernel)
-    assert len(scripts) > 50 and len(shared) == 1
+        kernels.add(kernel)
+    assert len(scripts) > 50 and len(kernels) == 1
 
 
+@pytest.mark.long
 def test_same_site_gives_the_same_bytes(single, site):
     assert document(site).encode() == single.read_bytes()
 
@@ -162,25 +136,13 @@ def test_link_to_what_is_not_there_is_refused():
         names.fragment("a", "#nowhere")
 
 
-def test_picture_gets_smaller_and_stays_the_same(site):
-    for path in sorted((site / "_images").glob("*.png")):
-        before, after = path.read_bytes(), as_webp(path.read_bytes())
-        assert len(after) <= len(before)
-        pictures = [Image.open(BytesIO(data)).convert("RGBA").tobytes() for data in (before, after)]
-        assert pictures[0] == pictures[1], path.name
+def test_a_render_has_the_pixels_that_it_has_in_the_site(mailed, site):
+    def pixels(data):
+        return Image.open(BytesIO(data)).convert("RGBA").tobytes()
 
-
-def test_dark_drawing_can_be_made_of_the_light_one(site):
-    assert change("aa", "aaa") == "2 0 a" and change("abXcd", "abYcd") == "2 2 Y"
-    darks = sorted((site / "_images").glob("*.dark.svg"))
-    assert darks
-    for path in darks:
-        light, dark = svg_parts(path.with_name(path.name.replace(".dark", ""))), svg_parts(path)
-        for entry in difference(light, dark):
-            part, start, end, text = re.match(r"(\d+) (\d+) (\d+) (.*)$", entry, re.DOTALL).groups()
-            old = light[int(part)]
-            light[int(part)] = old[: int(start)] + text + old[len(old) - int(end) :]
-        assert light == dark, path.name
+    there = {pixels(path.read_bytes()) for path in (site / "_images").glob("*.png")}
+    here = mailed.select("img[src^='data:image/webp']")
+    assert {pixels(b64decode(image["src"].partition(",")[2])) for image in here} == there
 
 
 def test_every_page_is_whole(tab):
@@ -216,7 +178,7 @@ def test_links_turn_pages_and_the_way_back_leads_back(tab):
     wait_for(tab, "Chapter.shown().dataset.page === 's7' && Math.abs(scrollY - 600) < 2")
 
 
-def test_simulator_draws_and_its_slider_works(tab):
+def test_simulator_draws_its_slider_works_and_loupe_and_certificate_are_there(tab):
     go(tab, "sim")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
     rms = "document.querySelector('[data-readout=rms]').textContent"
@@ -229,11 +191,6 @@ def test_simulator_draws_and_its_slider_works(tab):
     wait_for(tab, f"{rms} !== '{value}' && {rms} !== '…'")
     assert tab.evaluate(seen) != before
     wait_for(tab, "location.hash.startsWith('#sim?')")
-    assert tab.evaluate("Chapter.shown().dataset.page") == "s4"
-
-
-def test_the_loupe_and_what_is_certified_are_in_the_file(tab):
-    show(tab, "s4")
     tab.select_option("#sim-view", "bounds")
     for shown in ("#loupe .sim-bits tbody tr", "#certified td:has-text('e')"):
         tab.locator(shown.split()[0]).scroll_into_view_if_needed()
@@ -241,48 +198,41 @@ def test_the_loupe_and_what_is_certified_are_in_the_file(tab):
     tab.select_option("#sim-view", "image")
 
 
-def unfold_card(tab):
-    """Turn to a theorem and open all that its card has."""
+def test_certificates_are_checked_and_kept_files_come_out_under_their_own_names(tab, site):
+    accepted = "document.querySelector('{} .check-verdict').textContent.startsWith('Accepted')"
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
-
-
-def test_certificates_are_checked(tab):
-    unfold_card(tab)
     tab.locator("#theorem-unit_length .checker button").first.click()
-    wait_for(tab, "document.querySelector('#theorem-unit_length .check-verdict').textContent.startsWith('Accepted')")
-    go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
-    tab.locator(".checker[data-all] button").click()
-    wait_for(tab, "document.querySelector('.checker[data-all] .check-verdict').textContent.startsWith('Accepted')")
-    count = len(list(FOLDER.glob("*.json")))
-    assert f"{count} of {count} theorems" in tab.locator(".checker[data-all] .check-verdict").inner_text()
-
-
-def test_kept_file_comes_out_under_its_own_name(tab, site):
-    unfold_card(tab)
+    wait_for(tab, accepted.format("#theorem-unit_length"))
     for name, read in (("unit_length.json", json.loads), ("unit_length.py", bytes)):
         with tab.expect_download() as kept:
             tab.locator(f"a[data-packed='{name}']").first.click()
         assert kept.value.suggested_filename == name
         written = (site / "_downloads" / "theorems" / name).read_bytes()
         assert read(Path(kept.value.path()).read_bytes()) == read(written)
+    go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
+    tab.locator(".checker[data-all] button").click()
+    wait_for(tab, accepted.format(".checker[data-all]"))
+    count = len(list(FOLDER.glob("*.json")))
+    assert f"{count} of {count} theorems" in tab.locator(".checker[data-all] .check-verdict").inner_text()
 
 
-def test_dark_mode_has_dark_pictures(tab):
+def test_dark_mode_has_the_dark_pictures_of_the_site(tab, site):
     go(tab, "s1")
-    paper = "getComputedStyle(document.body).backgroundColor"
     papers = set()
-    for _ in range(3):
+    while len(papers) < 2 or tab.evaluate("document.documentElement.dataset.theme") != "dark":
         tab.locator(".theme-switch-button:visible").first.click()
-        papers.add((tab.evaluate("document.documentElement.dataset.theme"), tab.evaluate(paper)))
-        if tab.evaluate("document.documentElement.dataset.theme") == "dark":
-            wait_for(
-                tab,
-                """(() => { const seen = [...Chapter.shown().querySelectorAll('img.plot')].filter(i => i.offsetWidth);
-                    const dark = i => i.classList.contains('only-dark') && i.complete && i.naturalWidth;
-                    return seen.length && seen.every(dark) })()""",
-            )
-    assert len(papers) == 2
+        papers.add(tab.evaluate("getComputedStyle(document.body).backgroundColor"))
+    tab.evaluate("Chapter.pages.forEach(page => Chapter.show(page))")
+    sources = set(tab.evaluate("[...document.querySelectorAll('img.only-dark')].map(i => i.getAttribute('src'))"))
+    assert sources == {svg_address(svg_parts(path)) for path in (site / "_images").glob("*.dark.svg")}
+    show(tab, "s1")
+    wait_for(
+        tab,
+        """(() => { const seen = [...Chapter.shown().querySelectorAll('img.plot')].filter(i => i.offsetWidth);
+            const dark = i => i.classList.contains('only-dark') && i.complete && i.naturalWidth;
+            return seen.length && seen.every(dark) })()""",
+    )
 
 
 def test_file_fits_a_phone_and_its_menu_leads_on(browser, alone):
