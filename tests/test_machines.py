@@ -2,6 +2,7 @@
 
 from contextlib import contextmanager
 from functools import partial
+from itertools import product
 from types import SimpleNamespace
 
 import numpy as np
@@ -42,7 +43,6 @@ def drawn_by(drawer):
 def held(frame):
     """Return {name: array} of what a frame holds, the counts among it."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
-    planes |= {"bounds": frame.bounds, "open": frame.open} if frame.bounded else {}
     return planes | {kind: np.array(count) for kind, count in frame._counts.items()}
 
 
@@ -50,12 +50,6 @@ def differing(one, other):
     """Return the names of what differs in two frames' arrays: any number that is not equal, but NaN is NaN."""
     assert one.keys() == other.keys()
     return [name for name in one if not np.array_equal(one[name], other[name], equal_nan=name in ("rgb", "on_a"))]
-
-
-def picture(name, **options):
-    """Return the arrays of one of SCENES."""
-    scene, method = SCENES[name]
-    return held(render(scene, *SIZE, method, **options))
 
 
 @given(scenes(), rasters(40), methods, st.sampled_from(LANES), st.data())
@@ -115,15 +109,17 @@ def test_bands_threads_and_ragged_widths(width, monkeypatch):
 @pytest.mark.parametrize("name", SCENES)
 def test_bounds_change_no_bit_and_are_the_same(name):
     """By both machines; of a crop, of several threads, and with a stage and a frame to draw into."""
-    whole, earlier = picture(name, bounds=True), render(SCENES[name][0], *SIZE, SCENES[name][1])
-    with drawn_by(numpy_rows.drawer):
-        assert differing(whole, picture(name, bounds=True)) == []
-    plain = held(earlier)
-    assert differing({kind: whole[kind] for kind in plain}, plain) == []
-    again = {"stage": earlier.stage, "into": earlier}
+    (scene, method), frames = SCENES[name], []
+    plain = render(scene, *SIZE, method)
+    for drawer in (native.drawer, numpy_rows.drawer):
+        with drawn_by(drawer):
+            frames.append(render(scene, *SIZE, method, bounds=True))
+            assert differing(held(frames[-1]), held(plain)) == []
+    again = {"stage": plain.stage, "into": plain}
     for part, more in ((np.s_[5:12, 3:43], {"crop": (3, 5, 40, 7)}), (np.s_[:], again)):
-        found = picture(name, threads=3, bounds=True, **more)
-        assert all((found[kind] == whole[kind][part]).all() for kind in ("rgb", "bounds", "open"))
+        found = render(scene, *SIZE, method, threads=3, bounds=True, **more)
+        for frame, kind in product(frames, ("rgb", "bounds", "open")):
+            assert (getattr(found, kind) == getattr(frame, kind)[part]).all()
 
 
 def test_memory_serves_again_once_no_array_lies_in_it():
@@ -164,7 +160,7 @@ def count_one_more(machine, kind, mask):
 )
 def test_a_wrong_kernel_is_noticed(place, name, wrong, noticed, monkeypatch):
     """NumPy draws by it; LLVM's code is of the right ones."""
-    right = picture("ridges")
+    right = held(render(Scene(), *SIZE))
     monkeypatch.setattr(place, name, wrong)
     with drawn_by(numpy_rows.drawer):
-        assert noticed in differing(picture("ridges"), right)
+        assert noticed in differing(held(render(Scene(), *SIZE)), right)
