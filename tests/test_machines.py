@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from renderer import Light, Scene, central, central4, exact, forward, kernels, render, stage_of
+from renderer import Light, Scene, central, exact, forward, kernels, render
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -18,10 +18,8 @@ from tests.strategies import methods, rasters, scenes
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
 SCENES = {  # beside those that are drawn at random below
-    "ridges": (Scene(), exact()),
     "central": (Scene(field="sine"), central(1e-3)),
     "forward": (Scene(ku=7.0, kv=3.5), forward(1e-2)),
-    "central4": (Scene(field="rings", floor=False), central4(1e-2)),
     "fractional_phong": (Scene(shininess=0.7, model="phong"), central(1e-2)),
     "five_lights": (Scene(lights=tuple(Light((3.0 * n - 6, 4, 9), (0.3, 0.4, 0.2)) for n in range(5))), exact()),
     "largest": (Scene(ku=2.0**20, kv=-(2.0**20), beta=1e100, ka=1e6, kd=1e6, ks=1e6, shininess=1e6), exact()),
@@ -34,8 +32,9 @@ SCENES = {  # beside those that are drawn at random below
 
 @contextmanager
 def drawn_by(drawer):
-    """Let a machine's drawer draw."""
+    """Let a machine's drawer draw, in bands of a row or two."""
     with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(stage, "SMALLEST_BAND", 1)
         monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=drawer))
         yield
 
@@ -59,51 +58,26 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
     draw, part = partial(render, scene, *size, method), np.s_[top : top + height, left : left + width]
     with drawn_by(numpy_rows.drawer):
-        ours = draw(crop=(left, top, width, height))
+        ours = draw((left, top, width, height))
     with drawn_by(partial(native.drawer, lanes=lanes)):
-        assert differing(held(ours), held(draw(crop=ours.raster.crop))) == []
+        assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
         whole = draw()
         for name in ("rgb", "chambers", "kink", "slope", "straddling"):
             np.testing.assert_array_equal(getattr(ours, name), getattr(whole, name)[part], name)
 
 
-def drawn(field="ridges"):
-    """Draw as another process would."""
-    native.compiled.cache_clear()
-    with drawn_by(native.drawer):
-        return held(render(Scene(field=field), *SIZE))
-
-
-def test_code_that_was_kept_is_not_compiled_again(tmp_path, monkeypatch):
+def test_code_is_kept_by_its_text_and_by_the_processor(tmp_path, monkeypatch):
+    """And is not compiled again."""
+    expected, kept = {field: held(render(Scene(field=field), *SIZE)) for field in ("ridges", "sine")}, []
     monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(tmp_path))
-    expected = drawn()
-    number = len(list(tmp_path.iterdir()))
-    with monkeypatch.context() as patched:
-        patched.setattr(native, "optimized", lambda *_: pytest.fail("compiled again"))
-        assert differing(drawn(), expected) == []
-    drawn("sine")  # another text
-    monkeypatch.setattr(native, "_processor", lambda: "another")
-    drawn()
-    assert len(list(tmp_path.iterdir())) == 3 * number > 0
-
-
-def drawn_thrice(drawer, size, threads):
-    """Return the arrays of a whole picture, of one on a stage, and of one that is drawn over that."""
-    with drawn_by(drawer):
-        whole = render(Scene(), *size, central(1e-3), threads=threads)
-        own = stage_of(Scene(), *size, threads=threads)
-        staged = render(Scene(beta=0.1), *size, threads=threads, stage=own)
-        arrays = held(staged)  # before the colours are handed over
-        return held(whole), arrays, held(render(Scene(field="rings"), *size, threads=threads, stage=own, into=staged))
-
-
-@pytest.mark.parametrize("width", [1, 15, 16, 17, 301])
-def test_bands_threads_and_ragged_widths(width, monkeypatch):
-    """Bands of a row or two; also A alone, drawn on a stage and over an earlier frame."""
-    monkeypatch.setattr(stage, "SMALLEST_BAND", 1)
-    ours = drawn_thrice(numpy_rows.drawer, (width, 21), 1)
-    for threads in (1, 2, 3):
-        assert [*map(differing, ours, drawn_thrice(native.drawer, (width, 21), threads))] == [[], [], []]
+    for field, processor in (("ridges", "one"), ("sine", "one"), ("ridges", "other"), ("ridges", "one")):
+        monkeypatch.setattr(native, "_processor", lambda processor=processor: processor)
+        native.compiled.cache_clear()
+        if len(kept) == 3:
+            monkeypatch.setattr(native, "optimized", lambda *_: pytest.fail("compiled again"))
+        assert differing(held(render(Scene(field=field), *SIZE)), expected[field]) == []
+        kept.append(len(list(tmp_path.iterdir())))
+    assert kept == [number * kept[0] for number in (1, 2, 3, 3)]
 
 
 @pytest.mark.parametrize("name", SCENES)

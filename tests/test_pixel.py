@@ -63,9 +63,3 @@ def test_a_record_is_what_50_digits_say(surface, model):
         assert (record.theta, record.phi) == pytest.approx(((2 * record.u - 1) * math.pi, record.v * math.pi))
         assert record.h == height_at(scene, record.u, record.v)
     assert told == pytest.approx({name: float(truth[name]) for name in told}, abs=1e-12)
-
-
-@pytest.mark.parametrize("place", [(-1, 0), (64, 0), (0, -1), (0, 64), (0.5, 0)])
-def test_a_pixel_off_the_raster_is_rejected(place):
-    with pytest.raises(ValueError, match=r"(column|row) = .* is not allowed: a whole number from 0 to 63"):
-        pixel(Scene(), 64, 64, *place)

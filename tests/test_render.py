@@ -1,5 +1,6 @@
 """The interface of `render`: shapes, types, threads, stages, frames that serve again, what is refused."""
 
+import math
 import re
 from dataclasses import replace
 from functools import partial
@@ -10,11 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from renderer import Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
+from renderer.machines import native, numpy_rows
 from renderer.picture import views
 from renderer.picture.stage import band_rows
 from renderer.picture.sweep import sweep
 from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
+from tests.test_machines import drawn_by
 
 DEFAULT = Scene()
 PLANES = ("rgb", "chambers", "kink", "slope", "straddling")
@@ -44,22 +47,24 @@ def with_parts(scene, other, names):
     return replace(scene, **{name: getattr(other, name) for name in names})
 
 
+@pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])
 @settings(max_examples=40)
 @given(looks, rasters(), st.data())
-def test_a_stage_and_a_frame_serve_again(scene, size, data):
+def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
-    stage = stage_of(scene, *size)
-    red = tuple(replace(light, color=light.color and (1, 0, 0)) for light in scene.lights)
-    for lights in (scene.lights, red):
-        shaded = replace(with_parts(scene, data.draw(looks), BUMP + SHADING), lights=lights)
-        frame = render(shaded, *size, data.draw(methods), stage=stage)
-        assert same(frame, render(shaded, *size, frame.method))
-        bumped, method, planes = with_parts(shaded, data.draw(looks), BUMP), data.draw(methods), frame.planes
-        over = render(bumped, *size, method, stage=stage, into=frame)
-        assert np.shares_memory(over.planes, planes)
-        assert same(over, render(bumped, *size, method))
-        for gone in (partial(render, bumped, *size, stage=stage, into=frame), lambda frame=frame: frame.rgb):
-            assert "is not allowed: another frame has been drawn into it" in rejection(gone)
+    with drawn_by(drawer):
+        stage = stage_of(scene, *size)
+        red = tuple(replace(light, color=light.color and (1, 0, 0)) for light in scene.lights)
+        for lights in (scene.lights, red):
+            shaded = replace(with_parts(scene, data.draw(looks), BUMP + SHADING), lights=lights)
+            frame = render(shaded, *size, data.draw(methods), stage=stage)
+            assert same(frame, render(shaded, *size, frame.method))
+            bumped, method, planes = with_parts(shaded, data.draw(looks), BUMP), data.draw(methods), frame.planes
+            over = render(bumped, *size, method, stage=stage, into=frame)
+            assert np.shares_memory(over.planes, planes)
+            assert same(over, render(bumped, *size, method))
+            for gone in (partial(render, bumped, *size, stage=stage, into=frame), lambda frame=frame: frame.rgb):
+                assert "is not allowed: another frame has been drawn into it" in rejection(gone)
 
 
 OTHERS = [
@@ -128,6 +133,9 @@ REFUSED = {
     "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
     "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
     "form = 'algebraic'": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
+    "column = 64": lambda: pixel(DEFAULT, 64, 64, 64, 0),
+    "row = -1": lambda: pixel(DEFAULT, 64, 64, 0, -1),
+    "highest = nan": lambda: views.slope_view(render(DEFAULT, 8, 8), math.nan),
     "light = -1": lambda: render(DEFAULT, 8, 8).light_cosines(-1),
     "light = 2": lambda: render(DEFAULT, 8, 8).light_cosines(2),
     "light = 0 is not allowed: none, as the": lambda: render(replace(DEFAULT, lights=()), 8, 8).light_cosines(0),

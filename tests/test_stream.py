@@ -4,7 +4,6 @@ import os
 import signal
 from functools import partial
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +11,6 @@ import tifffile
 
 from renderer import Scene, central, render
 from renderer.command_line.verbs import main
-from renderer.machines import machine
 from renderer.picture import stream
 from renderer.scene.raster import MAX_SIDE
 from tests.folders import contents
@@ -66,33 +64,6 @@ def test_a_crop_of_the_largest_picture(name, tmp_path):
         stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / "b.npy")
     assert rejection(stream.stream, Scene(), 8, 8, tmp_path / "b.png").endswith("ends in .npy or .tif or .tiff")
     assert [*contents(tmp_path)] == [name]
-
-
-@pytest.mark.parametrize("threads", [1, 2])
-@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
-def test_an_error_of_a_band_reaches_the_caller_and_leaves_the_old_file(name, threads, tmp_path, monkeypatch):
-    """The last band of the second block fails, on whichever thread draws it."""
-    drawn = []
-
-    def drawer(want, job):
-        draw = machine().drawer(want, job)
-
-        def failing(rows):
-            if rows.stop == len(job.y):
-                drawn.append(rows)
-                if len(drawn) == 2:
-                    raise ArithmeticError("a band")
-            return draw(rows)
-
-        return failing
-
-    monkeypatch.setattr("renderer.picture.stage.machine", lambda: SimpleNamespace(drawer=drawer))
-    monkeypatch.setattr(stream, "BLOCK_PIXELS", 300 * 200)
-    (tmp_path / name).write_bytes(b"old")
-    with pytest.raises(ArithmeticError, match="a band"):
-        stream.stream(Scene(), 300, 600, tmp_path / name, threads=threads)
-    assert len(drawn) == 2
-    assert contents(tmp_path) == {name: b"old"}
 
 
 @pytest.mark.parametrize("moment", range(10))

@@ -82,13 +82,6 @@ def test_a_crop_computes_its_pixels_alone():
     assert work["gradient_evaluations"] == work["pixels_a"] <= 35
 
 
-def test_views_are_made_when_asked_for():
-    frame = render(DEFAULT, *SIZE)
-    assert not {"work", "planes_on_a", "surface_data"} & set(vars(frame))
-    _ = frame.slope
-    assert "planes_on_a" in vars(frame)
-
-
 def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     """The colours off A are drawn once for a shading."""
     own = {"stage": stage_of(DEFAULT, *SIZE)}
