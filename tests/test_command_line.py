@@ -1,6 +1,5 @@
 """The command line: what it writes and prints, and how it refuses."""
 
-import dataclasses
 import io
 import os
 import re
@@ -8,20 +7,23 @@ import shlex
 import sys
 import tomllib
 from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
+from dataclasses import fields
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import renderer
-from renderer import Light, Scene, central, forward, render
+from renderer import Light, Scene, central, render
 from renderer.command_line import grid
 from renderer.command_line.verbs import main
+from renderer.files import record
 from renderer.kernels import FIELDS
 from renderer.picture import views
+from renderer.picture.facts import facts
 from renderer.picture.sweep import sweep, table
-from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.folders import contents
+from tests.pictures import shows
 from tests.processes import python, started
 from verify.sources import ROOT
 
@@ -34,42 +36,26 @@ def run(*arguments):
         return end.code
 
 
-def picture(path):
-    return np.asarray(Image.open(path))
+def other_scene():
+    """Return a scene that differs in each field from the default, and its options."""
+    numbers = {each.name: each.default for each in fields(Scene) if each.type in (float, tuple)}
+    values = {name: 0.9 * np.array(value) for name, value in numbers.items() if name != "lights"}
+    scene = Scene(**values, ball=False, floor=False, field="rings", model="phong", lights=(Light((-6, 2, 8)),))
+    options = [f"--{name.replace('_', '-')} {','.join(map(str, value.ravel()))}" for name, value in values.items()]
+    return scene, [*options, "--no-ball", "--no-floor", "--field rings", "--model phong", "--light -6,2,8"]
 
 
-def test_image_png(tmp_path, capsys):
-    target = tmp_path / "a.png"
-    assert run("image", "--size", 32, "--field", "sine", "--gradient", "central", "--out", target) == 0
-    expected = views.image_view(render(Scene(field="sine"), 32, 32, central(1e-3)))
-    np.testing.assert_array_equal(picture(target), expected)
-    assert capsys.readouterr() == (f"wrote {target}: 32 x 32 pixels\n", "")
-
-
-def test_image_npz_with_every_option_of_the_scene(tmp_path):
-    """Its numbers have a test of their own."""
-    target = tmp_path / "a.npz"
-    options = "--no-ball --no-floor --field rings --model phong --ku -3 --beta -1e-1 --light -6,2,8"
-    options += " --light 5,5,10,1,0.5,0 --width 20 --height 10 --crop 5,2,10,6 --threads 1"
-    assert run("image", *options.split(), "--out", target) == 0
-    lights = (Light((-6, 2, 8)), Light((5, 5, 10), (1, 0.5, 0)))
-    scene = Scene(field="rings", model="phong", ku=-3.0, beta=-0.1, ball=False, floor=False, lights=lights)
-    frame = render(scene, 20, 10, crop=(5, 2, 10, 6))
-    stored, held = np.load(target), {"rgb": frame.rgb, "chambers": frame.chambers, **frame.surface_data}
-    assert held.keys() == {"rgb", "chambers", "u", "v", "h", "h_u", "h_v", "slope", "kink"}
-    assert {*stored.files} == {*held, "record.json"}
-    for name, plane in held.items():
-        np.testing.assert_array_equal(stored[name], plane)
-
-
-def test_image_streamed(tmp_path, capsys):
-    for name in ("a.Npy", "a.TIF"):
-        target = tmp_path / name
-        assert run("image", "--size", 40, "--crop", "3,5,20,30", "--gradient", "forward", "--out", target) == 0
-        assert capsys.readouterr() == (f"wrote {target}: 20 x 30 pixels\n", "")
-    frame = render(Scene(), 40, 40, forward(1e-3), crop=(3, 5, 20, 30))
-    np.testing.assert_array_equal(np.load(tmp_path / "a.Npy"), frame.rgb)
-    np.testing.assert_array_equal(picture(tmp_path / "a.TIF"), views.image_view(frame))
+@pytest.mark.parametrize("name", ["a.PNG", "a.npz", "a.Npy", "a.TIF"])
+def test_image(name, tmp_path, capsys):
+    """With every option of the scene."""
+    target, (scene, options) = tmp_path / name, other_scene()
+    options += ["--width 20 --height 10 --crop 5,2,10,6 --threads 1 --gradient central --eps 1e-2"]
+    assert run("image", *shlex.split(" ".join(options)), "--out", target) == 0
+    assert capsys.readouterr() == (f"wrote {target}: 10 x 6 pixels\n", "")
+    frame = render(scene, 20, 10, central(1e-2), crop=(5, 2, 10, 6))
+    assert shows(target, frame)
+    if name in ("a.PNG", "a.npz"):
+        assert record.read(target)[:3] == (scene, frame.method, frame.raster)
 
 
 def test_views(tmp_path, capsys):
@@ -79,34 +65,21 @@ def test_views(tmp_path, capsys):
     assert sorted(path.stem for path in folder.iterdir()) == sorted(names)
     assert capsys.readouterr().out == f"wrote {folder}: {', '.join(f'{name}.png' for name in names)}\n"
     one, other = render(Scene(), 24, 24, central(1e-2)), render(Scene(), 24, 24)
-    np.testing.assert_array_equal(picture(folder / "numeric.png"), views.image_view(one))
-    np.testing.assert_array_equal(picture(folder / "symbolic.png"), views.image_view(other))
-    np.testing.assert_array_equal(
-        picture(folder / "difference_linear.png"), views.difference_linear(one.rgb - other.rgb)
-    )
+    assert shows(folder / "numeric.png", one) and shows(folder / "symbolic.png", other)
+    expected = views.slope_view(other), views.kink_view(other), views.difference_linear(one.rgb - other.rgb)
+    for name, view in zip(names[2:5], expected, strict=True):
+        np.testing.assert_array_equal(np.asarray(Image.open(folder / f"{name}.png")), view)
 
 
 def test_sweep(tmp_path, capsys):
     target = tmp_path / "a.csv"
-    steps = ["1e-2", "1e-3"]
-    assert run("sweep", "--size", 32, "--eps", *steps, "--gradient", "forward", "--no-facts", "--csv", target) == 0
-    out, err = capsys.readouterr()
-    first, names, *rows, last = out.splitlines()
-    expected = sweep(Scene(), 32, 32, (1e-2, 1e-3), "forward")
-    assert first == "ridges, blinn, 32 x 32: forward difference against the exact gradient"
-    assert names.split()[0] == "eps"
-    assert [float(row.split()[2]) for row in rows] == pytest.approx([row.rms for row in expected], rel=1e-3)
-    assert last == f"wrote {target}"
+    assert run("sweep", "--size", 32, "--eps", "1e-2", "1e-3", "--gradient", "forward", "--csv", target) == 0
+    first, *expected = table(sweep(Scene(), 32, 32, (1e-2, 1e-3), "forward")).splitlines()
+    told = [f"{what + ' ':.<60} {found}" for what, found in facts(Scene(), 32, 32)]
+    head = "ridges, blinn, 32 x 32: forward difference against the exact gradient"
+    lines = [head, first, *expected, f"wrote {target}", "", *told, ""]
+    assert capsys.readouterr() == ("\n".join(lines), "")
     assert len(target.read_text().splitlines()) == 3
-    assert err == ""
-
-
-def test_sweep_prints_the_chapters_table(capsys):
-    assert run("sweep", "--size", 64) == 0
-    out = capsys.readouterr().out
-    assert sum(line.split()[3:4] == ["0"] for line in out.splitlines()[2:8]) == 6
-    assert "flips over 96 frames (fields, beta, eps, models) " in out
-    assert "6.116e-05" in out
 
 
 def test_sweep_of_a_grid(tmp_path, capsys):
@@ -119,39 +92,32 @@ def test_sweep_of_a_grid(tmp_path, capsys):
     with ThreadPoolExecutor(1) as executor:
         expected = table(grid.run(tasks, executor))
     assert capsys.readouterr() == (f"{expected}\nwrote {target}\n", "")
-    names = "field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling"
-    names += ",largest_lower,largest_upper,rms_lower,rms_upper"
-    assert target.read_text().splitlines()[0] == names
-    assert len(target.read_text().splitlines()) == 1 + len(tasks)
+    names, *rows = target.read_text().splitlines()
+    assert names.startswith("field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling,largest_lower,")
+    assert len(rows) == len(tasks)
 
 
-def test_a_sweep_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize(
+    ("error", "status", "told"),
+    [(KeyboardInterrupt, 130, "interrupted: "), (BrokenExecutor, 2, "error: the workers are gone; ")],
+)
+def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path, monkeypatch, capsys):
     kept, compare = tmp_path / "a.jsonl", grid.compare_batch
 
-    def interrupted(batch, *arguments):
+    def ended(batch, *arguments):
         if len(batch) < 16:
-            raise KeyboardInterrupt
+            raise error
         return compare(batch, *arguments)
 
-    monkeypatch.setattr(grid, "compare_batch", interrupted)
+    monkeypatch.setattr(grid, "compare_batch", ended)
     betas = ",".join(map(str, range(1, 21)))
     command = ["sweep", "--size", "8", "--eps", "1e-3", "--beta", betas, "--workers", "1"]
-    for options, told in (
+    for options, rest in (
         ([], "nothing is kept without --checkpoint"),
         (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
     ):
-        assert run(*command, *options) == 130
-        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: interrupted: {told}\n")
-
-
-def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
-    def die(*arguments):
-        raise BrokenExecutor
-
-    monkeypatch.setattr(grid, "compare_batch", die)
-    assert run("sweep", "--size", "8", "--eps", "1e-3", "--beta", "1,2", "--checkpoint", tmp_path / "a.jsonl") == 2
-    told = f"the workers are gone; 0 of 2 frames are in {tmp_path / 'a.jsonl'}, and the same command goes on from there"
-    assert capsys.readouterr() == ("", f"symbolic-rendering sweep: error: {told}\n")
+        assert run(*command, *options) == status
+        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: {told}{rest}\n")
 
 
 @pytest.mark.parametrize(
@@ -163,12 +129,13 @@ def test_a_sweep_whose_workers_are_gone(tmp_path, monkeypatch, capsys):
     ],
 )
 def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, arguments, monkeypatch, capsys, tmp_path):
+    """Before anything is drawn."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(sys.modules, module, None)
     assert run(*arguments, "--size", "8") == 2
     told = f"{module} is not installed: pip install 'symbolic-rendering[{extra}]'"
     assert capsys.readouterr().err.endswith(f"error: {told}\n")
-    assert list(tmp_path.iterdir()) == []  # it is said before anything is drawn
+    assert contents(tmp_path) == {}
 
 
 REFUSED = {
@@ -257,8 +224,7 @@ def test_what_is_refused_is_said_in_one_line(verb, options, tmp_path, monkeypatc
 def test_bounds_are_written(tmp_path, capsys):
     assert run("image", "--size", "9", "--out", tmp_path / "a.png", "--bounds", tmp_path / "b.npz") == 0
     frame, kept = render(Scene(), 9, 9, bounds=True), np.load(tmp_path / "b.npz")
-    np.testing.assert_array_equal(kept["bounds"], frame.bounds)
-    np.testing.assert_array_equal(kept["open"], frame.open)
+    assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
     told = f"no colour is more than {frame.bounds.max():.2g} off, {frame.open.sum()} pixels are open"
     assert capsys.readouterr().out.splitlines()[1] == f"wrote {tmp_path / 'b.npz'}: {told}"
 
@@ -278,18 +244,19 @@ def test_a_missing_or_unknown_verb_or_target(arguments, capsys):
     assert capsys.readouterr().err.count("\n") == 1
 
 
-@pytest.mark.parametrize("verb", [(), ("image",), ("views",), ("sweep",), ("doctor",)])
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
-def test_help(encoding, verb, monkeypatch):
+def test_help(encoding, monkeypatch):
     printed = io.TextIOWrapper(io.BytesIO(), encoding)
-    monkeypatch.setattr("sys.stdout", printed)
-    assert run(*verb, "--help") == 0
-    monkeypatch.undo()
-    printed.flush()
-    of_verb = () if "doctor" in verb else ("--field", "--ku", "--light", "--size", "--eps")
-    out = printed.buffer.getvalue().decode(encoding)
-    assert out.startswith(" ".join(["usage: symbolic-rendering", *verb])) and "\\" not in out
-    assert all(word in out for word in (of_verb if verb else ("image", "views", "sweep", "doctor", "--version")))
+    words = dict.fromkeys(("image", "views", "sweep"), ("--field", "--ku", "--light", "--size", "--eps"))
+    words |= {"": ("image", "views", "sweep", "doctor", "--version"), "doctor": ()}
+    for verb, of_verb in words.items():
+        with monkeypatch.context() as patched:
+            patched.setattr("sys.stdout", printed)
+            assert run(*verb.split(), "--help") == 0
+        printed.flush()
+        out = printed.buffer.getvalue().decode(encoding).rpartition("usage: ")[2]
+        assert out.startswith(f"symbolic-rendering {verb}") and "\\" not in out
+        assert all(word in out for word in of_verb)
 
 
 def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
@@ -314,30 +281,20 @@ def test_doctor(tmp_path, monkeypatch, capsys):
         assert told in found["compiled code"]
 
 
-def test_a_picture_in_a_pipe(tmp_path):
+def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):
     """Read to its end, or by somebody who has soon had enough; a terminal is refused."""
     command = ["-m", "renderer", "image", "--size", "300", "--out", "-"]
-    done = started(*command, encoding=None)
-    out, err = done.communicate()
-    np.testing.assert_array_equal(picture(io.BytesIO(out)), views.image_view(render(Scene(), 300, 300)))
+    with started(*command, encoding=None) as done:
+        out, err = done.communicate()
+    assert out == render(Scene(), 300, 300)._repr_png_()
     assert (done.returncode, err) == (0, b"wrote -: 300 x 300 pixels\n")
     with started(*command) as child:
         child.stdout.close()
         assert (child.stderr.read(), child.wait()) == ("", 141)
-
-
-def test_a_picture_is_not_written_to_a_terminal(monkeypatch, capsys):
     monkeypatch.setattr("sys.stdout.isatty", lambda: True)
-    assert run("image", "--size", 8, "--out", "-") == 2
+    assert run(*command[2:]) == 2
     told = "out = '-' is not allowed: a file, or standard output that is no terminal"
     assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
-
-
-@pytest.mark.parametrize("lights", [(), DEFAULT_LIGHTS])
-def test_the_defaults_are_the_chapters_and_its_lights_can_be_given(lights, tmp_path):
-    options = [text for light in lights for text in ("--light", ",".join(map(str, light.position + light.color)))]
-    assert run("image", "--size", "8", *options, "--out", tmp_path / "a.npz") == 0
-    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(Scene(), 8, 8).rgb)
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]
@@ -351,19 +308,7 @@ def test_numpy_draws_the_same_where_llvmlite_is_missing_or_old_and_says_so(witho
     assert told == f"symbolic-rendering image: {expected}\n"
     frame = render(Scene(), 33, 33)
     assert frame.work["machine"] == "llvm"
-    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], frame.rgb)
-
-
-OF_NUMBERS = [field for field in dataclasses.fields(Scene) if field.type in (float, tuple) and field.name != "lights"]
-
-
-@pytest.mark.parametrize("field", OF_NUMBERS, ids=lambda field: field.name)
-def test_every_number_and_colour_of_the_scene_is_an_option(field, tmp_path):
-    value = 0.9 * np.array(field.default)
-    text = ",".join(map(str, np.ravel(value)))
-    assert run("image", "--size", "8", "--" + field.name.replace("_", "-"), text, "--out", tmp_path / "a.npz") == 0
-    scene = Scene(**{field.name: field.type(value)})
-    np.testing.assert_array_equal(np.load(tmp_path / "a.npz")["rgb"], render(scene, 8, 8).rgb)
+    assert shows(tmp_path / "a.npz", frame)
 
 
 def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):

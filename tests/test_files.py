@@ -1,6 +1,5 @@
 """Files are whole or not there at all."""
 
-import os
 import signal
 import stat
 import zlib
@@ -16,6 +15,7 @@ from renderer.files import pictures as files
 from renderer.picture import views
 from renderer.whole_files import checked_target, whole_file
 from tests.folders import contents
+from tests.pictures import shows
 from tests.processes import started
 from tests.refusals import rejection
 
@@ -27,20 +27,20 @@ class Interruption(BaseException):
     """What happens in the middle of a file: an error, or Ctrl-C."""
 
 
-@pytest.mark.parametrize("old", [[], [b"old"]])
-@pytest.mark.parametrize("name", ["png", "npz", "npy", "tif"])
-def test_a_failure_leaves_nothing_or_the_old_file(name, old, tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", ["a.png", "a.npz", "a.npy", "a.tif"])
+def test_a_failure_leaves_nothing_or_the_old_file(name, tmp_path, monkeypatch):
     """In the renaming, which is last: the content has been written elsewhere."""
 
     def stop(*arguments):
         raise Interruption
 
     monkeypatch.setattr("os.replace", stop)
-    for text in old:
-        (tmp_path / f"a.{name}").write_bytes(text)
-    with pytest.raises(Interruption):
-        FRAME.save(tmp_path / f"a.{name}")
-    assert [path.read_bytes() for path in tmp_path.iterdir()] == old
+    for before in ({}, {name: b"old"}):
+        for old, text in before.items():
+            (tmp_path / old).write_bytes(text)
+        with pytest.raises(Interruption):
+            FRAME.save(tmp_path / name)
+        assert contents(tmp_path) == before
 
 
 @pytest.mark.parametrize("noise", [1, 256])
@@ -58,17 +58,23 @@ def test_a_png_has_every_pixel(shape, noise):
         np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)
 
 
-@pytest.mark.parametrize("kind", ["drawn", "noisy", "random", "repeating"])
-def test_a_png_is_hardly_larger_than_by_level_six(kind):
+def pictures_to_deflate():
+    """Return {kind: (a picture of 512², by how much its file may be larger)}."""
+    random, drawn = np.random.default_rng(28), views.image_view(render(Scene(), 512, 512))
+    tile = random.integers(0, 256, (16, 16, 3), np.uint8)
+    return {
+        "drawn": (drawn, 1.15),
+        "noisy": (views.to_bytes(random.normal(drawn / 255, 0.05)), 1.15),
+        "random": (random.integers(0, 256, drawn.shape, np.uint8), 1.15),
+        "repeating": (np.tile(tile, (32, 32, 1)), 1.5),
+    }
+
+
+def test_a_png_is_hardly_larger_than_by_level_six():
     """Than rows of differences to the row above, searched as zlib does where nobody says how."""
-    random, picture = np.random.default_rng(28), views.image_view(render(Scene(), 512, 512))
-    if kind == "noisy":
-        picture = views.to_bytes(random.normal(picture / 255, 0.05))
-    elif kind != "drawn":
-        side = 512 if kind == "random" else 16
-        picture = np.tile(random.integers(0, 256, (side, side, 3), np.uint8), (512 // side, 512 // side, 1))
-    rows = np.diff(picture.reshape(512, -1), axis=0, prepend=np.uint8(0))
-    assert len(files.png_of(picture)) < (1.5 if kind == "repeating" else 1.15) * len(zlib.compress(rows, 6))
+    for kind, (picture, larger) in pictures_to_deflate().items():
+        rows = np.diff(picture.reshape(512, -1), axis=0, prepend=np.uint8(0))
+        assert len(files.png_of(picture)) < larger * len(zlib.compress(rows, 6)), kind
 
 
 def test_checksums_are_combined():
@@ -79,15 +85,18 @@ def test_checksums_are_combined():
         assert files.adler32_combined(one, other, 10**5 - cut) == zlib.adler32(whole)
 
 
-@pytest.mark.parametrize("name", ["a.png", "A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
+@pytest.mark.parametrize("name", ["A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
 def test_a_frame_saves_itself(name, tmp_path):
-    FRAME.save(tmp_path / name)
-    if name.lower().endswith(("npy", "npz")):
-        kept, expected = np.load(tmp_path / name), FRAME.rgb
-    else:
-        kept, expected = np.asarray(Image.open(tmp_path / name)), PICTURE
-    assert np.array_equal(kept["rgb"] if name.endswith("npz") else kept, expected)
-    assert [path.name for path in tmp_path.iterdir()] == [name]
+    """With the permissions of any other file."""
+    path, other = tmp_path / name, tmp_path / "other"
+    FRAME.save(path)
+    other.write_text("")
+    assert stat.S_IMODE(path.stat().st_mode) == stat.S_IMODE(other.stat().st_mode)
+    assert {*tmp_path.iterdir()} == {path, other}
+    assert shows(path, FRAME)
+    if name == "a.npz":
+        planes = {"chambers": FRAME.chambers, **FRAME.surface_data}
+        assert all(np.array_equal(np.load(path)[kind], plane, equal_nan=True) for kind, plane in planes.items())
 
 
 def test_a_frame_is_an_array_and_says_what_it_is():
@@ -97,9 +106,9 @@ def test_a_frame_is_an_array_and_says_what_it_is():
     with pytest.raises(ValueError, match="copy"):
         np.asarray(FRAME, np.float32, copy=False)
     np.testing.assert_array_equal(np.asarray(Image.open(BytesIO(FRAME._repr_png_()))), PICTURE)
-    scene = "Scene(field='sine', beta=0.1)"
-    frame = render(eval(scene), 24, 16, central(1e-3), (0, 0, 9, 8))
-    assert repr(frame) == f"Frame({frame.raster}, {frame.method}, {scene})"
+    scene = Scene(field="sine", beta=0.1)
+    frame = render(scene, 24, 16, central(1e-3), (0, 0, 9, 8))
+    assert repr(frame) == f"Frame({frame.raster}, {frame.method}, Scene(field='sine', beta=0.1))"
     assert repr(frame.stage).startswith(f"Stage({frame.raster}, Geometry(eye=4.0, ") and "\n" not in repr(frame.stage)
 
 
@@ -114,34 +123,22 @@ with whole_file(sys.argv[1]) as name:
 """
 
 
-@pytest.fixture
-def writer(tmp_path):
-    """A process that is in the middle of a file, and that file."""
-    with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
-        yield child, Path(child.stdout.readline().strip())
-        child.kill()
-
-
-def test_what_a_killed_writer_left_is_removed_by_the_next_one(writer, tmp_path):
-    child, left = writer
+def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
+    """What somebody else named, another process writes or this one does is left alone."""
     others = [tmp_path / name for name in (".a-12345678.npy", ".hidden", "a-12345678-unfinished.npy")]
     for path in others:
         path.write_text("somebody's")
-    files.write_png(tmp_path / "b.png", PICTURE)
-    assert left.read_text() == "half"  # its writer lives
-    child.send_signal(signal.SIGKILL)
-    child.wait()
+    with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
+        left = Path(child.stdout.readline().strip())
+        with whole_file(tmp_path / "b.png") as own, whole_file(tmp_path / "b.png") as other:
+            Path(own).write_text("one")
+            Path(other).write_text("other")
+        assert left.read_text() == "half"  # its writer lives
+        child.send_signal(signal.SIGKILL)
     assert left.exists()
-    files.write_png(tmp_path / "b.png", PICTURE)
-    assert sorted(tmp_path.iterdir()) == sorted([*others, tmp_path / "b.png"])
-
-
-def test_files_of_the_same_process_are_left_alone(tmp_path):
-    with whole_file(tmp_path / "a.csv") as one, whole_file(tmp_path / "a.csv") as other:
-        assert one != other
-        Path(one).write_text("one")
-        Path(other).write_text("other")
-    assert contents(tmp_path) == {"a.csv": b"one"}
+    files.write_png(tmp_path / "c.png", PICTURE)
+    assert {*tmp_path.iterdir()} == {*others, tmp_path / "b.png", tmp_path / "c.png"}
+    assert (tmp_path / "b.png").read_text() == "one"
 
 
 def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
@@ -157,59 +154,33 @@ def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monk
     with whole_file(tmp_path / "a.csv") as name:
         assert Path(name).exists()
     assert len(set(seen)) == 2
-    assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
+    assert [*contents(tmp_path)] == ["a.csv"]
 
 
-@pytest.mark.parametrize("locks", ["missing", "refused"])
-def test_without_locks_a_file_is_written_all_the_same(locks, tmp_path, monkeypatch):
-    def refuse(file, kind):
-        raise OSError("no locks available")
-
-    if locks == "missing":
-        monkeypatch.setattr(whole_files, "fcntl", None)
-    else:
-        monkeypatch.setattr(whole_files.fcntl, "flock", refuse)
-    left = tmp_path / ".b-12345678-unfinished.csv"
-    left.write_text("half")
-    with whole_file(tmp_path / "a.csv") as name:
-        Path(name).write_text("whole")
-    assert (tmp_path / "a.csv").read_text() == "whole"
-    assert left.exists() is (locks == "refused")  # where there are locks, one that cannot be had may be somebody's
-
-
-def test_a_file_has_the_permissions_of_any_other(tmp_path):
-    files.write_png(tmp_path / "a.png", PICTURE)
-    (tmp_path / "b").write_text("")
-    assert stat.S_IMODE((tmp_path / "a.png").stat().st_mode) == stat.S_IMODE((tmp_path / "b").stat().st_mode)
+def refuse(file, kind):
+    raise OSError("no locks available")
 
 
 @pytest.mark.parametrize(
-    ("name", "allowed"),
-    [
-        ("a.jpg", "a file name that ends in .png or .npz"),
-        (".png", "a file name that ends in .png or .npz"),
-        ("folder.png", "a file in a folder that exists"),
-        ("file/a.png", "a file in a folder that exists"),
-        ("a" * 300 + ".png", "a file that can be written (File name too long)"),
-        ("a\0.png", "a name without the character 0"),
-    ],
+    ("place", "name", "value"), [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", refuse)]
 )
-def test_a_target_that_is_rejected(name, allowed, tmp_path):
+def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
+    """Where there are locks, a file of which one cannot be had may be somebody's."""
+    monkeypatch.setattr(place, name, value)
+    left = tmp_path / ".b-12345678-unfinished.csv"
+    left.write_text("half")
+    with whole_file(tmp_path / "a.csv") as unfinished:
+        Path(unfinished).write_text("whole")
+    assert (tmp_path / "a.csv").read_text() == "whole"
+    assert left.exists() is (name == "flock")
+
+
+def test_a_target_that_is_rejected(tmp_path):
+    """Beside those of the command line's tests."""
     (tmp_path / "folder.png").mkdir()
-    (tmp_path / "file").write_text("")
-    said = rejection(checked_target, tmp_path / name, files.PICTURE_SUFFIXES)
-    assert said == f"out = {str(tmp_path / name)!r} is not allowed: {allowed}"
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_is_read_only(tmp_path):
-    tmp_path.chmod(0o500)
-    said = rejection(checked_target, tmp_path / "a.png", files.PICTURE_SUFFIXES)
-    assert said.endswith("is not allowed: a file that can be written (Permission denied)")
-
-
-def test_checking_a_target_leaves_nothing_and_the_old_file(tmp_path):
-    (tmp_path / "a.png").write_bytes(b"old")
-    assert checked_target(tmp_path / "a.png", files.PICTURE_SUFFIXES) == tmp_path / "a.png"
-    assert checked_target(str(tmp_path / "b.npz"), files.PICTURE_SUFFIXES) == tmp_path / "b.npz"
-    assert contents(tmp_path) == {"a.png": b"old"}
+    long, suffixes = "a" * 300 + ".png", files.PICTURE_SUFFIXES
+    assert rejection(checked_target, tmp_path / "folder.png", suffixes).endswith(": a file in a folder that exists")
+    assert rejection(checked_target, tmp_path / long, suffixes).endswith(
+        ": a file that can be written (File name too long)"
+    )
+    assert rejection(checked_target, ".png", suffixes).endswith(": a file name that ends in .png or .npz")

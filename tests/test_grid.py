@@ -2,28 +2,26 @@
 
 import json
 import os
-import shutil
 import signal
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from dataclasses import fields, replace
+from dataclasses import replace
 
-import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, render, stage_of
+from renderer import Light, Scene, render
 from renderer.command_line import grid
 from renderer.command_line.grid import Checkpoint, key_of
 from renderer.command_line.verbs import main
 from renderer.machines import numpy_rows
-from renderer.picture.sweep import SweepRow, Task, sweep, table
+from renderer.picture.sweep import Task, sweep, table
 from renderer.scene.methods import GradientMethod, central
-from renderer.scene.raster import Raster
+from renderer.whole_files import write_whole
 from tests.processes import python, started, wait_until
 from tests.refusals import rejection
-from verify.sources import ROOT
 
 SIZE = (24, 16)
+TASK = Task(Scene(), central(1e-3), *SIZE)
 BETAS = [0.01 * n for n in range(1, 41)]
 MANY = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=BETAS)
 LONG = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
@@ -53,93 +51,68 @@ def long():
 
 
 def test_a_grid_has_every_combination_once():
-    lists = {"field": ["sine", "rings", "sine"], "ku": [2, 4], "kv": [3.0], "beta": [0.1, -0.1]}
-    tasks = grid.grid(Scene(), [(8, 8), (9, 7)], ["central", "forward"], (1e-2, 1e-3, 1e-2), **lists)
-    assert len(tasks) == len(set(tasks)) == 2 * (2 * 2 * 1 * 2) * 2 * 2
-    assert tasks[:2] == [Task(Scene(field="sine", ku=2, kv=3, beta=0.1), central(eps), 8, 8) for eps in (1e-2, 1e-3)]
-    assert tasks[-1] == Task(Scene(field="rings", ku=4, kv=3, beta=-0.1), GradientMethod("forward", 1e-3), 9, 7)
+    sizes, methods, steps = [(8, 8), (9, 7)], ["central", "forward"], (1e-2, 1e-3)
+    fields, betas = ["sine", "rings"], [0.1, -0.1]
+    tasks = grid.grid(Scene(), sizes, methods, steps * 2, field=fields * 2, beta=betas)
+    scenes = [Scene(field=field, beta=beta) for field in fields for beta in betas]
+    differences = [GradientMethod(method, eps) for method in methods for eps in steps]
+    assert tasks == [Task(scene, method, *size) for size in sizes for scene in scenes for method in differences]
 
 
-OTHER = {"ball": False, "floor": False, "lights": (Light((5, 5, 10), None),), "model": "phong", "field": "rings"}
-
-
-def test_a_key_is_of_the_content():
-    """Of every number, choice and light of the scene, and of the rest of the task."""
-    task = Task(Scene(), central(1e-3), 8, 8)
-    values = {field.name: 0.9 * np.array(field.default) for field in fields(Scene) if field.name not in OTHER} | OTHER
-    scenes = [Scene(**{name: value}) for name, value in values.items()]
-    tasks = [task, *(replace(task, scene=scene) for scene in scenes), replace(task, width=9), replace(task, height=9)]
-    tasks += [replace(task, method=central(1e-4)), replace(task, method=GradientMethod("forward", 1e-3))]
-    assert len({key_of(each) for each in tasks}) == len(tasks) == len(fields(Scene)) + 5
-    assert key_of(Task(Scene(beta=0.35, ku=8), central(0.001), 8, 8)) == key_of(task)
-
-
-@pytest.mark.parametrize("edited", ["renderer/kernels.py", "renderer/machines/traced.py", "proofs/formulas/ranges.py"])
-def test_a_key_is_of_the_sources_and_the_machine_too(edited, tmp_path, monkeypatch):
-    for folder in ("renderer", "proofs"):
-        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__"))
-    own, key = grid.version(), key_of(Task(Scene(), central(1e-3), 8, 8))
+def test_a_key_is_of_the_content_the_sources_and_the_machine(tmp_path, monkeypatch):
+    others = {"method": central(1e-4)}, {"width": 9}, {"height": 9}, {"scene": Scene(beta=0.1)}
+    keys = [key_of(TASK), *(key_of(replace(TASK, **other)) for other in others)]
+    assert key_of(Task(Scene(beta=0.35), central(0.001), *SIZE)) == keys[0]
     monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "command_line" / "grid.py"))
-    assert grid.version.__wrapped__() == own
-    with open(tmp_path / edited, "a") as file:
-        file.write("\n")
-    changed = grid.version.__wrapped__()
+    version = grid.version.__wrapped__
+    versions = [version()]
+    for name, text in (("renderer/kernels.py", b""), ("renderer/kernels.py", b"#"), ("proofs/formulas/ranges.py", b"")):
+        write_whole(tmp_path / name, text)
+        versions.append(version())
     monkeypatch.setattr(grid, "machine", lambda: numpy_rows)
-    assert len({own, changed, grid.version.__wrapped__()}) == 3
-    monkeypatch.setattr(grid, "version", lambda: changed)
-    assert key_of(Task(Scene(), central(1e-3), 8, 8)) != key
+    for made_by in (*versions, version()):
+        monkeypatch.setattr(grid, "version", lambda made_by=made_by: made_by)
+        keys.append(key_of(TASK))
+    assert len(set(keys)) == len(keys) == 10
 
 
 def test_a_batch_shares_its_chambers():
     tasks = grid.grid(Scene(), [(8, 8), (9, 8)], ["central"], (1e-2, 1e-3), field=["sine", "rings"], beta=range(9))
-    tasks += grid.grid(Scene(ball=False), [(8, 8)], ["central"], (1e-2,), ku=range(1, 7))
+    sizes = (8, 8), (2**10, 2**10), (2**13, 2**13)
+    tasks += grid.grid(Scene(ball=False), sizes, ["central"], (1e-2,), ku=range(1, 11))
     batches = grid.batches(tasks)
-    assert sorted(map(len, batches)) == [4, 4, 6, 16, 16, 16, 16]
+    assert [*map(len, batches)] == [16, 16, 4, 16, 16, 4, 10, 8, 2, 4, 4, 2]  # the larger, the fewer
     assert [task for batch in batches for task in batch] == tasks
-    for batch in batches:
-        first = batch[0]
-        stage = stage_of(first.scene, first.width, first.height)
-        assert all(stage.serves(task.scene, Raster(task.width, task.height)) for task in batch)
-    large = grid.grid(Scene(), [(2**10, 2**10), (2**13, 2**13)], ["central"], (1e-2, 1e-3), beta=range(8))
-    assert [len(batch) for batch in grid.batches(large)] == [8, 8, 4, 4, 4, 4]
 
 
 def test_the_rows_are_those_of_a_sweep():
-    scene = Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None)))
-    tasks = grid.grid(
-        scene, [SIZE, (9, 9)], ["central4", "forward"], (1e-1, 1e-4), field=["sine", "ridges"], kv=[3, 4.5]
+    scene, asked = (
+        Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None))),
+        {"field": ["sine", "ridges"], "kv": [3, 4]},
     )
+    tasks = grid.grid(scene, [SIZE, (9, 9)], ["central4", "forward"], (1e-1, 1e-4), **asked)
     rows = grid.run(tasks, Inline())
-    assert list(rows) == tasks
+    assert list(rows) == tasks and len(set(rows.values())) == len(tasks)
     for task, row in rows.items():
-        assert sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name, 1)[0] == row
-    assert len(set(rows.values())) == len(tasks)
+        assert sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name, 1) == [row]
 
 
-def test_a_batch_draws_the_exact_frame_once_a_scene(monkeypatch):
+def test_a_batch_draws_the_exact_frame_once_a_scene_and_counts_flips(monkeypatch):
     drawn = []
-    seen = lambda *a, **o: drawn.append((a[3].name, o.get("stage") is None)) or render(*a, **o)  # noqa: E731
-    monkeypatch.setattr("renderer.picture.sweep.render", seen)
-    tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3, 1e-4), beta=[0.1, 0.2])
-    grid.compare_batch(tasks, grid.version())
-    of_scene = [("central", True)] * 3  # whole: flips are counted
-    assert drawn == [("exact", True), *of_scene, ("exact", False), *of_scene]
-
-
-def test_flips_are_counted(monkeypatch):
-    made = []
 
     def flipping(*arguments, **options):
         frame = render(*arguments, **options)
+        drawn.append((frame.method.name, options.get("stage") is None))
         if frame.method.eps:
-            made.append(frame)
             frame.stage.chambers = frame.chambers.copy()
-            frame.stage.chambers[0, : len(made)] ^= 128
+            frame.stage.chambers[0, : len(drawn)] ^= 128
         return frame
 
     monkeypatch.setattr("renderer.picture.sweep.render", flipping)
     tasks = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2])
-    assert [row.flips for row in grid.compare_batch(tasks, grid.version()).values()] == [1, 2, 3, 4]
+    assert [row.flips for row in grid.compare_batch(tasks, grid.version()).values()] == [2, 3, 5, 6]
+    of_scene = [("central", True)] * 2  # whole: flips are counted
+    assert drawn == [("exact", True), *of_scene, ("exact", False), *of_scene]
 
 
 def test_a_worker_of_another_version_is_refused():
@@ -148,13 +121,13 @@ def test_a_worker_of_another_version_is_refused():
 
 
 def test_what_is_kept_is_not_computed_again(many, tmp_path):
-    asked, executors = (MANY[20:40], MANY, MANY), (Inline(), Inline(), Inline())
-    for tasks, executor in zip(asked, executors, strict=True):
+    executor = Inline()
+    for tasks in (MANY[20:40], MANY, MANY):
         with Checkpoint(tmp_path / "a.jsonl") as kept:
             assert grid.run(tasks, executor, kept) == {task: many[task] for task in tasks}
-    assert [executor.tasks for executor in executors] == [MANY[20:40], MANY[:20] + MANY[40:], []]
-    with ThreadPoolExecutor(3) as executor:  # which finishes batches in any order
-        assert grid.run(MANY, executor) == many
+    assert executor.tasks == MANY[20:40] + MANY[:20] + MANY[40:]
+    with ThreadPoolExecutor(3) as several:  # which finishes batches in any order
+        assert grid.run(MANY, several) == many
 
 
 def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, monkeypatch):
@@ -197,70 +170,48 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
     cluster = LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL")
     for nanny in cluster.workers.values():
         nanny.auto_restart = False
-    with cluster, Client(cluster, set_as_default=False) as client:
+    with cluster, Client(cluster, set_as_default=False) as client, Checkpoint(tmp_path / "a.jsonl") as kept:
         workers = client.run(os.getpid)
-        with Checkpoint(tmp_path / "a.jsonl") as kept:
-            finished = grid.finished(LONG, client.get_executor(), kept)
-            results = [next(finished)]
-            victim = next(worker for worker, work in client.processing().items() if work)
-            killed = workers[victim]
-            os.kill(killed, signal.SIGKILL)
-            results += finished
+        finished = grid.finished(LONG, client.get_executor(), kept)
+        results = [next(finished)]
+        killed = workers[next(worker for worker, work in client.processing().items() if work)]
+        os.kill(killed, signal.SIGKILL)
+        results += finished
         assert killed not in client.run(os.getpid).values()
-    assert len(results) == len(LONG)
+    assert len(results) == len(LONG) == len(lines(kept.path))
     assert dict(results) == long
-    assert len(lines(kept.path)) == len(LONG)
 
 
-def test_a_dask_cluster_from_the_command_line(many, tmp_path, capsys):
-    target = tmp_path / "a.csv"
-    command = ["sweep", "--width", "24", "--height", "16", "--eps", "1e-2,1e-3", "--beta", "0.01,0.02", "--csv"]
+def test_a_dask_cluster_from_the_command_line(many, capsys):
+    command = ["sweep", "--width", "24", "--height", "16", "--eps", "1e-2,1e-3", "--beta", "0.01,0.02"]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
-        assert main([*command, str(target), "--dask", cluster.scheduler_address]) == 0
-    assert capsys.readouterr().out.startswith(table({task: many[task] for task in MANY[:4]}) + "\nwrote ")
-    upper = np.genfromtxt(target, delimiter=",", names=True, dtype=None, encoding="utf-8")["rms_upper"]
-    assert list(upper) == [many[task].rms_upper for task in MANY[:4]]
-
-
-KEPT_TASKS = grid.grid(Scene(), [(8, 8)], ["central"], (1e-2, 1e-3, 1e-4))
-ROWS = [
-    SweepRow(task.method.eps, 0.1 + 0.2, 1e-300, 0, number, 0.3, 0.4, 0.0, 1e-299)
-    for number, task in enumerate(KEPT_TASKS)
-]
-RESULTS = dict(zip(KEPT_TASKS, ROWS, strict=True))
+        assert main([*command, "--dask", cluster.scheduler_address]) == 0
+    assert capsys.readouterr().out == table({task: many[task] for task in MANY[:4]}) + "\n"
 
 
 @pytest.fixture
-def full(tmp_path):
-    """A file with the three results."""
+def full(many, tmp_path):
+    """A file with three results."""
     with Checkpoint(tmp_path / "a.jsonl") as checkpoint:
         assert checkpoint.rows == {}
     assert list(tmp_path.iterdir()) == []
     with Checkpoint(checkpoint.path) as checkpoint:
-        checkpoint.append({task: RESULTS[task] for task in KEPT_TASKS[:2]})
-        checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
-    assert checkpoint.rows == {key_of(task): row for task, row in RESULTS.items()}
-    assert checkpoint.kept([*KEPT_TASKS, *grid.grid(Scene(), [(9, 9)], ["central"], (1e-2,))]) == RESULTS
+        for tasks in (MANY[:2], MANY[2:3]):
+            checkpoint.append({task: many[task] for task in tasks})
+        assert checkpoint.kept(MANY) == {task: many[task] for task in MANY[:3]}
     return checkpoint.path
 
 
-def test_a_line_says_what_it_is_the_result_of(full):
-    record = json.loads(full.read_text().splitlines()[1])
-    assert record["task"]["scene"]["field"] == "ridges"
-    assert record["task"]["method"] == {"name": "central", "eps": 1e-3, "form": "auto"}
-    assert (record["task"]["width"], record["row"]["straddling"]) == (8, 1)
-
-
-def test_wherever_the_writer_was_killed_the_whole_lines_are_kept(full):
+def test_wherever_the_writer_was_killed_the_whole_lines_are_kept(many, full):
     content = full.read_bytes()
     last = content.rindex(b"\n", 0, -1) + 1
     for size in [*range(last, len(content), 17), *range(last, last + 12), len(content) - 1]:
         full.write_bytes(content[:size])
         with Checkpoint(full) as checkpoint:
-            assert checkpoint.rows == {key_of(task): RESULTS[task] for task in KEPT_TASKS[:2]}
+            assert checkpoint.rows == {key_of(task): many[task] for task in MANY[:2]}
         assert full.read_bytes() == content[:last]
     with Checkpoint(full) as checkpoint:
-        checkpoint.append({KEPT_TASKS[2]: ROWS[2]})
+        checkpoint.append({MANY[2]: many[MANY[2]]})
     assert full.read_bytes() == content
 
 
@@ -274,21 +225,11 @@ def test_one_sweep_at_a_time_writes_to_a_checkpoint(full, capsys):
     assert main(options) == 0
 
 
-@pytest.mark.parametrize(
-    ("content", "line"),
-    [
-        ("dear diary", 1),
-        ("dear diary\n", 1),
-        ('{"key": "a", "row": {"eps": 1}}\n', 1),
-        ("[]\n", 1),
-        ('WHOLE{"key": "a", "row": nothing}\nWHOLE', 2),
-        ("WHOLEdear diary", 2),
-    ],
-)
-def test_a_file_of_something_else_is_refused_and_kept(content, line, full):
-    whole = full.read_text().splitlines(keepends=True)[0]
-    full.write_text(content.replace("WHOLE", whole))
-    before = full.read_bytes()
+@pytest.mark.parametrize("wrong", ["dear diary", "dear diary\n", '{"key": "a", "row": {"eps": 1}}\n', "[]\n"])
+@pytest.mark.parametrize("line", [1, 2])
+def test_a_file_of_something_else_is_refused_and_kept(wrong, line, full):
+    before = b"".join(full.read_bytes().splitlines(keepends=True)[: line - 1]) + wrong.encode()
+    full.write_bytes(before)
     allowed = f"a file of results, and its line {line} is none"
     assert rejection(Checkpoint, full) == f"checkpoint = {str(full)!r} is not allowed: {allowed}"
     assert full.read_bytes() == before
