@@ -33,7 +33,7 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
     ("tangent_frame", "", "", "tangent_frame: PROVED."),
     ("seed_orientation", "", "", "seed_orientation: REFUTED."),
     ("bump_moves_no_boundary", "", "", "bump_moves_no_boundary: PROVED."),
-    ("tangent_frame", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
+    ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
     ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
 ]
 
