@@ -10,10 +10,11 @@ from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
 from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, problems, truth_of
+from verify.evaluate.arrays import in_balls
 from verify.evaluate.balls import Balls, ball_of
 from verify.reference import Undecided, reference_pixel
 
-a, b, d = real("a b d")
+a, b, c, d = real("a b c d")
 SIZE = 96
 
 
@@ -49,6 +50,12 @@ def test_what_is_not_decided_is_enclosed(expression, values, contained):
     found = Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]
     assert all(found.contains(number) for number in contained)
     assert found.is_exact() == (len(contained) == 1 and not expression.has(Pow))
+
+
+def test_a_ball_that_decides_nothing_is_no_reference():
+    """1/(a − b) with a = b = 1/3: the ball of the difference is around 0, that of the quotient everywhere."""
+    lines = Program("lines", (a, b), ((c, 1 / (a / 3 - b / 3)), (d, a * b)), (c, d))
+    assert [found[0] is None for found in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
 
 
 @pytest.mark.parametrize("digits", [30, 50, 100])
