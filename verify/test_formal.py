@@ -80,7 +80,7 @@ def test_what_is_not_proved_is_not_accepted(written, monkeypatch):
     monkeypatch.setattr(vernacular, "check", lambda text: None)  # which would refuse all of it before Coq reads it
     written(Wrong=WRONG)
     with pytest.raises(formal.NotAccepted, match=WHY):
-        formal.compile_files(said=dict.fromkeys(THEOREMS, {"axioms": []}))
+        formal.compile_files(said={theorem: {"axioms": []} for theorem in THEOREMS})
 
 
 @needs_coq
@@ -278,7 +278,9 @@ def test_no_broken_formula_is_accepted(tmp_path, written):
         after = json.loads(done.stdout)
         changed = {n for file in after for n in (modules(after[file]).items() ^ modules(before[file]).items())}
         written(**by_hand | after)
-        about = [file for file, text in by_hand.items() if file not in after and any(f"{n}." in text for _, n in changed)]
+        about = [
+            file for file, text in by_hand.items() if file not in after and any(f"{n}." in text for _, n in changed)
+        ]
         try:
             accepted += [what] if about and formal.compile_files(*about) else []
         except formal.NotAccepted as error:

@@ -124,7 +124,9 @@ def test_what_rests_on_a_cited_lemma_says_so():
     assert entry["cited_lemmas"] == [{"relation": "x >= sin(x)", "source": "Blinn1978"}]
     assert summary([entry, user]) == {"proved_given_cited": 2}
     unknown = replace(theorem, claims=(claim.but(cited=(replace(lemma, source="Nobody1900"),)),))
-    assert "the bibliography has no Nobody1900" in proof_checker.examine(unknown, {"lemma": unknown}, anew=True).problems
+    assert (
+        "the bibliography has no Nobody1900" in proof_checker.examine(unknown, {"lemma": unknown}, anew=True).problems
+    )
 
 
 def test_what_coq_has_proved_here_is_given_by_no_source():
