@@ -1,4 +1,4 @@
-"""Programs in balls: they enclose the 50-digit reference, and say what they cannot decide."""
+"""Programs in balls: they enclose the 50-digit reference of a pixel, and say what they cannot decide."""
 
 import random
 
@@ -9,9 +9,10 @@ from sympy import And, Max, Or, Piecewise, Pow, sign, sqrt
 from proofs.engine.program import Program
 from proofs.formulas.symbols import real
 from renderer import Scene, render
-from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, chosen, problems, truth_of
+from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, problems, truth_of
+from verify.evaluate.arrays import in_balls
 from verify.evaluate.balls import Balls, ball_of
-from verify.reference import reference_pixel
+from verify.reference import Undecided, reference_pixel
 
 a, b, c, d = real("a b c d")
 SIZE = 96
@@ -30,39 +31,50 @@ def test_balls_enclose_the_reference(name):
         assert problems([checked_pixel(name, frame, "at random", column, row)]) == []
 
 
-def line(expression, **values):
-    """Return the ball of one line."""
+WIDE = {"a": arb(0, 1), "b": arb(0.5)}
+LINES = [
+    (Piecewise((1, a < b), (5, True)), WIDE, (1, 5)),
+    (Piecewise((1, Or(a < b, b > 0)), (5, True)), WIDE, (1,)),
+    (Piecewise((1, And(a < b, b < 0)), (5, True)), WIDE, (5,)),
+    (sign(a), WIDE, (-1, 1)),
+    (sign(a), {"a": arb(0)}, (0,)),
+    (sqrt(a), {"a": arb(0, 4)}, (2,)),
+    (Pow(Max(0, a), b), {"a": arb(0, 0.5), "b": arb(3)}, (arb(0.125),)),
+]
+"""[(a line, the balls of its inputs, what its ball contains)]: where that is one whole number, it is decided."""
+
+
+@pytest.mark.parametrize(("expression", "values", "contained"), LINES)
+def test_what_is_not_decided_is_enclosed(expression, values, contained):
     inputs = tuple(sorted(expression.free_symbols, key=str))
-    return Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]
+    found = Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]
+    assert all(found.contains(number) for number in contained)
+    assert found.is_exact() == (len(contained) == 1 and not expression.has(Pow))
 
 
-def test_what_is_not_decided_is_enclosed():
-    wide = arb(0, 1)
-    value = line(Piecewise((1, a < b), (5, True)), a=wide, b=arb(0.5))
-    assert value.contains(1)
-    assert value.contains(5)
-    assert line(Piecewise((1, a < b), (5, True)), a=arb(0, 0.25), b=arb(0.5)) == 1
-    assert line(Piecewise((1, Or(a < b, b > 0)), (5, True)), a=wide, b=arb(0.5)) == 1
-    assert line(Piecewise((1, And(a < b, b < 0)), (5, True)), a=wide, b=arb(0.5)) == 5
-    assert all(line(sign(a), a=wide).contains(side) for side in (-1, 1))
-    assert line(sign(a), a=arb(0)) == 0
+def test_a_ball_that_decides_nothing_is_no_reference():
+    """1/(a − b) with a = b = 1/3: the ball of the difference is around 0, that of the quotient everywhere."""
+    lines = Program("lines", (a, b), ((c, 1 / (a / 3 - b / 3)), (d, a * b)), (c, d))
+    assert [found[0] is None for found in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
 
 
-def test_a_ball_that_reaches_below_zero_is_cut_off_where_the_line_says_so():
-    assert line(sqrt(a), a=arb(0, 4)).contains(2)
-    assert line(Pow(Max(0, a), b), a=arb(0, 0.5), b=arb(3)).contains(arb(0.125))
-    assert line(sqrt(a), a=arb(-2)).is_nan()
+@pytest.mark.parametrize("digits", [30, 50, 100])
+def test_a_pixel_on_the_silhouette_is_undecided(digits):
+    """ρ = ρ_s = 3.75: the discriminant is 0, and at no number of digits is its sign anything but noise."""
+    scene = Scene(eye=5.0, radius=3.0, ball=False)
+    with pytest.raises(Undecided, match=f"column = 10, row = 0: surface, rgb_red.* undecided at {digits} digits"):
+        reference_pixel(scene, 21, 20, 10, 0, digits=digits)
+    with pytest.raises(Undecided, match="column = 10, row = 9: rgb_red, rgb_green, rgb_blue undecided"):
+        reference_pixel(scene, 21, 20, 10, 9, digits=digits)  # on a crease
+    assert reference_pixel(scene, 21, 20, 11, 1, digits=digits)["surface"] == 1
 
 
 def test_a_pixel_that_is_off_is_found():
-    scene = Scene()
-    frame = render(scene, 64, 64, bounds=True)
-    place = next(p for p in chosen(scene, frame, each=2) if frame.chambers[p[2], p[1]] & 3 == 1)
-    good = checked_pixel("ridges, blinn", frame, *place)
-    assert problems([good]) == []
-    off = {"error": 2 * good.bound}, {"error": float("nan")}, {"same_chamber": False}
-    bad = [good._replace(**change) for change in off]
-    assert problems(bad) == bad
-    assert problems([bad[0]._replace(undecided=True)]) == []
-    frame.rgb[place[2], place[1]] += 1e-11
-    assert problems([checked_pixel("ridges, blinn", frame, *place)])
+    frame, place = render(Scene(), 64, 64, bounds=True), (25, 25)
+    good = checked_pixel("ridges, blinn", frame, "", *place)
+    bad = [
+        good._replace(**off) for off in ({"error": 2 * good.bound}, {"error": float("nan")}, {"same_chamber": False})
+    ]
+    assert problems([good, *bad, bad[0]._replace(undecided=True)]) == bad
+    frame.rgb[place] += 1e-11
+    assert problems([checked_pixel("ridges, blinn", frame, "", *place)])

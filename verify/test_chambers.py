@@ -1,6 +1,7 @@
 """Boxes and the reach of A leave no pixel out: chambers and colours are those of the whole program at every pixel."""
 
 import os
+from itertools import product
 
 import numpy as np
 import pytest
@@ -57,18 +58,13 @@ def test_the_count_sees_a_moved_boundary():
 TOUCHING = {
     "B touches the floor": {"ball_center": (1.5, 0.0, 0.25), "ball_radius": 0.25},
     "B touches A from outside": {"ball_center": (0.0, 0.0, 1.5), "ball_radius": 0.5},
-    "B inside A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 0.5},
-    "A inside B": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.5},
     "B equal to A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.0},
-    "B behind the eye": {"ball_center": (0.0, 0.0, 6.0), "ball_radius": 1.0},
     "B level with the eye": {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},
-    "B cuts the floor": {"ball_center": (1.2, -0.3, 0.1), "ball_radius": 0.4},
-    "B below the floor": {"ball_center": (1.0, 0.0, -2.0), "ball_radius": 0.5},
-    "a light below A's top": {"lights": (Light((3.0, 0.0, 0.5)),)},
     "a light level with A's top": {"lights": (Light((3.0, 0.0, 1.0)),)},
     "a light below the floor": {"lights": (Light((0.0, 3.0, -2.0)),)},
     "a light above the eye": {"lights": (Light((0.1, 0.2, 9.0)),)},
 }
+"""What random scenes do not have: bodies that touch, or are level with one another."""
 
 
 @pytest.mark.parametrize("case", TOUCHING)
@@ -90,44 +86,36 @@ def test_boxes_that_leave_pixels_out_are_noticed(name, value, light, monkeypatch
 
 
 DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))
-LENSES = [(size / ratio, size) for size in (1e-60, 0.37, 1.0, 1e60) for ratio in (1e-6, 0.01, 0.25, 0.9, 1 - 1e-9)]
-"""(eye, radius): scales and ratios up to the ends of what a scene accepts."""
+RANDOM = np.random.default_rng(21)
+RATIOS = 10.0 ** RANDOM.uniform(-6, -1e-9, 300)
+LENSES = [
+    *product((1e-60, 0.37, 1.0, 1e60), (1e-6, 0.01, 0.25, 0.9, 1 - 1e-9)),
+    *zip(10 ** RANDOM.uniform(-60, 60, 300), RATIOS, strict=True),
+]
+"""(radius, its share of the eye's height): scales and ratios up to the ends of what a scene accepts."""
 
 
-def last_points(random, reach, count=200, steps=4):
-    """Return image points (x, y): the last that are on A at some heights, and their neighbours in float64."""
-    y = np.sqrt(reach) * np.append(random.uniform(-1, 1, count - 1), 0.0)
-    x = np.sqrt(np.maximum(0.0, reach - y * y))
-    for _ in range(steps):
-        x = np.nextafter(x, 0.0)
-    found = [x]
-    for _ in range(2 * steps):
-        found.append(np.nextafter(found[-1], np.inf))
-    return np.concatenate(found), np.tile(y, len(found))
+def misjudged(radius, ratio, towards=None):
+    """Return how many points x² + y² ≤ reach judges otherwise than the sign of the discriminant.
 
-
-def misjudged(random, eye, radius, reach):
-    """Return how many points x² + y² ≤ reach judges otherwise than the sign of the discriminant."""
-    x, y = last_points(random, reach)
-    on_a = DISCRIMINANT(x, y, np.float64(eye), np.float64(radius)) >= 0
-    assert 0 < on_a.sum() < len(on_a)
-    return int(np.count_nonzero(on_a != (x * x + y * y <= reach)))
-
-
-def random_lenses(random, count=300):
-    """Return (eye, radius) of scenes that are accepted."""
-    radii, ratios = 10.0 ** random.uniform(-60, 60, count), 10.0 ** random.uniform(-6, -1e-9, count)
-    return [(Scene(radius=r, eye=r / q, ball=False, lights=()).eye, r) for r, q in zip(radii, ratios, strict=True)]
+    They are the last points that are on A at some heights, and their neighbours in float64; towards: what the reach is
+    moved to by one unit.
+    """
+    eye = radius / ratio
+    reach = numbers.reach_of_a(eye, radius)
+    y = np.sqrt(reach) * np.append(RANDOM.uniform(-1, 1, 199), 0.0)
+    edge = np.sqrt(np.maximum(0.0, reach - y * y))
+    x = edge + np.arange(-4, 5)[:, None] * np.spacing(edge)
+    on_a = DISCRIMINANT(x, y, eye, radius) >= 0
+    assert 0 < on_a.sum() < on_a.size
+    judged = reach if towards is None else np.nextafter(reach, towards)
+    return np.count_nonzero(on_a != (x * x + y * y <= judged))
 
 
 def test_the_reach_of_a_has_the_sign_of_its_discriminant():
-    random = np.random.default_rng(21)
-    for eye, radius in [*LENSES, *random_lenses(random)]:
-        assert misjudged(random, eye, radius, numbers.reach_of_a(eye, radius)) == 0, (eye, radius)
+    assert not any(misjudged(*lens) for lens in LENSES)
 
 
 @pytest.mark.parametrize("towards", [0.0, np.inf])
 def test_a_reach_that_is_off_by_one_unit_is_noticed(towards):
-    random = np.random.default_rng(22)
-    off = [misjudged(random, *lens, np.nextafter(numbers.reach_of_a(*lens), towards)) for lens in random_lenses(random)]
-    assert sum(off) > 0
+    assert any(misjudged(*lens, towards) for lens in LENSES)

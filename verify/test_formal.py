@@ -13,7 +13,7 @@ from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
 from verify import formal, survey, vernacular
 from verify.sources import ROOT
-from verify.test_campaign import draw, edited
+from verify.test_campaign import draw, edited, everywhere, sites
 
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None or find_spec("tqdm") is None,
@@ -21,27 +21,30 @@ needs_coq = pytest.mark.skipif(
 )
 
 
-def test_statements_are_of_theorems_of_the_book():
-    named = formal.statements()
-    assert named.keys() <= all_theorems().keys()
-    assert formal.PARTLY.keys() <= named.keys()
-    for id, found in named.items():
+@pytest.fixture
+def written(tmp_path, monkeypatch):
+    """Return a function that writes the texts of files, which then are all that Coq reads."""
+    monkeypatch.setattr(formal, "FOLDER", tmp_path)
+
+    def write(**texts):
+        for name, text in texts.items():
+            (tmp_path / f"{name}.v").write_text(text, encoding="utf-8")
+
+    return write
+
+
+def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
+    """Each addition has a false variant that is refuted, but of a theorem that is refuted itself."""
+    theorems = all_theorems()
+    for id, found in formal.statements().items():
         said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
-        refuted = all_theorems()[id].expected == "refuted"
-        assert refuted or {f"{name}__false" for name in said} <= set(found.additions), id
-
-
-def test_a_theorem_that_coq_says_is_said_whole_or_by_name_in_part():
-    for id, accepted in formal.record().items():
-        assert formal.whole(all_theorems()[id], accepted) != (id in formal.PARTLY), id
-
-
-def test_a_theorem_is_whole_by_all_of_its_claims_and_by_nothing_else():
-    for id in ("normal_limits", "gradient_accuracy"):
-        theorem = all_theorems()[id]
-        claims = [f"{id}__{claim.name}" for claim in (*theorem.claims, *theorem.rounded)]
-        assert formal.whole(theorem, {"claims": claims, "statements": {}})
-        assert not formal.whole(theorem, {"claims": claims[1:], "statements": {f"{id}__any": "True"}})
+        assert theorems[id].expected == "refuted" or {f"{name}__false" for name in said} <= {*found.additions}, id
+    partly = {id for id, accepted in formal.record().items() if not formal.whole(theorems[id], accepted)}
+    assert partly == formal.PARTLY.keys()
+    for theorem in (theorems["normal_limits"], theorems["gradient_accuracy"]):
+        claims = [f"{theorem.id}__{claim.name}" for claim in (*theorem.claims, *theorem.rounded)]
+        assert formal.whole(theorem, {"claims": claims})
+        assert not formal.whole(theorem, {"claims": claims[1:], "statements": {f"{theorem.id}__any": "True"}})
         assert not formal.whole(theorem, None)
 
 
@@ -67,27 +70,17 @@ Unset Positivity Checking. Inductive no : Type := yes : (no -> False) -> no. Set
 Lemma nonsense (n : no) : False. Proof. destruct n as [f] eqn:E. exact (f n). Qed.
 Theorem unpositive__three : 1 + 1 = 3. Proof. destruct (nonsense (yes nonsense)). Qed.
 """
-WHY = {"left_out": "rests on left_out__proof", "assumed": "rests on three",
-       "unguarded": "never is assumed to be guarded", "unpositive": "no is assumed to be positive"}  # fmt: skip
+THEOREMS = "left_out", "assumed", "unguarded", "unpositive"
+WHY = "never is assumed to be guarded.*no is assumed to be positive.*three; left_out__proof"
 
 
 @needs_coq
-def test_what_is_not_proved_is_not_accepted(tmp_path, monkeypatch):
-    """Coq is asked once, and of each theorem what it printed of it."""
-    monkeypatch.setattr(formal, "FOLDER", tmp_path)
+def test_what_is_not_proved_is_not_accepted(written, monkeypatch):
+    """Coq is asked once, for all that these theorems rest on."""
     monkeypatch.setattr(vernacular, "check", lambda text: None)  # which would refuse all of it before Coq reads it
-    (tmp_path / "Wrong.v").write_text(WRONG, encoding="utf-8")
-    with monkeypatch.context() as patch:
-        patch.setattr(survey, "read", lambda *printed: printed)
-        found, groups, printed = formal.compile_files()
-    *parts, _ = printed.split(survey.SEPARATOR)
-    for group, said, rests in zip(groups, parts[:4], parts[4:], strict=True):
-        own = {theorem: found[theorem] for theorem in group}
-        with pytest.raises(formal.NotAccepted, match=WHY[group[0]]):
-            survey.read(own, [group], f"{said}{survey.SEPARATOR}{rests}{survey.SEPARATOR}")
-    (tmp_path / "Wrong.v").write_text(WRONG.replace("Admitted", "lra. Qed"), encoding="utf-8")
-    with pytest.raises(formal.NotAccepted, match="does not accept Wrong"):
-        formal.compile_files()
+    written(Wrong=WRONG)
+    with pytest.raises(formal.NotAccepted, match=WHY):
+        formal.compile_files(said={theorem: {"axioms": []} for theorem in THEOREMS})
 
 
 @needs_coq
@@ -116,10 +109,8 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("texts", "why"), REFUSED)
-def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, why, tmp_path, monkeypatch):
-    monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    for name, text in texts.items():
-        (tmp_path / f"{name}.v").write_text(text)
+def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, why, written):
+    written(**texts)
     with pytest.raises(formal.NotAccepted, match=why):
         formal.statements()
 
@@ -178,76 +169,57 @@ Open Scope R_scope.
 Theorem unit_length__true : Statements.unit_length__true.
 Proof. intro x. lra. Qed.
 """
-MUTANT = "Mutants.unit_length__1__false."
-FALSE = "Theorem unit_length__false : Statements.unit_length__false.\nProof."
-NOT_PROVED = [
-    (f"{FALSE} intro x. reflexivity. Qed.", "does not accept One"),
-    (f"Definition sin (x : R) := 0.\n{FALSE} intro x. unfold sin. reflexivity. Qed.", "does not accept One"),
-    ("Definition sin (x : R) : R := 0.", "does not accept Names"),
-    ("Lemma PI : R.\nProof. exact 3. Qed.", "does not accept Names"),
-    ("Inductive odd : Prop := | PI : odd.", "does not accept Names"),
-    ("Section s.\nVariable R : Set.\nEnd s.", "does not accept Names"),
-    (
-        "Theorem unit_length__1__false : Mutants.unit_length__1__false.\nProof. intro x. lra. Qed.",
-        "does not accept One",
-    ),
-    (
-        "Theorem unit_length__2__false : Mutants.unit_length__1__false.\nProof. intro x. lra. Qed.",
-        "has to have its name",
-    ),
-]
+IN_WORDS = """Theorem unit_length__false : True.
+Proof. trivial. Qed.
+Theorem unit_length__1__false : Mutants.unit_length__1__false.
+Proof. intro f. generalize (f 1). lra. Qed.
+"""
+OF_ANOTHER_SINE = """Definition sin (x : R) : R := 0.
+Theorem unit_length__false : Statements.unit_length__false.
+Proof. intro x. unfold sin. reflexivity. Qed.
+"""
 
 
 @needs_coq
-@pytest.mark.parametrize(("text", "why"), NOT_PROVED)
-def test_what_is_proved_is_what_is_printed(text, why, tmp_path, monkeypatch):
-    monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    (tmp_path / "Statements.v").write_text(CLAIMS)
-    (tmp_path / "Mutants.v").write_text(MUTANTS)
-    (tmp_path / "One.v").write_text(BY_HAND + text)
-    with pytest.raises(formal.NotAccepted, match=why):
-        formal.compile_files()
-
-
-@needs_coq
-def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(tmp_path, monkeypatch):
-    monkeypatch.setattr(formal, "FOLDER", tmp_path)
-    (tmp_path / "Statements.v").write_text(CLAIMS)
-    (tmp_path / "Mutants.v").write_text(MUTANTS)
-    said = "Theorem unit_length__false : True.\nProof. trivial. Qed.\n"
-    said += (
-        "Theorem unit_length__1__false : Mutants.unit_length__1__false.\nProof. intro f. generalize (f 1). lra. Qed.\n"
-    )
-    (tmp_path / "One.v").write_text(BY_HAND + said)
+def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(written):
+    written(Statements=CLAIMS, Mutants=MUTANTS, One=BY_HAND + IN_WORDS)
     accepted = formal.compile_files()["unit_length"]
     assert accepted["claims"] == ["unit_length__true"] and accepted["mutants"] == ["unit_length__1__false"]
     assert accepted["statements"] == {"unit_length__false": "True"}
+    sine, _ = OF_ANOTHER_SINE.split("\n", 1)
+    for false, file in ((OF_ANOTHER_SINE, "One"), (sine, "Names")):
+        written(One=BY_HAND + false)
+        with pytest.raises(formal.NotAccepted, match=f"does not accept {file}"):
+            formal.compile_files()
 
 
-def test_what_coq_accepted_here_is_kept_with_what_the_record_says(tmp_path, monkeypatch):
-    monkeypatch.setattr(formal, "RECORD", tmp_path / "record.json")
-    formal.RECORD.write_text("{}")
-    before = formal.seen()
-    formal.RECORD.write_text('{"theorems": {}}')
-    assert formal.seen() != before
+def test_every_name_that_is_given_by_hand_is_asked_for():
+    for text in (
+        "Definition sin (x : R) : R := 0.",
+        "Lemma sin : R.\nProof. exact 3. Qed.",
+        "Inductive odd : Prop := | sin : odd.",
+        "Section s.\nVariable sin : Set.\nEnd s.",
+    ):
+        assert "Fail Check sin." in survey.names_asked(vernacular.named(text), ())
 
 
 def test_a_record_that_coq_did_not_write_here_proves_nothing(tmp_path, monkeypatch):
     """Neither without what Coq said here, nor with what it said of another record; `record` itself is no witness."""
-    theorems, kept = all_theorems().values(), tmp_path / "formal"
+    theorems, kept, record = all_theorems().values(), tmp_path / "formal", tmp_path / "record.json"
+    record.write_bytes(formal.RECORD.read_bytes())
     monkeypatch.setattr(formal, "KEPT", kept)
+    monkeypatch.setattr(formal, "RECORD", record)
     assert formal.record() and not formal.accepted_here() and not formal.proved_here(theorems)
-    kept.write_text("another key")
-    assert not formal.accepted_here() and not formal.proved_here(theorems)
     kept.write_text(formal.seen())
     assert formal.accepted_here()
     assert len(proved := formal.proved_here(theorems)) > 40 and not proved & formal.PARTLY.keys()
-    monkeypatch.setattr(formal, "RECORD", tmp_path / "record.json")
-    assert not formal.accepted_here()
+    record.write_bytes(record.read_bytes() + b" ")
+    assert formal.record() and not formal.accepted_here() and not formal.proved_here(theorems)
 
 
-TRUE = survey.SEPARATOR
+TRUE, CLASSIC = survey.SEPARATOR, "Classical_Prop.classic"
 SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{survey.CLOSED}{TRUE}"
+AXIOMS = f"Axioms:\n{CLASSIC} : forall P : Prop, P \\/ ~ P\n{TRUE}"
 
 
 @pytest.mark.parametrize(
@@ -260,63 +232,57 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{survey.CLOSED}{T
         (f"{SAID}Axioms:\n{TRUE}", "rests on"),
         (f"{SAID}{TRUE}", "rests on"),
         (f"{SAID}Section Variables:\nx : R\n{TRUE}", "rests on"),
-        (f"{SAID}Axioms:\nClassical_Prop.classic relies on an unsafe hierarchy.\n{TRUE}", "unsafe hierarchy"),
+        (f"{SAID}Axioms:\n{CLASSIC} relies on an unsafe hierarchy.\n{TRUE}", "unsafe hierarchy"),
     ],
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
     found = {"unit_length": survey.Said({}, {"unit_length__length": []})}
-    groups = survey.groups(found, {})
-    assert survey.read(found, groups, SAID + CLOSED)["unit_length"]["axioms"] == []
-    axioms = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
-    assert survey.read(found, groups, SAID + axioms)["unit_length"]["axioms"] == ["Classical_Prop.classic"]
     with pytest.raises(formal.NotAccepted, match=why):
-        survey.read(found, groups, printed)
+        survey.read(found, survey.groups(found, {}), printed)
 
 
 def test_theorems_said_to_rest_on_the_same_axioms_have_all_that_coq_lists_for_them():
-    found = {name: survey.Said({}, {f"{name}__said": []}) for name in ("one", "two", "three")}
-    said = {"one": {"axioms": []}, "two": {"axioms": []}, "three": {"axioms": ["Classical_Prop.classic"]}}
-    groups = survey.groups(found, said)
+    found = {name: survey.Said({}, [f"{name}__said"]) for name in ("one", "two", "three")}
+    groups = survey.groups(found, {"one": {"axioms": []}, "two": {"axioms": []}, "three": {"axioms": [CLASSIC]}})
     assert groups == [["one", "two"], ["three"]]
-    statements = "".join(f"{name}__said\n     : 1 = 1\n{TRUE}" for name in found)
-    rests = "Axioms:\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n" + TRUE
-    table = survey.read(found, groups, statements + rests + rests)
-    assert [entry["axioms"] for entry in table.values()] == [["Classical_Prop.classic"]] * 3
+    statements = "".join(SAID.replace("unit_length__length", f"{name}__said") for name in found)
+    table = survey.read(found, groups, statements + AXIOMS + CLOSED)
+    assert [entry["axioms"] for entry in table.values()] == [[CLASSIC], [CLASSIC], []]
 
 
 PRINT = """import json
 from renderer.generate.coq import float64_source, formulas_source
-print(json.dumps({"Formulas.v": formulas_source(), "Float64.v": float64_source()}))"""
-MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
+print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))"""
+MODULE = re.compile(r"^Module (\w+)\.\n.*?^End \1\.", re.MULTILINE | re.DOTALL)
+
+
+def modules(text):
+    """Return {the text of a printed module: its name}."""
+    return {match[0]: match[1] for match in MODULE.finditer(text)}
 
 
 @needs_coq
 @pytest.mark.long
-def test_no_broken_formula_is_accepted(tmp_path, monkeypatch):
+def test_no_broken_formula_is_accepted(tmp_path, written):
     """One operator of proofs/formulas/ at a time: Coq refuses it, or no statement is about what is printed of it."""
     for name in ("proofs", "renderer"):
         shutil.copytree(ROOT / name, tmp_path / name)
-    folder = tmp_path / "proofs" / "formal"
-    monkeypatch.setattr(formal, "FOLDER", folder)
-    accepted, texts = [], {file.name: file.read_text(encoding="utf-8") for file in formal.files()}
-    before = {name: texts.pop(name) for name in ("Formulas.v", "Float64.v")}
-    for place in draw(seed=20, number=20):
+    by_hand = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
+    before = {name: by_hand[name] for name in ("Formulas", "Float64")}
+    accepted = []
+    for place in draw(everywhere(sites), 20):
         with edited(tmp_path, *place) as what:
             done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
-        verdict = "cannot be printed"
-        if done.returncode == 0:
-            after, modules = json.loads(done.stdout), set()
-            for file, text in after.items():
-                (folder / file).write_text(text, encoding="utf-8")
-                modules |= {name for name, _ in set(MODULE.findall(text)) ^ set(MODULE.findall(before[file]))}
-            about = [file for file, text in texts.items() if any(re.search(rf"\b{name}\.", text) for name in modules)]
-            verdict = "no statement is about it"
-            try:
-                if about:
-                    formal.compile_files(*(file.removesuffix(".v") for file in about))
-                    verdict = "accepted"
-            except formal.NotAccepted as error:
-                verdict = f"refused: {re.search(r'File .*line [0-9]+|$', str(error))[0]}"
-        accepted += [what] if verdict == "accepted" else []
-        print(f"{what}: {verdict}", flush=True)
+        if done.returncode:
+            continue  # it cannot be printed
+        after = json.loads(done.stdout)
+        changed = {n for file in after for n in (modules(after[file]).items() ^ modules(before[file]).items())}
+        written(**by_hand | after)
+        about = [
+            file for file, text in by_hand.items() if file not in after and any(f"{n}." in text for _, n in changed)
+        ]
+        try:
+            accepted += [what] if about and formal.compile_files(*about) else []
+        except formal.NotAccepted as error:
+            print(f"{what}: refused: {re.search(r'File .*line [0-9]+|$', str(error))[0]}", flush=True)
     assert accepted == []

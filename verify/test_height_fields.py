@@ -5,12 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from sympy import Abs, Function, Max, Min, Piecewise, Rational, Symbol, Tuple, atan, exp, log, preorder_traversal
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, exp, log
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
-from proofs.formulas.ranges import ENCLOSURES
 from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v, real, u, v
@@ -27,7 +26,6 @@ MORE = {
     "waves": sinpi(k_u * u) + sinpi(2 * k_u * u),
     "bump": Max(0, _inside) ** 2,
     "gauss": exp(40 * _inside),
-    "logarithm": log(2 + sinpi(k_u * u)),
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
@@ -66,22 +64,13 @@ def test_there_are_no_wave_numbers_of_other_waves():
     assert without == ["slanted", "waves", "bump", "gauss", "selected"]
 
 
-def test_every_function_of_a_field_is_tried_here_and_has_a_kernel():
-    formulas = Tuple(*(formula for field in FIELDS.values() for formula in (field.expression, *field.gradient())))
-    assert {part.func for part in preorder_traversal(formulas)} >= ENCLOSURES.keys()
-
-
 REFUSED = {
     "my-field": (v, "name = 'my-field' is not allowed: an identifier"),
     "lambda": (v, "no keyword of Python"),
     "arctangent": (atan(u * v), r"expression = atan\(u\*v\) is not allowed: no kernel has atan as in"),
-    "unknown": (Function("f")(u), "no kernel has f as in"),
-    "letter": (Symbol("v"), "no kernel has Symbol as in v"),
-    "inexact": (0.5 * v, "no kernel has Float as in 0.5"),
     "power": ((2 + v) ** k_u, "no kernel has Pow as in"),
     "selected": (Piecewise((1, atan(v) > 1), (v, True)), "no kernel has atan"),
     "pole": (1 / (3 * v - 1), "on the chart .* is not shown to be finite"),
-    "wave": (sinpi(k_u * u) / k_u, "on the chart .* is not shown to be finite"),
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
     "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
@@ -103,8 +92,6 @@ def test_a_seam_may_be_asked_for_and_a_name_is_given_once():
         first, *_ = registry.values()
         with pytest.raises(ValueError, match=f"name = '{first.name}' is not allowed: a name that no other entry has"):
             by_name([*registry.values(), replace(first)])
-    with pytest.raises(ValueError, match="name = 'a b' is not allowed"):
-        replace(first, name="a b")
 
 
 def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch):

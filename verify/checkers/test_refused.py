@@ -1,0 +1,119 @@
+"""Claims that have no translation: of what hides an assumption, has no value, or takes too long, nothing is stated."""
+
+from math import prod
+
+import pytest
+from sympy import (
+    Abs,
+    Derivative,
+    DiracDelta,
+    Dummy,
+    E,
+    Heaviside,
+    I,
+    Max,
+    Piecewise,
+    Pow,
+    S,
+    Symbol,
+    cos,
+    evaluate,
+    floor,
+    sin,
+    sqrt,
+    symbols,
+)  # fmt: skip
+
+from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
+from proofs.engine.derivative import Untranslatable
+from proofs.engine.program import Program
+from proofs.engine.stored import statements
+
+x, y, n = symbols("x y n", real=True)
+HIDDEN = ["nonnegative", "integer", "rational", "nonzero", "extended_real", "infinite", "positive"]
+TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
+with evaluate(False):
+    INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
+
+
+def line(symbol, expression):
+    """Return a program of one line."""
+    return Program("line", (x,), ((symbol, expression),), (symbol,))
+
+
+def of_symbols():
+    """Yield (a claim, why it has no statement): a symbol is real, nothing more, and has a name of its own."""
+    for hidden in (Symbol("q", **{assumption: True}) for assumption in HIDDEN):
+        yield Claim("defined", (equation(Abs(hidden), x - 5),), (), line(hidden, x - 5)), "plain real"
+    above, bound = greater(hidden, 0), Derivative(hidden**2, hidden)
+    for changes in (
+        {"shows": (equation(bound, bound),)},
+        {"given": (above,)},
+        {"lines": line(hidden, x)},
+        {"lines": Program("p", (x, hidden), ((y, x),), (y,))},
+        {"cited": (CitedLemma(x <= 10, "Dekker1971", (above,)),)},
+        {"cited": (CitedLemma(above, "Dekker1971"),)},
+        {"ranges": ((hidden, (0, 1)),)},
+        {"example": ((hidden, 1),)},
+    ):
+        yield Claim("somewhere", (greater(x, 0),)).but(**changes), "plain real"
+    for other in (Symbol("x"), Dummy("x", real=True), Symbol("x", extended_real=True)):
+        yield Claim("another x", (equation(x, other),)), "plain real|two symbols"
+    for name in TAKEN:
+        yield Claim("taken", (greater(Symbol(name, real=True), 3),)), "no name"
+    for names in (((n,), (x,)), ((y,), (n,)), ((y,), (x, Symbol("x")))):
+        yield Separation("of another name", line(y, x + 1), *names), "has no"
+
+
+def of_values():
+    """Yield (a relation, why it has no statement): an angle is a polynomial, a derivative exists, nobody waits for it.
+
+    Of e·x and of the product of x and a symbol E the cosine would have one name.
+    """
+    for angle in (1 / x, Abs(x), I * x, E * x, 0.5 * x, INFINITE):
+        yield equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1), "polynomial"
+    for value in (NONE_AT_0, UNORDERED, Piecewise((x, x > 0))):
+        yield equation(value, x), "no rule|compar|no value"
+    for corner in (floor(x), Heaviside(x), DiracDelta(x)):
+        yield equation(Derivative(corner, x), 0), "no rule differentiates"
+        yield equation(corner, 0), "no rule translates"
+    nested, many = x, symbols("a:40", real=True)
+    for _ in range(3000):
+        nested = cos(nested, evaluate=False)
+    long = (x + y) ** 10**6, x**10**9, cos(x / 10**7) + cos(x), Pow(2, 10**8, evaluate=False) * x
+    sums = sum(Max(each, 0) for each in many), Abs(prod(x + each for each in many))
+    for endless in (nested, *long, *sums, Derivative(x * sin(x), (x, 10**5))):
+        yield equation(endless, 0), None
+
+
+def of_states():
+    """Yield (a claim, why it has no statement): a line's name may change with x, and a state with n."""
+    for changing in (Derivative(y, x), Derivative(y**2, y), Derivative(y * x, x)):
+        yield Claim("of a line", (equation(changing, 0),), (), line(y, x + 1)), "a line defines"
+    none, whole = (equation(x, 0),), Symbol("n", integer=True)
+    for why, changes in (
+        ("twice", {"states": ((x, 1, x), (x, 0, x))}),
+        ("starts from", {"states": ((x, y, x), (y, 1, y))}),
+        ("in an angle", {"shows": (equation(cos(x), 1),)}),
+        ("what is given", {"given": none}),
+        ("what is given", {"given": (greater(cos(n * y), 0),)}),
+        ("shows equations", {"shows": (greater(1, x),)}),
+        ("a radical", {"shows": (equation(sqrt(y), x),)}),
+        ("neither given nor chosen", {"shows": (equation(Max(x, y), x),)}),
+        ("an angle that occurs", {"shows": (equation(cos(n * y), 1),)}),
+        ("an angle that occurs", {"shows": (equation(cos(n * y / 2) * cos(y), 1),)}),
+        ("nothing else", {"n": Symbol("n", positive=True)}),
+        ("nothing else", {"n": Symbol("n", integer=True, zero=False)}),
+        ("no name", {"n": Symbol("pi", integer=True)}),
+        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
+    ):
+        yield Induction("of states", n, none, ((x, 0, x),)).but(**changes), why
+
+
+REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
+
+
+@pytest.mark.parametrize(("claim", "why"), REFUSED, ids=lambda part: getattr(part, "name", ""))
+def test_what_no_rule_translates_is_refused(claim, why):
+    with pytest.raises(Untranslatable, match=why):
+        statements(claim, {})
