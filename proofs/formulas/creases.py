@@ -19,7 +19,7 @@ def kink_flag(field: HeightField) -> Program:
     """Return the program → 1 where a crease factor is below KINK_BAND in magnitude, and at the pole; else 0."""
     at_pole = sin_phi <= 0
     close = [Abs(factor) < KINK_BAND for factor in field.creases]
-    return Program(f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), ((kink, where(Or(at_pole, *close), 1, 0)),))
+    return Program(f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), {kink: where(Or(at_pole, *close), 1, 0)})
 
 
 def straddling(field: HeightField) -> Program:

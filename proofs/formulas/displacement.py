@@ -12,7 +12,7 @@ from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_no
 h_theta, h_phi, lift = real("h_theta h_phi lift")
 displaced = vector("displaced")
 
-_angular_slopes = Program("angular_slopes", (h_u, h_v), ((h_theta, h_u / 2 / pi), (h_phi, h_v / pi)), (h_theta, h_phi))
+_angular_slopes = Program("angular_slopes", (h_u, h_v), {h_theta: h_u / 2 / pi, h_phi: h_v / pi}, (h_theta, h_phi))
 """h_θ = h_u/2π, h_φ = h_v/π: the chart's scale."""
 
 

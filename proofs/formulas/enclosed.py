@@ -11,15 +11,15 @@ total, product, quotient, root, chosen, left, right = real("total product quotie
 below, nearest = real("below nearest")
 
 RULES = by_name((
-    Program("enclosed_sum", (x, y), ((total, x + y),)),
-    Program("enclosed_product", (x, y), ((product, x * y),)),
-    Program("enclosed_quotient", (x, y), ((quotient, x / y),)),
-    Program("enclosed_root", (x,), ((root, sqrt(x)),)),
-    Program("enclosed_floor", (x,), ((below, floor(x)),)),
-    Program("enclosed_nearest", (x,), ((nearest, rint(x)),)),
+    Program("enclosed_sum", (x, y), {total: x + y}),
+    Program("enclosed_product", (x, y), {product: x * y}),
+    Program("enclosed_quotient", (x, y), {quotient: x / y}),
+    Program("enclosed_root", (x,), {root: sqrt(x)}),
+    Program("enclosed_floor", (x,), {below: floor(x)}),
+    Program("enclosed_nearest", (x,), {nearest: rint(x)}),
     Program(
         "enclosed_selection",
         (left, right, x, y),
-        ((chosen, where(StrictLessThan(left, right), x, y)),),
+        {chosen: where(StrictLessThan(left, right), x, y)},
     ),
 ))  # fmt: skip

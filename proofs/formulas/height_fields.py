@@ -153,7 +153,7 @@ def _named_factors(field):
 
 def height(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h."""
-    return Program(f"height_{field.name}", (u, v, k_u, k_v), ((h, field.expression),))
+    return Program(f"height_{field.name}", (u, v, k_u, k_v), {h: field.expression})
 
 
 @evaluated
@@ -169,18 +169,18 @@ def gradient_from_factors(field: HeightField) -> Program:
     names = _named_factors(field)
     slopes = tuple(derivative.subs(names) for derivative in field.gradient())
     inputs = (sin_u, cos_u, sin_v, cos_v, k_u, k_v)
-    return Program(f"gradient_from_factors_{field.name}", inputs, (((h_u, h_v), slopes),))
+    return Program(f"gradient_from_factors_{field.name}", inputs, {(h_u, h_v): slopes})
 
 
 @evaluated
 def gradient(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h_u, h_v: the general exact gradient, any real k_u and k_v."""
     if field.wave_numbers is None:
-        return Program(f"gradient_{field.name}", (u, v, k_u, k_v), (((h_u, h_v), field.gradient()),))
+        return Program(f"gradient_{field.name}", (u, v, k_u, k_v), {(h_u, h_v): field.gradient()})
     named, tail = factors(field), gradient_from_factors(field)
     return Program(f"gradient_{field.name}", (u, v, k_u, k_v), named.definitions + tail.definitions, (h_u, h_v))
 
 
 slope_value = real("slope")
-slope = Program("slope", (h_u, h_v), ((slope_value, sqrt(h_u**2 + h_v**2)),))
+slope = Program("slope", (h_u, h_v), {slope_value: sqrt(h_u**2 + h_v**2)})
 """|∇h| = √(h_u² + h_v²), in the chart."""

@@ -3,9 +3,9 @@
 from proofs.engine.theorem import Step, Theorem
 
 theorem = Theorem(
-    id="binades",
-    title="The slope dies by binades",
-    statement=r"For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where "
+    "binades",
+    "The slope dies by binades",
+    r"For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where "
     r"$0 < \varepsilon < s/2$ (at $u = 2^k$: $\varepsilon \le s/4$), $\mathrm{fl}(u \pm \varepsilon) = u$, and the "
     r"computed $h_u$ is exactly 0 for every height; in $v$ the same, up to $v = 1$. At the tie $\varepsilon = s/2$, "
     r"for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where $m$ is even, and twice the slope of $h = u$ or "

@@ -16,12 +16,12 @@ from proofs.theorems.normal import at, tangent
 from proofs.theorems.relations import QUARTER
 
 _ridges = HEIGHT_FIELDS["ridges"]
-_any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
+_any_gradient = Program("any_gradient", (h_u, h_v), {}, (h_u, h_v))
 LIGHTS = 5  # as many as a scene may have
 _chamber = (surface, *(occlusion(light) for light in range(LIGHTS)), dark_square)
 _unmoved = {
     model: Separation(
-        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
+        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, bumped)
     )
     for model in LIGHT_MODELS
 }
@@ -30,7 +30,7 @@ _by_difference = {
         f"{method.__name__}_{name}",
         pixel(field, lights=1, gradient_program=method(field)),
         (surface, occlusion(0), dark_square),
-        (k_u, k_v, epsilon, h_u, h_v, beta, *bumped),
+        (k_u, k_v, epsilon, h_u, h_v, beta, bumped),
     )
     for method in (forward, central, central4)
     for name, field in HEIGHT_FIELDS.items()
@@ -38,12 +38,12 @@ _by_difference = {
 _mu = Symbol("mu_0", real=True)
 
 theorem = Theorem(
-    id="bump_moves_no_boundary",
-    title="The bump moves no boundary",
-    statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
+    "bump_moves_no_boundary",
+    "The bump moves no boundary",
+    r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
     r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
     hypotheses=(
-        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field",
+        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field"
     ),
     claims=(*_unmoved.values(), *_by_difference.values()),
     steps=(
@@ -52,30 +52,30 @@ theorem = Theorem(
         Step(r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$", "look"),
     ),
     mutants=(
-        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=(_mu,), avoid=(beta,)),
-        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=(beta,)),
-        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=(epsilon,)),
+        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=_mu, avoid=beta),
+        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=beta),
+        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=epsilon),
     ),
 )
 
 _in_light = Claim(
     "in_light",
-    (dot(bumped, towards) > 0,),
-    (*tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
+    dot(bumped, towards) > 0,
+    (tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
     perturbed,
     squares=beta * g,
 )
 
 attached_shadow = Theorem(
-    id="attached_shadow",
-    title="The bump moves no shadow",
-    statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
-    claims=(_in_light,),
+    "attached_shadow",
+    "The bump moves no shadow",
+    r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
+    claims=_in_light,
     refuted_at={**at(3 * QUARTER), towards: (Rational(-12, 13), 0, Rational(5, 13))},
-    steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
+    steps=Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),
     mutants=(
-        variant("true at β = 0", _in_light, given=(*_in_light.given, equation(beta, 0))),
-        variant("true where β g·ω ≥ 0", _in_light, given=(*_in_light.given, beta * dot(g, towards) >= 0)),
+        variant("true at β = 0", _in_light, given=(_in_light.given, equation(beta, 0))),
+        variant("true where β g·ω ≥ 0", _in_light, given=(_in_light.given, beta * dot(g, towards) >= 0)),
     ),
-    uses=("unit_length",),
+    uses="unit_length",
 )

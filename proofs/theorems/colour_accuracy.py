@@ -29,9 +29,9 @@ _shares = tuple(
 )
 
 theorem = Theorem(
-    id="colour_accuracy",
-    title="What float64 loses between the gradient and the colour",
-    statement=rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
+    "colour_accuracy",
+    "What float64 loses between the gradient and the colour",
+    rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; a "
     rf"light's share leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
@@ -53,7 +53,7 @@ theorem = Theorem(
         Rounded(
             "cosine",
             light_direction,
-            ((mu, COSINE * _UNIT),),
+            {mu: COSINE * _UNIT},
             (
                 dot(_to_light, _to_light) >= Pow(2, -40),
                 dot(_to_light, _to_light) <= Pow(2, 900),
@@ -64,7 +64,7 @@ theorem = Theorem(
             Rounded(
                 f"share_{name}",
                 light_term,
-                ((channel, SHARE * _UNIT * share + Pow(10, -30)),),
+                {channel: SHARE * _UNIT * share + Pow(10, -30)},
                 (
                     *(weight >= 0 for weight in (before, color, albedo, kd, ks, specular)),
                     *(weight <= Pow(2, 20) for weight in (color, albedo)),
@@ -74,7 +74,7 @@ theorem = Theorem(
                 ("red", "green", "blue"), lit, _shares, colors, light_colors, albedos, strict=True
             )
         ),
-        Rounded("clip", clip, ((clipped, Rational(0)),)),
+        Rounded("clip", clip, {clipped: Rational(0)}),
     ),
     steps=(
         Step(r"$N + \beta g$ is off by $\tfrac94\mu$ of its length", "two roundings a component"),

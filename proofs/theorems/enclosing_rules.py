@@ -10,9 +10,9 @@ from proofs.formulas.symbols import real, x, y
 x_error, y_error, x_exact = real("x_error y_error x_exact")
 
 theorem = Theorem(
-    id="enclosing_rules",
-    title="The rules of the enclosing machine",
-    statement=r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
+    "enclosing_rules",
+    "The rules of the enclosing machine",
+    r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
     r"float64. By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of "
     r"the whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if "
     r"the counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, "
@@ -30,8 +30,8 @@ theorem = Theorem(
             (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
         ),
         Encloses("root", RULES["enclosed_root"], (x >= 0, x_exact >= 0)),
-        Encloses("floor", RULES["enclosed_floor"], (x_error <= Pow(2, 60),)),
-        Encloses("nearest", RULES["enclosed_nearest"], (x_error <= Pow(2, 60),)),
+        Encloses("floor", RULES["enclosed_floor"], x_error <= Pow(2, 60)),
+        Encloses("nearest", RULES["enclosed_nearest"], x_error <= Pow(2, 60)),
         Encloses("selection", RULES["enclosed_selection"]),
     ),
     steps=(

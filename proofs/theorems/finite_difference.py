@@ -10,8 +10,6 @@ from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
 from proofs.theorems.relations import EIGHTH, HALF, rings, sine
 
-name = "central_difference_of_sine"
-
 
 def difference(field: HeightField, output: Symbol) -> Expr:
     """Return the central difference away from the seam and the poles, as one expression."""
@@ -30,7 +28,7 @@ def _times_sinc(name, field, output, frequency, given):
         equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
     )
     (k,) = frequency.free_symbols
-    return Claim(name, shows, (*given, k > 0), ranges=INSIDE)
+    return Claim(name, shows, (given, k > 0), ranges=INSIDE)
 
 
 _u = _times_sinc("sine_in_u", sine, h_u, k_u, nothing_wraps)
@@ -48,16 +46,16 @@ _cosine = Claim(
         equation(
             (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
             -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
-        ),
+        )
     ),
     (epsilon > 0, k_u > 0),
 )
 _angle = pi * k_u * epsilon
 
 theorem = Theorem(
-    id=name,
-    title="The central difference of a sine",
-    statement=r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
+    "central_difference_of_sine",
+    "The central difference of a sine",
+    r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
     r"$\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in $v$; "
     r"rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.",
     hypotheses=(
@@ -80,9 +78,9 @@ theorem = Theorem(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            holds=[{v: EIGHTH, epsilon: EIGHTH}],
-            fails=[{v: EIGHTH, epsilon: Rational(1, 7)}],
+            holds={v: EIGHTH, epsilon: EIGHTH},
+            fails={v: EIGHTH, epsilon: Rational(1, 7)},
         ),
-        SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[{u: Rational(1, 3), epsilon: 0, k_u: 8}]),
+        SideCondition(r"$\varepsilon > 0$", "cosine", undefined={u: Rational(1, 3), epsilon: 0, k_u: 8}),
     ),
 )

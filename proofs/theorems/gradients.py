@@ -23,7 +23,7 @@ _sine = Claim(
     (
         equation(h_u, pi * k_u * cos(pi * k_u * u) * sin(pi * k_v * v)),
         equation(h_v, pi * k_v * sin(pi * k_u * u) * cos(pi * k_v * v)),
-        *equations((h_u, h_v), _of_sine),
+        equations((h_u, h_v), _of_sine),
         _difference(sine, u, h_u, pi * k_u),
         _difference(sine, v, h_v, pi * k_v),
     ),
@@ -34,7 +34,7 @@ _rings = Claim(
     (
         equation(h_u, 0),
         equation(h_v, 2 * pi * k_v * cos(2 * pi * k_v * v)),
-        *equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
+        equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
         _difference(rings, v, h_v, 2 * pi * k_v),
     ),
     lines=gradient(rings),
@@ -44,10 +44,10 @@ _ridges = tuple(
     Claim(
         f"ridges_{name}",
         (
-            *equations((h_u, h_v), [Derivative(ridges.expression, c) for c in (u, v)]),
-            *equations((h_u, h_v), [side * s for s in _of_sine]),
+            equations((h_u, h_v), [Derivative(ridges.expression, c) for c in (u, v)]),
+            equations((h_u, h_v), [side * s for s in _of_sine]),
         ),
-        (side * _p > 0,),
+        side * _p > 0,
         gradient(ridges),
     )
     for name, side in SIDES
@@ -55,18 +55,18 @@ _ridges = tuple(
 _printed = Claim("ridges_on_creases", zero(h_u, h_v), zero(_p), gradient(ridges))
 p, d = real("p d")
 _same = equation(Abs(p + d), Abs(p) + sign(p) * d)
-_near = Claim("same_sign", (_same,), (p > 0, p + d >= 0))
-_mirrored = Claim("same_sign_below", (_same,), (p < 0, p + d <= 0))
+_near = Claim("same_sign", _same, (p > 0, p + d >= 0))
+_mirrored = Claim("same_sign_below", _same, (p < 0, p + d <= 0))
 
 theorem = Theorem(
-    id="gradients",
-    source="DLMF",
-    title="The gradients of the three fields",
-    statement=r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "
+    "gradients",
+    "The gradients of the three fields",
+    r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "
     r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: $\operatorname{sign}(p)\,p_u$ "
     r"and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the creases the kernels print 0.",
     hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
-    claims=(_sine, _rings, *_ridges, _printed, _near, _mirrored),
+    claims=(_sine, _rings, _ridges, _printed, _near, _mirrored),
+    source="DLMF",
     steps=(
         Step(
             r"$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$, "
@@ -87,8 +87,8 @@ theorem = Theorem(
         SideCondition(
             r"$|d| \le |p|$: no crease is crossed",
             "same_sign",
-            holds=[{p: 1, d: -1}],
-            fails=[{p: 1, d: -2}, {p: 0, d: 1}],
-        ),
+            holds={p: 1, d: -1},
+            fails=({p: 1, d: -2}, {p: 0, d: 1}),
+        )
     ),
 )

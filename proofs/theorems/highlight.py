@@ -34,16 +34,16 @@ x, z = real("x z")
 
 _scalar = Claim(
     "along_a_direction",
-    (apart**2 - dot(n - m, omega) ** 2 >= 0, *both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
+    (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
+    (apart >= 0, _gap, equation(dot(omega, omega), 1)),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
 _clamps = Claim(
     "clamps",
     (
-        *both_ways(Abs(x - z), Max(0, x) - Max(0, z)),
-        *both_ways(Abs(x - z), _upper.subs(color, x) - _upper.subs(color, z)),
+        both_ways(Abs(x - z), Max(0, x) - Max(0, z)),
+        both_ways(Abs(x - z), _upper.subs(color, x) - _upper.subs(color, z)),
     ),
 )
 
@@ -74,7 +74,7 @@ def gram(a: Expr, b: Expr, c: Expr) -> Expr:
 _reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
 _swung = _reflected[0] - _reflected[1]
 _a, _b, _c = real("a b c")
-_gram = Claim("gram", (equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)),), _units)
+_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _units)
 _swing = Claim(
     "mirror",
     (
@@ -93,7 +93,7 @@ _twice = Claim(
         equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
         equation(apart**2, 2 - 2 * _c),
     ),
-    squares=(1 - _c,),
+    squares=1 - _c,
 )
 _blinn = Claim(
     "blinn",
@@ -128,7 +128,7 @@ _signs = Claim(
 )
 _power = Claim(
     "power",
-    (power >= quotient, *both_ways(power * (x - z), of_x - of_z)),
+    (power >= quotient, both_ways(power * (x - z), of_x - of_z)),
     (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
@@ -136,9 +136,9 @@ _dropped = tuple((s, start, x * quotient if s == quotient else following) for s,
 _parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 
 theorem = Theorem(
-    id="specular_lipschitz",
-    title="The highlight is Lipschitz in the normal",
-    statement=(
+    "specular_lipschitz",
+    "The highlight is Lipschitz in the normal",
+    (
         Clause(
             r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
             (_scalar, _clamps, _blinn, _gram, _swing, _twice),
@@ -168,37 +168,37 @@ theorem = Theorem(
     mutants=(
         variant("Phong's base is 1-Lipschitz", _twice, apart >= turned),
         variant("the reflection without its factor 2", _swing, equation(_swing.shows[0].lhs, _gram_part)),
-        variant("p − 1 in place of p", _power, *both_ways((power - 1) * (x - z), of_x - of_z)),
+        variant("p − 1 in place of p", _power, both_ways((power - 1) * (x - z), of_x - of_z)),
         variant("x^p − z^p with the quotient's last term dropped", _powers, states=_dropped),
     ),
     side_conditions=(
         SideCondition(
             r"$\omega$ has length 1",
             "along_a_direction",
-            holds=[_parallel | {omega: (1, 0, 0)}],
-            fails=[_parallel | {omega: (2, 0, 0)}],
-        ),
+            holds=_parallel | {omega: (1, 0, 0)},
+            fails=_parallel | {omega: (2, 0, 0)},
+        )
     ),
 )
 
 bound = real("bound")
-_root = Claim("root", (bound * x >= sqrt(x),), (x >= 0, x <= 1, bound >= 1))
+_root = Claim("root", bound * x >= sqrt(x), (x >= 0, x <= 1, bound >= 1))
 
 below_one = Theorem(
-    id="highlight_below_one",
-    title="A shininess below 1",
-    statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
-    hypotheses=("$L \\ge 1$",),
-    claims=(_root,),
+    "highlight_below_one",
+    "A shininess below 1",
+    r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
+    hypotheses="$L \\ge 1$",
+    claims=_root,
     refuted_at={x: Rational(1, 4096), bound: 32},
-    steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
+    steps=Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),
     mutants=(
-        variant("true where x ≥ 1/L²", _root, given=(*_root.given, bound * sqrt(x) >= 1)),
+        variant("true where x ≥ 1/L²", _root, given=(_root.given, bound * sqrt(x) >= 1)),
         Mutant(
             "false for every L, at x = 1/4L²",
             Claim(
                 "any_bound",
-                (*positive(bound, z), sqrt(z**2) > bound * z**2),
+                (positive(bound, z), sqrt(z**2) > bound * z**2),
                 (bound >= 1, z >= 0, equation(2 * bound * z, 1)),
             ),
         ),
@@ -210,11 +210,11 @@ _plain = instance(blinn, "plain")
 _both = chain("both", blinn_squared, _plain)
 _mu, _base, _length = real("mu_plain specular_base_plain halfway_length_plain")
 _plain_halfway = Vector(real(f"{s.name}_plain") for s in halfway)
-_k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), (light_distance > 0,), _both)
-_cosine = Claim("cosine", (equation(mu, _mu),), (halfway_squared > 0,), _both)
+_k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), light_distance > 0, _both)
+_cosine = Claim("cosine", equation(mu, _mu), halfway_squared > 0, _both)
 _base_squared = Claim(
     "base",
-    (equation(blinn_squared[specular_base], _base**2),),
+    equation(blinn_squared[specular_base], _base**2),
     (
         equation(light_scale * light_distance * halfway_squared, 1),
         equation(light_distance**2 * _length**2, halfway_squared),
@@ -223,9 +223,9 @@ _base_squared = Claim(
 )
 
 squared = Theorem(
-    id="squared_highlight",
-    title="The highlight from one root and one division",
-    statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
+    "squared_highlight",
+    "The highlight from one root and one division",
+    r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
     r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
     hypotheses=(
         "$L \\ne P$",

@@ -97,21 +97,21 @@ _near_a = Claim(
         (rho**2 + eye**2) * t - eye**2 + root_a >= 0,
         t >= t_a,
     ),
-    (*ray_meets_a, equation(distance_squared(along(t), _origin), radius**2)),
+    (ray_meets_a, equation(distance_squared(along(t), _origin), radius**2)),
     hit_of_a,
 )
 _misses_a = Claim(
     "misses",
     (distance_squared(along(t), _origin) > radius**2, equation(hits_a, 0)),
-    (*eye_outside_a, discriminant_a < 0),
+    (eye_outside_a, discriminant_a < 0),
     hit_of_a,
-    squares=((rho**2 + eye**2) * t - eye**2,),
+    squares=(rho**2 + eye**2) * t - eye**2,
 )
 
 theorem_a = Theorem(
-    id="hit_of_a",
-    title="The near hit with sphere A",
-    statement=r"If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least "
+    "hit_of_a",
+    "The near hit with sphere A",
+    r"If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least "
     r"root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.",
     hypotheses=(r"$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_solves_a, _near_a, _misses_a),
@@ -132,11 +132,11 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[off_the_axis(3 * QUARTER)],
-            fails=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
+            holds=off_the_axis(3 * QUARTER),
+            fails={x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)},
         ),
         SideCondition(
-            "$e > R$", "solves", undefined=[{x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1}]
+            "$e > R$", "solves", undefined=({x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1})
         ),
     ),
 )
@@ -162,7 +162,7 @@ _length = dot(ray_direction, ray_direction)
 _near_b = Claim(
     "near",
     (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
-    (eye > 0, *_sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (eye > 0, _sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
 _behind_b = Claim(
@@ -178,12 +178,12 @@ _outward_b = Claim(
     "outward",
     (
         ray_length_squared > 0,
-        *equations(radius_vector, _from_the_center),
+        equations(radius_vector, _from_the_center),
         equation(radius_length, ball_radius),
-        *equations(ball_radius * normal, _from_the_center),
-        *equations(point, along(t_b)),
+        equations(ball_radius * normal, _from_the_center),
+        equations(point, along(t_b)),
     ),
-    (*_sees_b, ball_radius > 0),
+    (_sees_b, ball_radius > 0),
     _whole,
 )
 _seed_c = sum(c**2 for c in ball_center) - ball_radius**2
@@ -199,12 +199,12 @@ _quadratic = Claim(
 )
 
 theorem_b = Theorem(
-    id="hit_of_b",
-    title="The near hit with sphere B",
-    statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
+    "hit_of_b",
+    "The near hit with sphere B",
+    r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
     r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
     r"if $b \le 0$, every root is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.",
-    hypotheses=("$c > 0$: the eye is outside B",),
+    hypotheses="$c > 0$: the eye is outside B",
     claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
     steps=(
         Step(r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$", "expansion"),
@@ -216,31 +216,30 @@ theorem_b = Theorem(
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
-        variant("the inward normal", _outward_b, *equations(-ball_radius * normal, _from_the_center)),
-        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
+        variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
+        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, _behind_b.given[2:])),
     ),
     side_conditions=(
         SideCondition(
             "$c > 0$: the eye is outside B",
             "solves",
-            fails=[_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)],
-        ),
+            fails=(_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)),
+        )
     ),
 )
 _default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
 
 seed_quadratic = Theorem(
-    id="seed_quadratic_of_b",
-    title="The seed's quadratic for sphere B",
-    statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
-    claims=(Claim("constant", (equation(_seed_c, _c),)),),
+    "seed_quadratic_of_b",
+    "The seed's quadratic for sphere B",
+    r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
+    claims=Claim("constant", equation(_seed_c, _c)),
     refuted_at=_default,
-    steps=(Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),),
+    steps=Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),
     mutants=(
         Mutant("the constant is |E − C|² − R₂²", _quadratic),
         Mutant(
-            "the two agree where e = 2 C_z",
-            Claim("agree", (equation(_seed_c, _c),), (equation(eye, 2 * ball_center[2]),)),
+            "the two agree where e = 2 C_z", Claim("agree", equation(_seed_c, _c), equation(eye, 2 * ball_center[2]))
         ),
     ),
 )
@@ -258,7 +257,7 @@ _before = Claim(
     "before",
     (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)),
     (b > 35 * QUARTER, d > 0),
-    ranges=((b, (9, 12)), (d, (0, 100))),
+    ranges={b: (9, 12), d: (0, 100)},
 )
 _behind = Claim(
     "behind",
@@ -268,15 +267,15 @@ _behind = Claim(
 )
 
 hidden = Theorem(
-    id="seed_covers_the_view",
-    title="With the seed's quadratic B is everywhere",
-    statement="In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
+    "seed_covers_the_view",
+    "With the seed's quadratic B is everywhere",
+    "In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
     r"$|x|, |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e "
     r"= \frac34$. So B covers the view and A is never drawn.",
-    hypotheses=(r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",),
+    hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
     claims=(_covers, _before, _behind),
     steps=(
-        Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", ("hit_of_b",)),
+        Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", "hit_of_b"),
         Step(r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$", r"$|D|^2 = x^2+y^2+16 \le 24$"),
         Step(r"$c/(b+\sqrt d) < c/b < 1/4$", "$d > 0$"),
         Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
@@ -286,7 +285,7 @@ hidden = Theorem(
         variant("the root is beyond 1/4", _before, _root > QUARTER),
         variant("A's points have t ≥ 1", _behind, t >= 1, squares=()),
     ),
-    side_conditions=(
-        SideCondition(r"$|x|, |y| \le 2$", "covers", holds=[{x: -2, y: Rational(-19, 10)}], fails=[{x: -3, y: -3}]),
+    side_conditions=SideCondition(
+        r"$|x|, |y| \le 2$", "covers", holds={x: -2, y: Rational(-19, 10)}, fails={x: -3, y: -3}
     ),
 )

@@ -25,12 +25,12 @@ _angle = Claim(
 )
 
 angle = Theorem(
-    id="angle_of_the_bump",
-    title="The angle between N and N'",
-    statement=r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
+    "angle_of_the_bump",
+    "The angle between N and N'",
+    r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
     r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    claims=(_angle,),
+    claims=_angle,
     steps=(
         Step(r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$", r"$|N| = 1$, $N\cdot g = 0$"),
         Step(
@@ -44,9 +44,7 @@ angle = Theorem(
         variant("at least 45°", _angle, 2 * cosine**2 <= 1),
     ),
     side_conditions=(
-        SideCondition(
-            r"$N\cdot g = 0$", "angle", holds=[at(7)], fails=[at(1, (0, 0, 1))], undefined=[at(-1, (0, 0, 1))]
-        ),
+        SideCondition(r"$N\cdot g = 0$", "angle", holds=at(7), fails=at(1, (0, 0, 1)), undefined=at(-1, (0, 0, 1)))
     ),
 )
 
@@ -62,13 +60,13 @@ _small = Claim(
         w >= 0,
         w >= sqrt(dot(_moved, _moved)),
     ),
-    (*tangent, _w),
+    (tangent, _w),
     perturbed,
     borrowed=_length,
     ranges=_clear,
 )
-_still = Claim("zero_beta", equations(bumped, normal), (*tangent, equation(beta, 0)), perturbed, ranges=_clear)
-_flat = Claim("zero_height", equations(bumped, normal), (*tangent, *equations(g, (0, 0, 0))), perturbed, ranges=_clear)
+_still = Claim("zero_beta", equations(bumped, normal), (tangent, equation(beta, 0)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (tangent, equations(g, (0, 0, 0))), perturbed, ranges=_clear)
 
 
 def _large(name, side):
@@ -78,7 +76,7 @@ def _large(name, side):
     return Claim(
         name,
         (
-            *positive(sqrt(_g_squared), w),
+            positive(sqrt(_g_squared), w),
             equation(w**2, beta**2 * _g_squared),
             equation(m_length**2, 1 + w**2),
             m_length >= w,
@@ -88,7 +86,7 @@ def _large(name, side):
             at_least(1, w**2 * dot(gap, gap)),
             at_least(1, w * sqrt(dot(gap, gap))),
         ),
-        (*tangent, side * beta > 0, _g_squared > 0, _w),
+        (tangent, side * beta > 0, _g_squared > 0, _w),
         perturbed,
         borrowed=_length,
         ranges=_clear,
@@ -99,10 +97,10 @@ _up, _down = _large("large_beta", 1), _large("large_negative_beta", -1)
 _gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 
 limits = Theorem(
-    id="normal_limits",
-    title="The bumped normal for small and large β",
-    statement=(
-        Clause(r"$|N'-N| \le |\beta||g|$;", (_small,)),
+    "normal_limits",
+    "The bumped normal for small and large β",
+    (
+        Clause(r"$|N'-N| \le |\beta||g|$;", _small),
         Clause(
             r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.",
             (_up, _down),
@@ -126,10 +124,10 @@ limits = Theorem(
         SideCondition(
             r"$\beta \ne 0$, $g \ne 0$",
             "large_beta",
-            holds=[{**at(3 * QUARTER), w: 3 * QUARTER}],
-            fails=[{**at(0), w: 0}],
-            undefined=[{**at(1, (0, 0, 0)), w: 0}],
-        ),
+            holds={**at(3 * QUARTER), w: 3 * QUARTER},
+            fails={**at(0), w: 0},
+            undefined={**at(1, (0, 0, 0)), w: 0},
+        )
     ),
 )
 
@@ -139,12 +137,12 @@ _within = Claim(
     "shadow_line",
     (
         equation(w**2, beta**2 * _g_squared),
-        *nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
+        nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
         _cosine > 0,
         equation(m_length * dot(bumped, towards), _cosine),
         dot(bumped, towards) > 0,
     ),
-    (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
+    (tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
     perturbed,
     squares=cross(g, towards),
     borrowed=_length,
@@ -153,12 +151,12 @@ _within = Claim(
 _light = {towards: (Rational(-3, 5), 0, Rational(4, 5))}
 
 shadow_line = Theorem(
-    id="shadow_line_moves_within",
-    title="How far the bump can move an attached shadow",
-    statement=r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
+    "shadow_line_moves_within",
+    "How far the bump can move an attached shadow",
+    r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
     r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
-    claims=(_within,),
+    claims=_within,
     steps=(
         Step(r"$(g\cdot\omega)^2 \le |g|^2$", "Lagrange's identity"),
         Step(r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$", "expansion"),
@@ -168,8 +166,8 @@ shadow_line = Theorem(
         variant(
             "N·ω > ½|β||g| suffices",
             _within,
-            *_within.shows[-1:],
-            given=(*_within.given[:-1], dot(normal, towards) > w / 2),
+            _within.shows[-1:],
+            given=(_within.given[:-1], dot(normal, towards) > w / 2),
             at={**at(1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
         ),
         variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
@@ -178,8 +176,8 @@ shadow_line = Theorem(
         SideCondition(
             r"$N\cdot\omega > |\beta||g|$",
             "shadow_line",
-            holds=[{**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}],
-            fails=[{**at(Rational(4, 3)), **_light, w: Rational(4, 3)}, {**at(0), towards: (1, 0, 0), w: 0}],
-        ),
+            holds=({**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}),
+            fails=({**at(Rational(4, 3)), **_light, w: Rational(4, 3)}, {**at(0), towards: (1, 0, 0), w: 0}),
+        )
     ),
 )

@@ -40,7 +40,7 @@ _quadratic = Claim(
     squares=segment,
 )
 _conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
-_program = Claim("program", (equation(occluded, 1),), _conditions, shadow)
+_program = Claim("program", equation(occluded, 1), _conditions, shadow)
 _a, _b, _c, _d = real("a b c d")
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
 _first = (_b - sqrt(_d)) / _a
@@ -49,19 +49,19 @@ _if = Claim(
     (
         _a > 0,
         equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
-        *positive(_b + sqrt(_d), _b - sqrt(_d)),
+        positive(_b + sqrt(_d), _b - sqrt(_d)),
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
-        *positive(_a - _b + sqrt(_d), 1 / _a, _first),
+        positive(_a - _b + sqrt(_d), 1 / _a, _first),
         greater(1, _first),
         equation(_a * _first**2 - 2 * _b * _first + _c, 0),
     ),
-    (*_positive_at_p, _d >= 0, _b > 0, _b < _a),
+    (_positive_at_p, _d >= 0, _b > 0, _b < _a),
 )
 _only_if = Claim(
     "only_if",
-    (*positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
-    (*_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
-    squares=(_a * s - _b,),
+    (positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
+    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    squares=_a * s - _b,
 )
 _of_b = Claim(
     "of_b",
@@ -70,7 +70,7 @@ _of_b = Claim(
             discriminant_b,
             toward_b**2
             - dot(ray_direction, ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
-        ),
+        )
     ),
     (),
     hit_of_b,
@@ -81,12 +81,12 @@ _wrong_side = toward_b**2 - dot(ray_direction, ray_direction) * (
 )
 
 lagrange = Theorem(
-    id="lagrange_identity",
-    title="Both discriminants without cancellation",
-    statement=r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
+    "lagrange_identity",
+    "Both discriminants without cancellation",
+    r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
     r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
     claims=(_of_b, _of_shadow),
-    steps=(Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),),
+    steps=Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),
     mutants=(
         variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
         variant(
@@ -98,17 +98,17 @@ lagrange = Theorem(
 )
 
 theorem = Theorem(
-    id="occlusion_by_signs",
-    title="The shadow test by signs",
-    statement="Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in "
+    "occlusion_by_signs",
+    "The shadow test by signs",
+    "Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in "
     r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
-    hypotheses=("$|C-P| > r$ and $|C-L| > r$",),
+    hypotheses="$|C-P| > r$ and $|C-L| > r$",
     claims=(_quadratic, _program, _if, _only_if),
     steps=(
         Step(
             r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$",
             "expansion; positive at $s = 0$ and $s = 1$",
-            ("lagrange_identity",),
+            "lagrange_identity",
         ),
         Step(
             r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$",
@@ -121,16 +121,16 @@ theorem = Theorem(
     ),
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
-        variant("without the vertex after P", _if, _first > 0, given=(*_if.given[:-2], _a > 0, _b < _a)),
+        variant("without the vertex after P", _if, _first > 0, given=(_if.given[:-2], _a > 0, _b < _a)),
         variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: HALF}),
     ),
     side_conditions=(
-        SideCondition("$|C-P| > r$", "if", fails=[{_a: 4, _b: 2, _c: 0, _d: 4}]),
+        SideCondition("$|C-P| > r$", "if", fails={_a: 4, _b: 2, _c: 0, _d: 4}),
         SideCondition(
             "$|C-L| > r$",
             "only_if",
-            holds=[{_a: 4, _b: 3, _c: 2, _d: 1, s: HALF}],
-            fails=[{_a: 4, _b: 4, _c: 3, _d: 4, s: HALF}],
+            holds={_a: 4, _b: 3, _c: 2, _d: 1, s: HALF},
+            fails={_a: 4, _b: 4, _c: 3, _d: 4, s: HALF},
         ),
     ),
 )
@@ -143,7 +143,7 @@ _cone = Claim(
     "cone",
     (
         equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
-        *nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
+        nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
         equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
         distance - wander > body_radius,
         (distance - wander) ** 2 > body_radius**2,
@@ -163,22 +163,22 @@ _cone = Claim(
 _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
     "within",
-    ((share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),),
-    (ball_radius**2 >= dot(_to_ball, _to_ball),),
-    squares=(share,),
+    (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),
+    ball_radius**2 >= dot(_to_ball, _to_ball),
+    squares=share,
 )
 _on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)
 _clearance = Claim(
     "quadratic",
-    (equation(dot(_on_axis, _on_axis) - (body_radius + share * ball_radius) ** 2, _value),),
+    equation(dot(_on_axis, _on_axis) - (body_radius + share * ball_radius) ** 2, _value),
     (),
     shadow_clearance.keep(at_light, half_slope, curvature, name="along_the_axis"),
 )
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
 _least = tuple(
-    Claim(name, (_parabola >= bound,), given)
+    Claim(name, _parabola >= bound, given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
         ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
@@ -187,7 +187,7 @@ _least = tuple(
 )
 _chord = Claim(
     "bends_down",
-    (_parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),),
+    _parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),
     (share >= 0, share <= 1, _bend <= 0),
 )
 
@@ -199,25 +199,25 @@ def _points(apart):
 
 
 cone = Theorem(
-    id="shadow_out_of_reach",
-    title="A body that clears the cone of light casts no shadow",
-    statement=(
+    "shadow_out_of_reach",
+    "A body that clears the cone of light casts no shadow",
+    (
         Clause(
             "The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within $ts$ "
             "of $L + t(C-L)$.",
-            (_within,),
+            _within,
         ),
         Clause(
             r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
             r"$r$ about $c$.",
-            (_cone,),
+            _cone,
         ),
         Clause(
             r"The squares' difference is a quadratic in $t$, least at an end or where it turns.",
-            (_clearance, *_least, _chord),
+            (_clearance, _least, _chord),
         ),
     ),
-    hypotheses=("$r, s > 0$",),
+    hypotheses="$r, s > 0$",
     steps=(
         Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),
         Step(r"$|X| - |w| > r + ts - |w| \ge r$", r"$|w| \le ts$"),
@@ -230,8 +230,8 @@ cone = Theorem(
         variant(
             "without the ball's reach",
             _cone,
-            *_cone.shows[-1:],
-            given=(*_cone.given[:3], distance > body_radius, *_cone.given[4:]),
+            _cone.shows[-1:],
+            given=(_cone.given[:3], distance > body_radius, _cone.given[4:]),
             at=_points(3 * HALF),
         ),
         variant("the ends are enough", _least[1], _parabola >= _low),
@@ -241,5 +241,5 @@ cone = Theorem(
             equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),
         ),
     ),
-    side_conditions=(SideCondition("$|X| > r + ts$", "cone", holds=[_points(Rational(5, 2))], fails=[_points(2)]),),
+    side_conditions=SideCondition("$|X| > r + ts$", "cone", holds=_points(Rational(5, 2)), fails=_points(2)),
 )

@@ -36,23 +36,23 @@ _small = between(-EIGHTH, EIGHTH, unit, first, second, third, fourth, excess)
 _three = Claim(
     "three_roundings_of_one",
     (
-        *nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
-        *both_ways((1 + unit) ** 3 - 1, growth - 1),
+        nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
+        both_ways((1 + unit) ** 3 - 1, growth - 1),
     ),
-    (*_unit, *both_ways(unit, first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
+    (_unit, both_ways(unit, first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
     ranges=_small,
 )
 _square = Claim(
     "square",
     (
         equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
-        *nonnegative(excess**2 - first**2, excess**2 - second**2),
+        nonnegative(excess**2 - first**2, excess**2 - second**2),
         excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
     (
         equation(off_first, first * complex_square.expand(product_real)),
         equation(off_second, second * complex_square.expand(product_imaginary)),
-        *both_ways(excess, first, second),
+        both_ways(excess, first, second),
     ),
     squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
     ranges=_small,
@@ -62,7 +62,7 @@ _product = Claim(
     "product",
     (
         equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
-        *nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
+        nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
         2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
         2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
         excess**2 >= 2 * _twice**2,
@@ -73,9 +73,9 @@ _product = Claim(
         _kappa,
         equation(off_first, first * _terms[0] - second * _terms[1]),
         equation(off_second, third * _terms[2] + fourth * _terms[3]),
-        *both_ways(_twice, first, second, third, fourth),
+        both_ways(_twice, first, second, third, fourth),
     ),
-    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], *_terms),
+    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], _terms),
     ranges=_small,
 )
 _power = Claim(
@@ -89,7 +89,7 @@ _power = Claim(
         (1 + excess) * most * most_other - 1 >= off,
     ),
     (
-        *nonnegative(excess, size, other_size, off_first, off_second),
+        nonnegative(excess, size, other_size, off_first, off_second),
         most - 1 >= off_first,
         most_other - 1 >= off_second,
         1 + off_first >= size,
@@ -106,23 +106,23 @@ _power = Claim(
 _factors = Claim(
     "factors",
     (
-        *both_ways(most_other, other_value),
-        *both_ways((most - 1) * most_other, (value - exact) * other_value),
-        *both_ways(most_other - 1, exact * (other_value - other_exact)),
-        *both_ways(most * most_other - 1, value * other_value - exact * other_exact),
+        both_ways(most_other, other_value),
+        both_ways((most - 1) * most_other, (value - exact) * other_value),
+        both_ways(most_other - 1, exact * (other_value - other_exact)),
+        both_ways(most * most_other - 1, value * other_value - exact * other_exact),
     ),
     (
-        *both_ways(1, exact, other_exact),
-        *both_ways(most - 1, value - exact),
-        *both_ways(most_other - 1, other_value - other_exact),
+        both_ways(1, exact, other_exact),
+        both_ways(most - 1, value - exact),
+        both_ways(most_other - 1, other_value - other_exact),
     ),
     ranges=(*between(-1, 1, exact, other_exact, value, other_value), *between(1, 2, most, most_other)),
 )
 
 theorem = Theorem(
-    id="rounded_powers",
-    title="What a power by repeated squaring loses",
-    statement=(
+    "rounded_powers",
+    "What a power by repeated squaring loses",
+    (
         Clause(
             r"In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or product "
             r"of complex numbers is off by at most $\kappa$ of its size.",
@@ -131,14 +131,14 @@ theorem = Theorem(
         Clause(
             r"Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is within "
             r"$(1+\kappa)AB-1$ of $ab$.",
-            (_power,),
+            _power,
         ),
         Clause(
             r"So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to one "
             r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.",
             argued="an induction over every order of the products, which the kernel has no rule for; Coq has one",
         ),
-        Clause(r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.", (_factors,)),
+        Clause(r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.", _factors),
     ),
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu \le \tfrac14$; nothing underflows",
@@ -175,6 +175,6 @@ theorem = Theorem(
                 (own, off): (4, 7),
             },
         ),
-        variant("the larger error alone", _factors, *both_ways(most - 1, value * other_value - exact * other_exact)),
+        variant("the larger error alone", _factors, both_ways(most - 1, value * other_value - exact * other_exact)),
     ),
 )

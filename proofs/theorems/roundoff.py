@@ -35,17 +35,17 @@ _both = (1 + first) * (1 + second)
 _two = Claim(
     "two_roundings",
     both_ways(two_roundings[excess], growth - 1),
-    (*_unit, *_factors[:4], equation(growth, _both)),
-    ranges=((unit, (0, QUARTER)), (first, (-QUARTER, QUARTER))),
+    (_unit, _factors[:4], equation(growth, _both)),
+    ranges={unit: (0, QUARTER), first: (-QUARTER, QUARTER)},
 )
 _three = Claim(
     "three_roundings",
     (
-        *nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
-        *both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
-        *both_ways(three_roundings[excess], growth - 1),
+        nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
+        both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
+        both_ways(three_roundings[excess], growth - 1),
     ),
-    (*_unit, *_factors, equation(growth * (1 + third), _both)),
+    (_unit, _factors, equation(growth * (1 + third), _both)),
     ranges=between(-EIGHTH, EIGHTH, unit, first, second, third),
 )
 
@@ -58,14 +58,14 @@ def _rounded(name, output, samples, over, given):
     return Claim(
         name,
         (
-            *both_ways(2 * _each, off),
-            *both_ways(2 * _each * (1 + excess), off * growth),
-            *both_ways(steepest * excess, mean * (growth - 1)),
+            both_ways(2 * _each, off),
+            both_ways(2 * _each * (1 + excess), off * growth),
+            both_ways(steepest * excess, mean * (growth - 1)),
             equation(over * (output * growth - mean), off * growth + over * mean * (growth - 1)),
-            *both_ways(over * bound, over * (output * growth - mean)),
-            *both_ways(bound, output * growth - mean),
+            both_ways(over * bound, over * (output * growth - mean)),
+            both_ways(bound, output * growth - mean),
         ),
-        (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
+        (given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
             *between(-QUARTER, QUARTER, off_plus, off_minus, mean),
@@ -88,22 +88,20 @@ def _at(error):
 
 
 theorem = Theorem(
-    id="roundoff_bound",
-    source="DLMF",
-    title="The rounding error of the central difference",
-    statement=(
+    "roundoff_bound",
+    "The rounding error of the central difference",
+    (
         Clause(
             r"With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$: "
             r"$|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, "
             r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,",
             (_in_u, _in_v),
         ),
-        Clause(r"and clamped at the pole over $S = v + \varepsilon$.", (_clamped,)),
+        Clause(r"and clamped at the pole over $S = v + \varepsilon$.", _clamped),
         Clause(
-            r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;",
-            (_two,),
+            r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;", _two
         ),
-        Clause(r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.", (_three,)),
+        Clause(r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.", _three),
     ),
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
@@ -111,6 +109,7 @@ theorem = Theorem(
         r"$v \pm \varepsilon$, clamped",
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),
+    source="DLMF",
     steps=(
         Step(r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$", r"the line, with $|e_\pm| \le \eta + L\alpha$"),
         Step(
@@ -123,13 +122,13 @@ theorem = Theorem(
         variant(
             "half of it: the two errors share 2ε",
             _in_u,
-            *both_ways(_each / (2 * epsilon) * (1 + excess) + steepest * excess, h_u * growth - mean),
+            both_ways(_each / (2 * epsilon) * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(evaluation),
         ),
         variant(
             "without the slope times the argument's error",
             _in_u,
-            *both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
+            both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(argument),
         ),
         variant(
@@ -147,10 +146,8 @@ theorem = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$\varepsilon > 0$",
-            "in_u",
-            undefined=[dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)],
-        ),
+            r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
+        )
     ),
 )
 
@@ -159,8 +156,8 @@ _positive = (truncation > 0, best > 0, epsilon > 0, equation(rounding, best_step
 _least = Claim(
     "least",
     (
-        *positive(truncation * best, best**2, rounding),
-        *nonnegative(
+        positive(truncation * best, best**2, rounding),
+        nonnegative(
             truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
         ),
         truncation * epsilon**2 + rounding / epsilon >= _least_value,
@@ -168,17 +165,17 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    squares=(epsilon - best,),
+    squares=epsilon - best,
     ranges=between(0, 3, best, epsilon, rounding),
 )
 
 best_step_theorem = Theorem(
-    id="best_step",
-    title="The best step, and the floor that it leaves",
-    statement=r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
+    "best_step",
+    "The best step, and the floor that it leaves",
+    r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
     r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
-    claims=(_least,),
+    claims=_least,
     steps=(
         Step(
             r"$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E = "
@@ -188,10 +185,10 @@ best_step_theorem = Theorem(
         Step(r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$", "arithmetic"),
     ),
     mutants=(
-        variant("at (E/T)^{1/3}", _least, given=(*_positive[:3], equation(rounding, truncation * best**3))),
+        variant("at (E/T)^{1/3}", _least, given=(_positive[:3], equation(rounding, truncation * best**3))),
         variant("the floor 4Tε₀²", _least, truncation * epsilon**2 + rounding / epsilon >= 4 * truncation * best**2),
     ),
-    side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "least", undefined=[{truncation: 1, best: 1, rounding: 2, epsilon: 0}]),
+    side_conditions=SideCondition(
+        r"$\varepsilon > 0$", "least", undefined={truncation: 1, best: 1, rounding: 2, epsilon: 0}
     ),
 )

@@ -24,13 +24,13 @@ def _light(channel, factor=None):
     return Claim(
         f"light_{channel}",
         (
-            *nonnegative(albedo * kd, *weights),
+            nonnegative(albedo * kd, *weights),
             *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
-            *both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
+            both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
             *(c >= 0 for c in (albedo, color, kd, ks)),
-            *both_ways(so_far, before - _before),
+            both_ways(so_far, before - _before),
             *(r for _, change, largest in parts for r in both_ways(largest, change)),
         ),
     )
@@ -52,7 +52,7 @@ _all_lights = Claim(
             so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
         ),
-        *nonnegative(*_factors),
+        nonnegative(*_factors),
         _slope_error >= step,
     ),
 )
@@ -71,18 +71,18 @@ def _lamp(shine):
 
 
 difference_bound = Theorem(
-    id="difference_bound",
-    title="How far a gradient's error can move a colour",
-    statement=(
+    "difference_bound",
+    "How far a gradient's error can move a colour",
+    (
         Clause(
             r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,",
             _lights,
         ),
-        Clause("and the clip adds nothing;", (_clip,)),
+        Clause("and the clip adds nothing;", _clip),
         Clause(
             r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
             "up to five lights.",
-            (_all_lights,),
+            _all_lights,
         ),
     ),
     hypotheses=(
@@ -95,14 +95,14 @@ difference_bound = Theorem(
         Step(
             r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$",
             "Lipschitz, stage by stage",
-            uses=("specular_lipschitz",),
+            uses="specular_lipschitz",
         ),
         Step("the light's line", "products of non-negative weights with these; both ways round; over all lights"),
-        Step(r"$|\Delta N'| \le |\beta||\Delta g|$", "normalising", uses=("normalising_is_lipschitz",)),
+        Step(r"$|\Delta N'| \le |\beta||\Delta g|$", "normalising", uses="normalising_is_lipschitz"),
     ),
     mutants=(
         variant(
-            "the clip halves a change", _clip, *both_ways(_bound_on / 2, clipped_value(_first) - clipped_value(_second))
+            "the clip halves a change", _clip, both_ways(_bound_on / 2, clipped_value(_first) - clipped_value(_second))
         ),
         variant(
             "without the last light",
@@ -113,34 +113,34 @@ difference_bound = Theorem(
         Mutant("without the highlight", _at_unit_weights(_weights[0])),
         Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
     ),
-    side_conditions=(SideCondition("$k_s \\ge 0$", "light_0", holds=[_lamp(1), _lamp(0)], fails=[_lamp(-1)]),),
+    side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
 
 
 mean, sample, share, bound = real("mean sample share bound")
 _next = mean + share * (sample - mean)
-_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean, sample)))
+_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, both_ways(bound, mean, sample)))
 
 one_more = Theorem(
-    id="mean_keeps_the_bound",
-    title="A mean keeps the bound of its samples",
-    statement=r"If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one "
+    "mean_keeps_the_bound",
+    "A mean keeps the bound of its samples",
+    r"If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one "
     r"more sample is added, with the share $w$, stays within what bounds each.",
-    hypotheses=(r"$0 \le w \le 1$",),
-    claims=(_step,),
-    steps=(Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),),
+    hypotheses=r"$0 \le w \le 1$",
+    claims=_step,
+    steps=Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),
     mutants=(
         variant("the mean gains on its samples", _step, bound >= 2 * _next),
-        variant("a share beyond 1", _step, given=(share >= 0, share <= 2, *_step.given[2:])),
+        variant("a share beyond 1", _step, given=(share >= 0, share <= 2, _step.given[2:])),
         variant("the last sample is not bounded", _step, given=_step.given[:4]),
     ),
     side_conditions=(
         SideCondition(
             r"$0 \le w \le 1$",
             "one_more",
-            holds=[{mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}],
-            fails=[{mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}],
-        ),
+            holds=({mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}),
+            fails=({mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}),
+        )
     ),
 )
 
@@ -158,7 +158,7 @@ _normalise = Claim(
     "normalise",
     (
         equation(length_a**2 * length_b**2 - product**2, dot(cross(a, b), cross(a, b))),
-        *nonnegative(
+        nonnegative(
             length_a**2 * length_b**2 - product**2,
             length_a * length_b - 1,
             length_a * length_b - product,
@@ -172,13 +172,13 @@ _normalise = Claim(
         at_least(4, turned**2),
         at_least(2, turned),
     ),
-    (length_a >= 1, length_b >= 1, apart >= 0, *_outside),
-    squares=(*cross(a, b), length_a - length_b),
+    (length_a >= 1, length_b >= 1, apart >= 0, _outside),
+    squares=(cross(a, b), length_a - length_b),
 )
 _other_m, _other_g = vector("other_m"), vector("other_g")
 _moved = Claim(
     "moved",
-    (equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),),
+    equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),
     equations(_other_m, normal + beta * _other_g),
     perturbed,
 )
@@ -191,24 +191,24 @@ def _pair(length):
 
 
 normalising = Theorem(
-    id="normalising_is_lipschitz",
-    title="Normalising is 1-Lipschitz outside the unit ball",
-    statement=(
-        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", (_normalise,)),
+    "normalising_is_lipschitz",
+    "Normalising is 1-Lipschitz outside the unit ball",
+    (
+        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", _normalise),
         Clause(
             r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
             r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
-            (_moved,),
+            _moved,
         ),
     ),
-    hypotheses=(r"$|a|, |b| \ge 1$",),
+    hypotheses=r"$|a|, |b| \ge 1$",
     steps=(
         Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
         Step(
             r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$",
             r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$",
         ),
-        Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses=("unit_length",)),
+        Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses="unit_length"),
     ),
     mutants=(
         variant("with the constant ½", _normalise, apart >= 2 * turned),
@@ -216,10 +216,10 @@ normalising = Theorem(
             "inside the unit ball too",
             _normalise,
             apart >= turned,
-            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
+            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, _outside),
             at=_pair(HALF),
         ),
         variant("at most 1", _normalise, at_least(1, turned)),
     ),
-    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(HALF)]),),
+    side_conditions=SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=_pair(1), fails=_pair(HALF)),
 )

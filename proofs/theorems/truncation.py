@@ -59,7 +59,7 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     (k,) = frequency.free_symbols
     step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
     example = ((coordinate, HALF), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
-    return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
+    return Claim(name, shows, (given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
 _u = _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), _hints(_in_u, _in_v))
@@ -74,7 +74,7 @@ def _between_creases(name, output, coordinate, given, side):
     return Claim(
         name,
         equations((difference(ridges, output), slopes[0]), (side * difference(sine, output), side * slopes[1])),
-        (*given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
+        (given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
         ranges=INSIDE,
     )
 
@@ -92,9 +92,9 @@ _at_four = Claim("at_four", ((4 * pi) ** 3 > 1728, greater(1987, (4 * pi) ** 3))
 _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
-    id="truncation_bound",
-    title="The truncation error of the central difference",
-    statement=(
+    "truncation_bound",
+    "The truncation error of the central difference",
+    (
         Clause(
             r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
             r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.",
@@ -108,7 +108,7 @@ theorem = Theorem(
         Clause(
             r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
             r"at most $2\pi k$ apart.",
-            (_apart,),
+            _apart,
         ),
     ),
     hypotheses=(
@@ -132,21 +132,21 @@ theorem = Theorem(
         variant(
             "no further apart than the steepest slope",
             _apart,
-            *both_ways(_steepest, _quotient - _slope),
+            both_ways(_steepest, _quotient - _slope),
             at={half_turns: 1, _quotient: 3, _slope: -3},
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: HALF, epsilon: 0, k_v: 2}]),
-        SideCondition("$k > 0$", "rings", fails=[{v: HALF, epsilon: EIGHTH, k_v: -2}]),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined={v: HALF, epsilon: 0, k_v: 2}),
+        SideCondition("$k > 0$", "rings", fails={v: HALF, epsilon: EIGHTH, k_v: -2}),
     ),
 )
 
 third_derivative = Theorem(
-    id="third_derivative_at_eight",
-    title="The third derivative is not 2,000 at k = 8",
-    statement=r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
-    hypotheses=(r"$3 < \pi < 22/7$",),
+    "third_derivative_at_eight",
+    "The third derivative is not 2,000 at k = 8",
+    r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
+    hypotheses=r"$3 < \pi < 22/7$",
     claims=(_at_eight, _at_four),
     steps=(Step(r"$8\pi > 24$ and $24^3 = 13{,}824$", r"$\pi > 3$"), Step(r"$(88/7)^3 < 1987$", r"$\pi < 22/7$")),
     mutants=(
