@@ -3,7 +3,7 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, vector
+from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, squared, vector
 from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
 
 g, m = vector("g"), vector("m")
@@ -13,7 +13,7 @@ bumped_by_beta = vector("bumped_by_beta")
 perturbed = Program(
     "perturbed",
     (normal, g, beta),
-    {m: normal + beta * g, m_length: sqrt(dot(m, m)), m_scale: 1 / m_length, bumped: m * m_scale},
+    {m: normal + beta * g, m_length: sqrt(squared(m)), m_scale: 1 / m_length, bumped: m * m_scale},
 )
 """N' = M/|M|, M = N + βg. Domain: g ⟂ N, so that |M| ≥ 1; any β."""
 

@@ -17,7 +17,6 @@ from proofs.formulas.symbols import (
     cos_phi,
     cos_theta,
     cross,
-    dot,
     eye,
     floor_on,
     half,
@@ -31,6 +30,7 @@ from proofs.formulas.symbols import (
     row,
     sin_phi,
     sin_theta,
+    squared,
     vector,
     view,
     where,
@@ -48,11 +48,10 @@ toward_b, discriminant_b, root_b = real("toward_b discriminant_b root_b")
 distance, view_scale, rho_inverse, hit_scale = real("distance view_scale rho_inverse hit_scale")
 
 ray_direction = Vector((x, y, -eye))
-_tangent = (tangent_squared, (eye - radius) * (eye + radius))  # squared length of the tangents from E to A
+_from_center = (-ball_center[0], -ball_center[1], distance)  # the eye less B's centre
+_tangent = {tangent_squared: (eye - radius) * (eye + radius)}  # squared length of the tangents from E to A
 
-image_extent = Program(
-    "image_extent", (eye, radius), (_tangent, (half, 5 * eye * radius / (4 * sqrt(tangent_squared))))
-)
+image_extent = Program("image_extent", (eye, radius), _tangent | {half: 5 * eye * radius / (4 * sqrt(tangent_squared))})
 """half = 5/4 · e R/√(e² − R²): the image plane's vertical half-extent, 1.25 silhouette radii. Source: seed, Cell 1."""
 
 image_point = Program(
@@ -70,7 +69,7 @@ image_radius = Program(
 """ρ = √(x² + y²), and 0 at the pole (ρ below 10⁻¹⁵⁰ of the eye's height)."""
 
 silhouette_of_a = Program(
-    "silhouette_of_a", (eye, radius), (_tangent, (rho_silhouette, eye * radius / sqrt(tangent_squared)))
+    "silhouette_of_a", (eye, radius), _tangent | {rho_silhouette: eye * radius / sqrt(tangent_squared)}
 )
 """ρ_s = e R/√(e² − R²): the image radius of sphere A's silhouette."""
 
@@ -95,8 +94,7 @@ hit_of_b = Program(
     {
         distance: eye - ball_center[2],
         toward_b: x * ball_center[0] + y * ball_center[1] + eye * distance,
-        discriminant_b: dot(ray_direction, ray_direction) * ball_radius**2
-        - sum(c**2 for c in cross(ray_direction, (-ball_center[0], -ball_center[1], distance))),
+        discriminant_b: squared(ray_direction) * ball_radius**2 - squared(cross(ray_direction, _from_center)),
         root_b: sqrt(Max(0, discriminant_b)),
         t_b: where(
             And(discriminant_b >= 0, toward_b > 0, ball_on > 0),
@@ -162,10 +160,10 @@ normal_of_b = chain(
     "normal_of_b",
     hit_of_b,
     {
-        moment: cross(ray_direction, (-ball_center[0], -ball_center[1], distance)),
-        ray_length_squared: dot(ray_direction, ray_direction),
+        moment: cross(ray_direction, _from_center),
+        ray_length_squared: squared(ray_direction),
         radius_vector: (cross(moment, ray_direction) - root_b * ray_direction) / ray_length_squared,
-        radius_length: sqrt(dot(radius_vector, radius_vector)),
+        radius_length: sqrt(squared(radius_vector)),
         normal: radius_vector / radius_length,
         point: ball_center + ball_radius * normal,
     },

@@ -10,7 +10,7 @@ from sys import float_info
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, factorial, floor, pi
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.formulas.half_turns import rint
 from proofs.formulas.symbols import real, where
 
@@ -70,16 +70,16 @@ PI_LOW = float64(pi - PI_HIGH)
 sine_series = [float64((-1) ** n * pi ** (2 * n + 1) / factorial(2 * n + 1)) for n in range(1, SINE_TERMS)]
 cosine_series = [float64((-1) ** n * pi ** (2 * n) / factorial(2 * n)) for n in range(1, COSINE_TERMS)]
 
-reduction = (
-    (quarters, rint(2 * product)),
-    (remainder_high, product - quarters / 2),
-    (remainder, remainder_high + product_error),
-    (quadrant, quarters - 4 * floor(quarters / 4)),
-    (z, remainder**2),
-    (sine_tail, PI_LOW + z * polynomial(z, sine_series)),
-    (sine_near, remainder * (PI_HIGH + sine_tail)),
-    (cosine_near, 1 + z * polynomial(z, cosine_series)),
-)
+reduction = {
+    quarters: rint(2 * product),
+    remainder_high: product - quarters / 2,
+    remainder: remainder_high + product_error,
+    quadrant: quarters - 4 * floor(quarters / 4),
+    z: remainder**2,
+    sine_tail: PI_LOW + z * polynomial(z, sine_series),
+    sine_near: remainder * (PI_HIGH + sine_tail),
+    cosine_near: 1 + z * polynomial(z, cosine_series),
+}
 
 
 def _by_quadrant(*values):
@@ -87,17 +87,13 @@ def _by_quadrant(*values):
     return Piecewise(*((value, quadrant < Rational(2 * n + 1, 2)) for n, value in enumerate(before)), (last, True))
 
 
-sine_of_half_turns = Program(
-    "sine_of_half_turns",
-    (product, product_error),
-    (*reduction, (sine, _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near))),
+sine_of_half_turns = chain(
+    "sine_of_half_turns", reduction, {sine: _by_quadrant(sine_near, cosine_near, -sine_near, -cosine_near)}
 )
 """sin π(product + product_error). The argument is reduced, exactly, to a quarter of a half-turn: zeros are exact."""
 
-cosine_of_half_turns = Program(
-    "cosine_of_half_turns",
-    (product, product_error),
-    (*reduction, (cosine, _by_quadrant(cosine_near, -sine_near, -cosine_near, sine_near))),
+cosine_of_half_turns = chain(
+    "cosine_of_half_turns", reduction, {cosine: _by_quadrant(cosine_near, -sine_near, -cosine_near, sine_near)}
 )
 """cos π(product + product_error), reduced in the same way."""
 

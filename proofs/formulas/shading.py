@@ -16,6 +16,7 @@ from proofs.formulas.symbols import (
     shininess,
     specular,
     specular_base,
+    squared,
     towards,
     vector,
     view,
@@ -33,7 +34,7 @@ light_direction = Program(
     (point, light, bumped),
     {
         to_light: light - point,
-        light_distance: sqrt(dot(to_light, to_light)),
+        light_distance: sqrt(squared(to_light)),
         light_scale: 1 / light_distance,
         towards: to_light * light_scale,
         mu: dot(bumped, towards),
@@ -49,7 +50,7 @@ blinn = chain(
     "blinn",
     halfway_vector,
     {
-        halfway_length: sqrt(dot(halfway, halfway)),
+        halfway_length: sqrt(squared(halfway)),
         specular_base: where(halfway_length > 0, Max(0, dot(bumped, halfway) / halfway_length), 0),
     },
     outputs=(mu, specular_base),
@@ -61,10 +62,10 @@ blinn_squared = Program(
     (point, light, bumped, view),
     {
         to_light: light - point,
-        distance_squared: dot(to_light, to_light),
+        distance_squared: squared(to_light),
         light_distance: sqrt(distance_squared),
         halfway: to_light + light_distance * view,
-        halfway_squared: dot(halfway, halfway),
+        halfway_squared: squared(halfway),
         along_light: dot(bumped, to_light),
         along_halfway: Max(0, dot(bumped, halfway)),
         light_scale: where(halfway_squared > 0, 1 / (light_distance * halfway_squared), 0),
@@ -126,13 +127,12 @@ ambient_term = Program("ambient_term", (ka, ambient), {color: ka * ambient})
 
 light_term = Program(
     "light_term",
-    (*colors, *light_colors, *albedos, kd, ks, mu, specular),
-    (
-        (diffuse, kd * Max(0, mu)),
-        (shine, ks * specular),
-        *((s, c + i * (a * diffuse + shine)) for s, c, i, a in zip(lit, colors, light_colors, albedos, strict=True)),
-    ),
-    lit,
+    (colors, light_colors, albedos, kd, ks, mu, specular),
+    {
+        diffuse: kd * Max(0, mu),
+        shine: ks * specular,
+        lit: [c + i * (a * diffuse + shine) for c, i, a in zip(colors, light_colors, albedos, strict=True)],
+    },
 )
 """A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
 

@@ -3,7 +3,7 @@
 from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, vector, where
+from proofs.formulas.symbols import cross, dot, light, point, real, squared, vector, where
 
 center, body_radius = vector("center"), real("body_radius")
 segment, offset = vector("segment"), vector("offset")
@@ -18,9 +18,9 @@ shadow = Program(
     {
         segment: light - point,
         offset: center - point,
-        segment_squared: dot(segment, segment),
+        segment_squared: squared(segment),
         toward_center: dot(segment, offset),
-        shadow_discriminant: segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset)),
+        shadow_discriminant: segment_squared * body_radius**2 - squared(cross(segment, offset)),
         occluded: where(And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared), 1, 0),
     },
 )

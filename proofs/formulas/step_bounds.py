@@ -18,20 +18,20 @@ span, excess, unit, evaluation, argument = real("span excess unit evaluation arg
 truncation, rounding, apart, distance, tent, rest = real("truncation rounding apart distance tent rest")
 creases, root_mean_square, best, floor = real("creases root_mean_square best floor")
 
-_third = (third_derivative, (pi * frequency) ** 3)
+_third = {third_derivative: (pi * frequency) ** 3}
 
 slope_bound = Program("slope_bound", (frequency,), {steepest: pi * frequency})
 """L = πk."""
 
 truncation_bound = Program(
-    "truncation_bound", (epsilon, frequency), (_third, (truncation, epsilon**2 / 6 * third_derivative))
+    "truncation_bound", (epsilon, frequency), _third | {truncation: epsilon**2 / 6 * third_derivative}
 )
 """ε²/6 · (πk)³, where no crease, seam or pole lies within ε. Theorem: truncation_bound."""
 
 clamped_bound = Program(
     "clamped_bound",
     (epsilon, v, frequency),
-    (_third, (truncation, (epsilon**2 + 2 * epsilon * v - 2 * v**2) / 6 * third_derivative)),
+    _third | {truncation: (epsilon**2 + 2 * epsilon * v - 2 * v**2) / 6 * third_derivative},
 )
 """(ε² + 2εv − 2v²)/6 · (πk)³ for the difference clamped at the pole, 0 ≤ v < ε, of a field that is odd about v = 0 up
 to v + ε. Theorem: clamped_difference_of_odd."""

@@ -1,6 +1,6 @@
 """The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
 
-from sympy import Rational, cos, pi, sin
+from sympy import cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
@@ -120,8 +120,8 @@ theorem = Theorem(
         SideCondition(
             "the conjugate is the reciprocal on the unit circle, and not off it",
             "reciprocal",
-            holds={real_part: Rational(3, 5), imaginary_part: Rational(4, 5)},
-            fails=({real_part: Rational(3, 5), imaginary_part: 1}, {real_part: 0, imaginary_part: 0}),
+            holds={real_part: "3/5", imaginary_part: "4/5"},
+            fails=({real_part: "3/5", imaginary_part: 1}, {real_part: 0, imaginary_part: 0}),
         )
     ),
 )

@@ -1,6 +1,6 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
-from sympy import Rational, Symbol
+from sympy import Symbol
 
 from proofs.engine.claim import Claim, Separation, equation
 from proofs.engine.program import Program
@@ -11,9 +11,8 @@ from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
+from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, squared, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER
 
 _ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), {}, (h_u, h_v))
@@ -61,7 +60,7 @@ theorem = Theorem(
 _in_light = Claim(
     "in_light",
     dot(bumped, towards) > 0,
-    (tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
+    (tangent, dot(normal, towards) > 0, equation(squared(towards), 1)),
     perturbed,
     squares=beta * g,
 )
@@ -71,7 +70,7 @@ attached_shadow = Theorem(
     "The bump moves no shadow",
     r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=_in_light,
-    refuted_at={**at(3 * QUARTER), towards: (Rational(-12, 13), 0, Rational(5, 13))},
+    refuted_at={**at("3/4"), towards: ("-12/13", 0, "5/13")},
     steps=Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),
     mutants=(
         variant("true at β = 0", _in_light, given=(_in_light.given, equation(beta, 0))),

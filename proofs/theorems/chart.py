@@ -1,13 +1,13 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
-from sympy import Rational, S, cos, pi, sin, sqrt
+from sympy import S, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, squared, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.relations import HALF, equations
@@ -46,7 +46,7 @@ _recovered = Claim(
     unit_normal,
 )
 _from_chart = unit_normal.expand(normal).xreplace(dict(chart_inverse.definitions))
-_unit = Claim("unit", equation(dot(_from_chart, _from_chart), 1))
+_unit = Claim("unit", equation(squared(_from_chart), 1))
 _formula = Claim(
     "formula",
     equations(normal, [-sin(pi * v) * cos(2 * pi * u), -sin(pi * v) * sin(2 * pi * u), cos(pi * v)]),
@@ -79,7 +79,7 @@ forward = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\theta < \pi$", "inside", holds={turn: Rational(12, 13), polar: 0}, fails={turn: 1, polar: 0})
+        SideCondition(r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0})
     ),
 )
 
@@ -101,8 +101,6 @@ inverse = Theorem(
         variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\sin\varphi > 0$", "recovered", fails=at_angle(Rational(3, 5), Rational(-4, 5)), undefined=at_angle(1, 0)
-        )
+        SideCondition(r"$\sin\varphi > 0$", "recovered", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0))
     ),
 )

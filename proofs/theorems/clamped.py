@@ -1,6 +1,6 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from sympy import Abs, Rational, S, pi, sin
+from sympy import Abs, S, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
@@ -11,7 +11,7 @@ from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named, ridges, rings, sine
+from proofs.theorems.relations import HALF, both_ways, named, ridges, rings, sine
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
@@ -84,9 +84,9 @@ first_order = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$v < \varepsilon$", "clamp", holds={v: EIGHTH, epsilon: EIGHTH}, fails={v: QUARTER, epsilon: EIGHTH}
+            r"$v < \varepsilon$", "clamp", holds={v: "1/8", epsilon: "1/8"}, fails={v: "1/4", epsilon: "1/8"}
         ),
-        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails={v: HALF, epsilon: 3 * QUARTER}),
+        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails={v: "1/2", epsilon: "3/4"}),
     ),
 )
 
@@ -166,8 +166,8 @@ second_order = Theorem(
         SideCondition(
             "ridges up to its first crease, $k_v v \\le 1$",
             "first_ridge",
-            holds={u: Rational(1, 3), k_u: 1, k_v: 4, v: QUARTER},
-            fails={u: Rational(1, 3), k_u: 1, k_v: 4, v: 3 * EIGHTH},
+            holds={u: "1/3", k_u: 1, k_v: 4, v: "1/4"},
+            fails={u: "1/3", k_u: 1, k_v: 4, v: "3/8"},
         )
     ),
 )
@@ -189,7 +189,7 @@ always_first_order = Theorem(
     r"$h = v - v^3$ errs by $\varepsilon$ at least.",
     hypotheses=r"$0 < \varepsilon \le 1$",
     claims=_costs,
-    refuted_at={epsilon: HALF},
+    refuted_at={epsilon: "1/2"},
     steps=Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),
     mutants=(
         Mutant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),

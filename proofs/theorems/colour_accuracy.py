@@ -18,7 +18,7 @@ from proofs.formulas.shading import (
     light_term,
     lit,
 )
-from proofs.formulas.symbols import beta, bumped, dot, light, mu, normal, point, specular
+from proofs.formulas.symbols import beta, bumped, light, mu, normal, point, specular, squared
 
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
@@ -45,9 +45,9 @@ theorem = Theorem(
             perturbed,
             tuple((component, NORMAL * _UNIT) for component in bumped),
             (
-                dot(_m, _m) >= 1,
-                dot(_m, _m) <= Pow(2, 900),
-                *((beta * component) ** 2 <= dot(_m, _m) for component in g),
+                squared(_m) >= 1,
+                squared(_m) <= Pow(2, 900),
+                *((beta * component) ** 2 <= squared(_m) for component in g),
             ),
         ),
         Rounded(
@@ -55,8 +55,8 @@ theorem = Theorem(
             light_direction,
             {mu: COSINE * _UNIT},
             (
-                dot(_to_light, _to_light) >= Pow(2, -40),
-                dot(_to_light, _to_light) <= Pow(2, 900),
+                squared(_to_light) >= Pow(2, -40),
+                squared(_to_light) <= Pow(2, 900),
                 *(Abs(component) <= 1 + Pow(2, -40) for component in bumped),
             ),
         ),

@@ -1,6 +1,6 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Derivative, Rational, S, Symbol, cos, pi, sin, sqrt
+from sympy import Abs, Derivative, S, Symbol, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
@@ -23,7 +23,7 @@ from proofs.formulas.step_bounds import (
 )
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
+from proofs.theorems.relations import HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
@@ -79,7 +79,7 @@ theorem = Theorem(
             _value,
             given=(straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
             cited=(),
-            at={k_u: 1, epsilon: 5 * QUARTER, delta: QUARTER},
+            at={k_u: 1, epsilon: "5/4", delta: "1/4"},
         ),
         variant("one slope on both sides", _slopes[1], equation(slope, slope_after)),
         variant("|sin(πm + x)| for any m", _period, given=m > 0),
@@ -88,14 +88,14 @@ theorem = Theorem(
         SideCondition(
             r"$|\delta| < \varepsilon$: the crease lies strictly between the samples",
             "value",
-            holds={k_u: 1, epsilon: EIGHTH, delta: EIGHTH},
-            fails={k_u: 1, epsilon: EIGHTH, delta: QUARTER},
+            holds={k_u: 1, epsilon: "1/8", delta: "1/8"},
+            fails={k_u: 1, epsilon: "1/8", delta: "1/4"},
         ),
         SideCondition(
             r"$\varepsilon + |\delta| \le 1/k$: only one crease does",
             "value",
-            holds={k_u: 1, epsilon: 3 * QUARTER, delta: QUARTER},
-            fails={k_u: 1, epsilon: 7 * EIGHTH, delta: QUARTER},
+            holds={k_u: 1, epsilon: "3/4", delta: "1/4"},
+            fails={k_u: 1, epsilon: "7/8", delta: "1/4"},
         ),
     ),
 )
@@ -112,7 +112,7 @@ supremum = Theorem(
     r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
     hypotheses=r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",
     claims=_descends,
-    refuted_at={omega: 1, epsilon: HALF},
+    refuted_at={omega: 1, epsilon: "1/2"},
     steps=(
         Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
         Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),
@@ -154,7 +154,7 @@ _near_tent = Claim(
     squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
     ranges=ranges,
-    example={epsilon: Rational(13, 30), delta: Rational(13, 30), k_u: 1, _sin_y: Rational(24, 25)},
+    example={epsilon: "13/30", delta: "13/30", k_u: 1, _sin_y: "24/25"},
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
@@ -174,7 +174,7 @@ _means = Claim(
 def _mean_square(name, k, number, constant=None):
     """Return the claim that the tents at so many creases have the mean square constant²."""
     constant = constant or crease_rms[root_mean_square].xreplace({frequency: k, creases: number})
-    total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
+    total = number * (pi * k) ** 2 * 2 * _area * HALF
     shows = (
         pi * k > 0,
         *nonnegative(number * epsilon, total, constant),
@@ -238,7 +238,7 @@ rms = Theorem(
         variant("no tent: the error is below (πk)³ε²/6", _near_tent, x**2 / 6 >= _cos_y - straddled / rate, squares=()),
     ),
     side_conditions=(
-        SideCondition("$k_v$ whole", "mean_of_a_square", holds={v: 0, k_v: 3}, fails={v: 0, k_v: 5 * QUARTER}),
-        SideCondition(r"$k_v \ge 1$", "in_v", holds={k_v: 1, epsilon: EIGHTH}, undefined={k_v: HALF, epsilon: EIGHTH}),
+        SideCondition("$k_v$ whole", "mean_of_a_square", holds={v: 0, k_v: 3}, fails={v: 0, k_v: "5/4"}),
+        SideCondition(r"$k_v \ge 1$", "in_v", holds={k_v: 1, epsilon: "1/8"}, undefined={k_v: "1/2", epsilon: "1/8"}),
     ),
 )

@@ -1,13 +1,13 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Derivative, Pow, Rational, pi, sin
+from sympy import Derivative, Pow, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, theta
+from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, squared, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
 from proofs.theorems.relations import equations, positive, without, zero
@@ -46,7 +46,7 @@ _first_order = Claim(
     "first_order",
     (
         equations(lift * _blinn - displaced, -(beta**2) * h * _slopes),
-        equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
+        equation(squared(_slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
         equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
     ),
     _off_the_poles,
@@ -108,8 +108,8 @@ _angle = Claim(
     "angle",
     (
         equation(dot(m, displaced), lift - beta**2 * _metric),
-        equation(dot(m, m), 1 + beta**2 * (h_u**2 + h_v**2)),
-        equation(dot(displaced, displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
+        equation(squared(m), 1 + beta**2 * (h_u**2 + h_v**2)),
+        equation(squared(displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
     ),
     _off_the_poles,
     _both,
@@ -161,7 +161,7 @@ seed_theorem = Theorem(
     r"$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular "
     r"$N\cdot(M\times D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).",
     claims=_parallel,
-    refuted_at={**at_angle(Rational(3, 5), Rational(4, 5)), beta: 1, h_u: 1, h_v: 1},
+    refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
     steps=(
         Step(
             r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",

@@ -1,6 +1,6 @@
 """The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
 
-from sympy import Expr, Rational, Symbol, cos, pi, sin
+from sympy import Expr, Symbol, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
@@ -8,7 +8,7 @@ from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, not
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from proofs.theorems.relations import EIGHTH, HALF, rings, sine
+from proofs.theorems.relations import HALF, rings, sine
 
 
 def difference(field: HeightField, output: Symbol) -> Expr:
@@ -78,9 +78,9 @@ theorem = Theorem(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            holds={v: EIGHTH, epsilon: EIGHTH},
-            fails={v: EIGHTH, epsilon: Rational(1, 7)},
+            holds={v: "1/8", epsilon: "1/8"},
+            fails={v: "1/8", epsilon: "1/7"},
         ),
-        SideCondition(r"$\varepsilon > 0$", "cosine", undefined={u: Rational(1, 3), epsilon: 0, k_u: 8}),
+        SideCondition(r"$\varepsilon > 0$", "cosine", undefined={u: "1/3", epsilon: 0, k_u: 8}),
     ),
 )

@@ -1,6 +1,6 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Derivative, Expr, Rational, cos, sin
+from sympy import Derivative, Expr, cos, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
@@ -18,6 +18,7 @@ from proofs.formulas.symbols import (
     rho,
     sin_phi,
     sin_theta,
+    squared,
     theta,
     x,
     y,
@@ -43,7 +44,7 @@ _along = _along_phi.but(name="derivatives", shows=(_along_phi.shows, _along_thet
 _unit = Claim(
     "orthonormal",
     (
-        *(equation(dot(a, a), 1) for a in (e_theta, e_phi, normal)),
+        *(equation(squared(a), 1) for a in (e_theta, e_phi, normal)),
         *(equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))),
     ),
     on_circles,
@@ -76,7 +77,7 @@ seed_orientation = Theorem(
     "The seed's orientation of the frame",
     r"$e_\theta \times e_\varphi = N$.",
     claims=_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),
-    refuted_at=at_angle(Rational(3, 5), Rational(4, 5)),
+    refuted_at=at_angle("3/5", "4/5"),
     steps=Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),
     mutants=(
         Mutant("e_φ × e_θ = N", _right_handed),
@@ -127,12 +128,7 @@ stable = Theorem(
         variant("√(1 − N_z²) = sin φ, whatever its sign", _seed, _seed.shows[:1], given=on_circles, squares=sin_phi),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\sin\varphi > 0$",
-            "seed_frame",
-            fails=at_angle(Rational(3, 5), Rational(-4, 5)),
-            undefined=at_angle(1, 0),
-        ),
+        SideCondition(r"$\sin\varphi > 0$", "seed_frame", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)),
         SideCondition(
             r"$\rho \ge 10^{-150}e$",
             "angles",

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sympy import Abs, Expr, Max, Rational, sqrt
+from sympy import Abs, Expr, Max, sqrt
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
@@ -22,20 +22,20 @@ from proofs.formulas.shading import (
     light_scale,
     phong,
 )
-from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, towards, vector, view
+from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, squared, towards, vector, view
 from proofs.theorems.relations import both_ways, equations, positive
 
 apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
-_gap = (equation(apart**2, dot(n - m, n - m)),)
+_gap = (equation(apart**2, squared(n - m)),)
 x, z = real("x z")
 
 
 _scalar = Claim(
     "along_a_direction",
     (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, _gap, equation(dot(omega, omega), 1)),
+    (apart >= 0, _gap, equation(squared(omega), 1)),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
@@ -61,7 +61,7 @@ def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
     return unclamped(program).xreplace(seen)
 
 
-_units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))
+_units = tuple(equation(squared(p), 1) for p in (n, m, omega))
 _cosines = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
@@ -78,8 +78,8 @@ _gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _
 _swing = Claim(
     "mirror",
     (
-        equation(dot(_swung, _swung), 4 * _gram_part),
-        equation(dot(n - m, n - m), 2 - 2 * _cosines[2]),
+        equation(squared(_swung), 4 * _gram_part),
+        equation(squared(n - m), 2 - 2 * _cosines[2]),
         *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
     ),
     _units[:2],
@@ -99,9 +99,9 @@ _blinn = Claim(
     "blinn",
     (
         equation(seen_from(n, blinn) * halfway_length, dot(n, halfway)),
-        equation(dot(halfway, halfway) / halfway_length**2, 1),
+        equation(squared(halfway) / halfway_length**2, 1),
     ),
-    (halfway_length > 0, equation(halfway_length**2, dot(halfway, halfway))),
+    (halfway_length > 0, equation(halfway_length**2, squared(halfway))),
 )
 
 count, power, of_x, of_z, quotient = real("count power of_x of_z quotient")  # pⁿ: xᵖ, zᵖ, (xᵖ − zᵖ)/(x − z)
@@ -190,7 +190,7 @@ below_one = Theorem(
     r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
     hypotheses="$L \\ge 1$",
     claims=_root,
-    refuted_at={x: Rational(1, 4096), bound: 32},
+    refuted_at={x: "1/4096", bound: 32},
     steps=Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),
     mutants=(
         variant("true where x ≥ 1/L²", _root, given=(_root.given, bound * sqrt(x) >= 1)),

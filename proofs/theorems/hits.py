@@ -28,7 +28,6 @@ from proofs.formulas.symbols import (
     ball_center,
     ball_on,
     ball_radius,
-    dot,
     eye,
     lengths_of_a,
     normal,
@@ -36,6 +35,7 @@ from proofs.formulas.symbols import (
     radius,
     real,
     rho,
+    squared,
     where,
     x,
     y,
@@ -49,7 +49,7 @@ _NUMBERS = {hit: t for hit, (_, t) in _APART.items()}
 
 def off_the_axis(x_at: Expr) -> dict:
     """Return the inputs of a ray through (x, 0), e = 5/4 and R = 3/4: the silhouette is at x = 15/16."""
-    return {x: x_at, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}
+    return {x: x_at, y: 0, eye: "5/4", radius: "3/4"}
 
 
 @evaluated
@@ -132,11 +132,13 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=off_the_axis(3 * QUARTER),
-            fails={x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)},
+            holds=off_the_axis("3/4"),
+            fails={x: "15/16", y: 0, eye: "5/4", radius: "3/5"},
         ),
         SideCondition(
-            "$e > R$", "solves", undefined=({x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1})
+            "$e > R$",
+            "solves",
+            undefined=({x: 0, y: "1/2", eye: 1, radius: 1}, {x: 0, y: "1/2", eye: "1/2", radius: 1}),
         ),
     ),
 )
@@ -158,7 +160,7 @@ _solves_b = Claim(
     _sees_b,
     hit_of_b,
 )
-_length = dot(ray_direction, ray_direction)
+_length = squared(ray_direction)
 _near_b = Claim(
     "near",
     (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
@@ -262,7 +264,7 @@ _before = Claim(
 _behind = Claim(
     "behind",
     (radius >= eye * (1 - t), eye * t >= eye - radius),
-    (radius > 0, equation(dot(along(t), along(t)), radius**2)),
+    (radius > 0, equation(squared(along(t)), radius**2)),
     squares=(x * t, y * t),
 )
 
@@ -285,7 +287,5 @@ hidden = Theorem(
         variant("the root is beyond 1/4", _before, _root > QUARTER),
         variant("A's points have t ≥ 1", _behind, t >= 1, squares=()),
     ),
-    side_conditions=SideCondition(
-        r"$|x|, |y| \le 2$", "covers", holds={x: -2, y: Rational(-19, 10)}, fails={x: -3, y: -3}
-    ),
+    side_conditions=SideCondition(r"$|x|, |y| \le 2$", "covers", holds={x: -2, y: "-19/10"}, fails={x: -3, y: -3}),
 )

@@ -8,7 +8,7 @@ from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
-from proofs.formulas.symbols import beta, dot, h_u, h_v, normal
+from proofs.formulas.symbols import beta, dot, h_u, h_v, normal, squared
 from proofs.theorems.frame import on_circles
 from proofs.theorems.relations import equations, zero
 
@@ -18,19 +18,19 @@ def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
     return {normal: (0, 0, 1), g: g_at, beta: beta_at}
 
 
-tangent = (equation(dot(normal, normal), 1), equation(dot(normal, g), 0))
+tangent = (equation(squared(normal), 1), equation(dot(normal, g), 0))
 
 _tangent = Claim(
-    "g_is_tangent", (equation(dot(normal, g), 0), equation(dot(g, g), h_u**2 + h_v**2)), on_circles, bumped_normal
+    "g_is_tangent", (equation(dot(normal, g), 0), equation(squared(g), h_u**2 + h_v**2)), on_circles, bumped_normal
 )
 _length = Claim(
     "length",
     (
-        equation(dot(m, m), 1 + beta**2 * dot(g, g)),
-        dot(m, m) >= 1,
+        equation(squared(m), 1 + beta**2 * squared(g)),
+        squared(m) >= 1,
         m_length >= 1,
-        equation(m_length**2, 1 + beta**2 * dot(g, g)),
-        equation(dot(bumped, bumped), 1),
+        equation(m_length**2, 1 + beta**2 * squared(g)),
+        equation(squared(bumped), 1),
     ),
     tangent,
     perturbed,
@@ -50,8 +50,8 @@ unit_length = Theorem(
         Step(r"$|M|^2 \ge 1$", "the rest is a sum of squares"),
     ),
     mutants=(
-        variant("|M|² = 1 − β²|g|²", _length, equation(dot(m, m), 1 - beta**2 * dot(g, g))),
-        variant("|M|² = 1 + β|g|²", _length, equation(dot(m, m), 1 + beta * dot(g, g))),
+        variant("|M|² = 1 − β²|g|²", _length, equation(squared(m), 1 - beta**2 * squared(g))),
+        variant("|M|² = 1 + β|g|²", _length, equation(squared(m), 1 + beta * squared(g))),
         variant("|M| > 1", _length, m_length > 1, at={beta: 0}),
         variant("N·g not zero", _length, given=tangent[:1]),
     ),
@@ -60,8 +60,8 @@ unit_length = Theorem(
 
 _lines = chain("both", perturbed, normal_by_beta)
 _slopes = [Derivative(b, beta) for b in perturbed.expand(bumped)]
-_derivative = Claim("derivative", equations(_slopes, bumped_by_beta), dot(m, m) > 0, _lines)
-_on_the_sphere = Claim("tangent_to_directions", zero(dot(bumped, bumped_by_beta)), dot(m, m) > 0, _lines)
+_derivative = Claim("derivative", equations(_slopes, bumped_by_beta), squared(m) > 0, _lines)
+_on_the_sphere = Claim("tangent_to_directions", zero(dot(bumped, bumped_by_beta)), squared(m) > 0, _lines)
 
 derivative = Theorem(
     "normal_by_beta",

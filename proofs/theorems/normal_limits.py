@@ -1,23 +1,23 @@
 """How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
 
-from sympy import Abs, Rational, sqrt
+from sympy import Abs, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
-from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
+from proofs.formulas.symbols import beta, cross, dot, normal, real, squared, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER, between, equations, nonnegative, positive
+from proofs.theorems.relations import between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
-_g_squared, cosine = dot(g, g), dot(normal, bumped)
+_g_squared, cosine = squared(g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = between(-Rational(2, 3), Rational(2, 3), *normal[:2])  # samples keep N_z off zero
+_clear = between("-2/3", "2/3", *normal[:2])  # samples keep N_z off zero
 
 
 _angle = Claim(
     "angle",
-    (equation(m_length * cosine, 1), cosine > 0, equation(dot(_turned, _turned), beta**2 * _g_squared * cosine**2)),
+    (equation(m_length * cosine, 1), cosine > 0, equation(squared(_turned), beta**2 * _g_squared * cosine**2)),
     tangent,
     perturbed,
     borrowed=_length,
@@ -39,8 +39,8 @@ angle = Theorem(
         Step(r"the tangent is $|\beta||g|$, the angle less than $\pi/2$", "the cosine is positive"),
     ),
     mutants=(
-        variant("the sine is |β||g|", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared)),
-        variant("the tangent is |β||g|²", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared**2 * cosine**2)),
+        variant("the sine is |β||g|", _angle, equation(squared(_turned), beta**2 * _g_squared)),
+        variant("the tangent is |β||g|²", _angle, equation(squared(_turned), beta**2 * _g_squared**2 * cosine**2)),
         variant("at least 45°", _angle, 2 * cosine**2 <= 1),
     ),
     side_conditions=(
@@ -54,11 +54,11 @@ _moved = bumped - normal
 _small = Claim(
     "small_beta",
     (
-        equation(m_length * dot(_moved, _moved), 2 * (m_length - 1)),
-        beta**2 * _g_squared - dot(_moved, _moved) >= 0,
+        equation(m_length * squared(_moved), 2 * (m_length - 1)),
+        beta**2 * _g_squared - squared(_moved) >= 0,
         equation(w**2, beta**2 * _g_squared),
         w >= 0,
-        w >= sqrt(dot(_moved, _moved)),
+        w >= sqrt(squared(_moved)),
     ),
     (tangent, _w),
     perturbed,
@@ -81,10 +81,10 @@ def _large(name, side):
             equation(m_length**2, 1 + w**2),
             m_length >= w,
             equation(m_length * dot(bumped, direction), w),
-            equation(m_length * dot(gap, gap), 2 * (m_length - w)),
-            equation(m_length * (m_length + w) * dot(gap, gap), 2),
-            at_least(1, w**2 * dot(gap, gap)),
-            at_least(1, w * sqrt(dot(gap, gap))),
+            equation(m_length * squared(gap), 2 * (m_length - w)),
+            equation(m_length * (m_length + w) * squared(gap), 2),
+            at_least(1, w**2 * squared(gap)),
+            at_least(1, w * sqrt(squared(gap))),
         ),
         (tangent, side * beta > 0, _g_squared > 0, _w),
         perturbed,
@@ -116,7 +116,7 @@ limits = Theorem(
         Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
     ),
     mutants=(
-        variant("half as far", _small, w >= 2 * sqrt(dot(_moved, _moved))),
+        variant("half as far", _small, w >= 2 * sqrt(squared(_moved))),
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
         variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
     ),
@@ -124,7 +124,7 @@ limits = Theorem(
         SideCondition(
             r"$\beta \ne 0$, $g \ne 0$",
             "large_beta",
-            holds={**at(3 * QUARTER), w: 3 * QUARTER},
+            holds={**at("3/4"), w: "3/4"},
             fails={**at(0), w: 0},
             undefined={**at(1, (0, 0, 0)), w: 0},
         )
@@ -142,13 +142,13 @@ _within = Claim(
         equation(m_length * dot(bumped, towards), _cosine),
         dot(bumped, towards) > 0,
     ),
-    (tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
+    (tangent, _w, equation(squared(towards), 1), dot(normal, towards) > w),
     perturbed,
     squares=cross(g, towards),
     borrowed=_length,
     ranges=_clear,
 )
-_light = {towards: (Rational(-3, 5), 0, Rational(4, 5))}
+_light = {towards: ("-3/5", 0, "4/5")}
 
 shadow_line = Theorem(
     "shadow_line_moves_within",
@@ -168,7 +168,7 @@ shadow_line = Theorem(
             _within,
             _within.shows[-1:],
             given=(_within.given[:-1], dot(normal, towards) > w / 2),
-            at={**at(1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
+            at={**at(1), towards: ("-4/5", 0, "3/5"), w: 1},
         ),
         variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
     ),
@@ -177,7 +177,7 @@ shadow_line = Theorem(
             r"$N\cdot\omega > |\beta||g|$",
             "shadow_line",
             holds=({**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}),
-            fails=({**at(Rational(4, 3)), **_light, w: Rational(4, 3)}, {**at(0), towards: (1, 0, 0), w: 0}),
+            fails=({**at("4/3"), **_light, w: "4/3"}, {**at(0), towards: (1, 0, 0), w: 0}),
         )
     ),
 )

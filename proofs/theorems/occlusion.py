@@ -1,6 +1,6 @@
 """The shadow test: which signs say that a sphere stands between two points, and when none can."""
 
-from sympy import Rational, sqrt
+from sympy import sqrt
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
@@ -17,13 +17,13 @@ from proofs.formulas.shadow import (
     toward_center,
 )
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
-from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, vector
+from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, squared, vector
 from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import HALF, nonnegative, positive
 
 s = real("s")
 _between = point + s * segment
-_excess = dot(offset, offset) - body_radius**2
+_excess = squared(offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",
     (
@@ -68,17 +68,14 @@ _of_b = Claim(
     (
         equation(
             discriminant_b,
-            toward_b**2
-            - dot(ray_direction, ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
+            toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
         )
     ),
     (),
     hit_of_b,
 )
 _of_shadow = Claim("of_shadow", _quadratic.shows[2:3], (), shadow)
-_wrong_side = toward_b**2 - dot(ray_direction, ray_direction) * (
-    distance_squared((0, 0, 0), ball_center) - ball_radius**2
-)
+_wrong_side = toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, 0), ball_center) - ball_radius**2)
 
 lagrange = Theorem(
     "lagrange_identity",
@@ -92,7 +89,7 @@ lagrange = Theorem(
         variant(
             "+ |a × w|²",
             _of_shadow,
-            equation(shadow_discriminant, toward_center**2 - segment_squared * (dot(offset, offset) + body_radius**2)),
+            equation(shadow_discriminant, toward_center**2 - segment_squared * (squared(offset) + body_radius**2)),
         ),
     ),
 )
@@ -122,15 +119,15 @@ theorem = Theorem(
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
         variant("without the vertex after P", _if, _first > 0, given=(_if.given[:-2], _a > 0, _b < _a)),
-        variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: HALF}),
+        variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: "1/2"}),
     ),
     side_conditions=(
         SideCondition("$|C-P| > r$", "if", fails={_a: 4, _b: 2, _c: 0, _d: 4}),
         SideCondition(
             "$|C-L| > r$",
             "only_if",
-            holds={_a: 4, _b: 3, _c: 2, _d: 1, s: HALF},
-            fails={_a: 4, _b: 4, _c: 3, _d: 4, s: HALF},
+            holds={_a: 4, _b: 3, _c: 2, _d: 1, s: "1/2"},
+            fails={_a: 4, _b: 4, _c: 3, _d: 4, s: "1/2"},
         ),
     ),
 )
@@ -142,20 +139,20 @@ _met = axis + aside
 _cone = Claim(
     "cone",
     (
-        equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
+        equation(distance**2 * wander**2 - product**2, squared(cross(axis, aside))),
         nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
-        equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
+        equation(squared(_met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
         distance - wander > body_radius,
         (distance - wander) ** 2 > body_radius**2,
-        dot(_met, _met) > body_radius**2,
+        squared(_met) > body_radius**2,
     ),
     (
         body_radius > 0,
         wander >= 0,
         reach >= wander,
         distance > body_radius + reach,
-        equation(distance**2, dot(axis, axis)),
-        equation(wander**2, dot(aside, aside)),
+        equation(distance**2, squared(axis)),
+        equation(wander**2, squared(aside)),
         equation(product, dot(axis, aside)),
     ),
     squares=cross(axis, aside),
@@ -164,14 +161,14 @@ _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
     "within",
     (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),
-    ball_radius**2 >= dot(_to_ball, _to_ball),
+    ball_radius**2 >= squared(_to_ball),
     squares=share,
 )
 _on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)
 _clearance = Claim(
     "quadratic",
-    equation(dot(_on_axis, _on_axis) - (body_radius + share * ball_radius) ** 2, _value),
+    equation(squared(_on_axis) - (body_radius + share * ball_radius) ** 2, _value),
     (),
     shadow_clearance.keep(at_light, half_slope, curvature, name="along_the_axis"),
 )
@@ -238,8 +235,8 @@ cone = Theorem(
         variant(
             "a ball of radius s all the way",
             _clearance,
-            equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),
+            equation(squared(_on_axis) - (body_radius + ball_radius) ** 2, _value),
         ),
     ),
-    side_conditions=SideCondition("$|X| > r + ts$", "cone", holds=_points(Rational(5, 2)), fails=_points(2)),
+    side_conditions=SideCondition("$|X| > r + ts$", "cone", holds=_points(5 * HALF), fails=_points(2)),
 )

@@ -11,13 +11,13 @@ from proofs.formulas.symbols import (
     Vector,
     cos_phi,
     cos_theta,
-    dot,
     k_u,
     k_v,
     phi,
     real,
     sin_phi,
     sin_theta,
+    squared,
     theta,
     u,
     v,
@@ -38,7 +38,7 @@ _sine, _rings = at_pole(sine), at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
-    (equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(dot(g, g), (pi * k_v * sin(_turned)) ** 2)),
+    (equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(squared(g), (pi * k_v * sin(_turned)) ** 2)),
     lines=_sine,
 )
 _vanishes = tuple(
@@ -47,7 +47,7 @@ _vanishes = tuple(
 )
 _differs = Claim(
     "sine_differs",
-    (_length.shows[-1], positive((k_v * sin(_turned)) ** 2, dot(g, g))),
+    (_length.shows[-1], positive((k_v * sin(_turned)) ** 2, squared(g))),
     (k_v**2 > 0, sin(_turned) ** 2 > 0),
     _sine,
 )
@@ -56,8 +56,8 @@ _opposite = Claim(
     "rings",
     (
         equations(g, 2 * pi * k_v * _meridian_direction),
-        equation(dot(g, g), (2 * pi * k_v) ** 2),
-        equation(dot(_across, _across), (4 * pi * k_v) ** 2),
+        equation(squared(g), (2 * pi * k_v) ** 2),
+        equation(squared(_across), (4 * pi * k_v) ** 2),
     ),
     lines=_rings,
 )
@@ -82,7 +82,7 @@ _tangential = Program(
 )
 _limit = Claim(
     "surface_gradient",
-    equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
+    equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
     lines=_tangential,
 )
 _same_limit = tuple(

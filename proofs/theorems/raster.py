@@ -77,10 +77,7 @@ theorem = Theorem(
         variant("ρ ≥ 2/256", _on_the_raster[0], _radius_squared >= Rational(4, 256**2), at={m: 127, n: 108}),
         variant("sin φ ≥ ρ/R", _linear, radius * sin_phi >= rho),
         variant(
-            "sin φ > 0.0045",
-            _far,
-            sin_phi > Rational(45, 10000),
-            at={sin_phi: Rational(4412, 10**6), rho: Rational(5882, 10**6)},
+            "sin φ > 0.0045", _far, sin_phi > Rational(45, 10000), at={sin_phi: "4412/1000000", rho: "5882/1000000"}
         ),
     ),
     side_conditions=(
@@ -88,7 +85,7 @@ theorem = Theorem(
             "column and row are whole numbers",
             "raster_above",
             holds={m: 127, n: 108},
-            fails=({m: Rational(255, 2), n: 108}, {m: 127, n: Rational(217, 2)}),
+            fails=({m: "255/2", n: 108}, {m: 127, n: "217/2"}),
         )
     ),
 )

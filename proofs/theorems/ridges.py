@@ -6,7 +6,7 @@ from proofs.engine.claim import CitedLemma, Claim, equation
 from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, without, zero
+from proofs.theorems.relations import HALF, named, ridges, sine, without, zero
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
@@ -62,7 +62,7 @@ def _either_side(name, along, k, step, across):
         (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
         squares=(named(across), named(across) * named(sin(angle))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
-        ranges={step: (0, QUARTER), k: (QUARTER, 3)},
+        ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )
 
 
@@ -152,7 +152,7 @@ differentiable = Theorem(
     r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
     r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
     claims=_one_slope,
-    refuted_at={u: QUARTER, v: EIGHTH, k_u: 8, k_v: 4},
+    refuted_at={u: "1/4", v: "1/8", k_u: 8, k_v: 4},
     steps=Step(r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$", "arithmetic"),
     mutants=(
         variant("true at a crossing", _one_slope, given=(_one_slope.given, equation(sin(pi * k_v * v), 0))),

@@ -1,7 +1,5 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
-from sympy import Rational
-
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import Clause, Step, Theorem, variant
 from proofs.formulas.algebraic_form import (
@@ -16,7 +14,7 @@ from proofs.formulas.algebraic_form import (
 )
 from proofs.formulas.step_bounds import excess, unit
 from proofs.formulas.symbols import real
-from proofs.theorems.relations import EIGHTH, QUARTER, between, both_ways, nonnegative
+from proofs.theorems.relations import QUARTER, between, both_ways, nonnegative
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
@@ -31,7 +29,7 @@ _terms = (
 )
 _kappa = equation(excess, (1 + unit) ** 3 - 1)
 _unit = (unit >= 0, unit <= QUARTER)
-_small = between(-EIGHTH, EIGHTH, unit, first, second, third, fourth, excess)
+_small = between("-1/8", "1/8", unit, first, second, third, fourth, excess)
 
 _three = Claim(
     "three_roundings_of_one",
@@ -98,8 +96,8 @@ _power = Claim(
         own + off_first * other_size + off_second >= off,
     ),
     ranges=(
-        *between(QUARTER, 1, excess, size, other_size, off_first, off_second),
-        *between(0, EIGHTH, own, off),
+        *between("1/4", 1, excess, size, other_size, off_first, off_second),
+        *between(0, "1/8", own, off),
         *between(2, 3, most, most_other),
     ),
 )
@@ -161,8 +159,8 @@ theorem = Theorem(
             unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
                 (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
-                (first, second, third, fourth): (Rational(17, 64), 0, 0, 0),
-                (unit, excess, off_first, off_second): (EIGHTH, Rational(217, 512), Rational(17, 64), 0),
+                (first, second, third, fourth): ("17/64", 0, 0, 0),
+                (unit, excess, off_first, off_second): ("1/8", "217/512", "17/64", 0),
             },
         ),
         variant(

@@ -23,7 +23,7 @@ from proofs.formulas.step_bounds import (
     unit,
 )
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, between, both_ways, nonnegative, positive
+from proofs.theorems.relations import between, both_ways, nonnegative, positive
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
@@ -36,7 +36,7 @@ _two = Claim(
     "two_roundings",
     both_ways(two_roundings[excess], growth - 1),
     (_unit, _factors[:4], equation(growth, _both)),
-    ranges={unit: (0, QUARTER), first: (-QUARTER, QUARTER)},
+    ranges={unit: (0, "1/4"), first: ("-1/4", "1/4")},
 )
 _three = Claim(
     "three_roundings",
@@ -46,7 +46,7 @@ _three = Claim(
         both_ways(three_roundings[excess], growth - 1),
     ),
     (_unit, _factors, equation(growth * (1 + third), _both)),
-    ranges=between(-EIGHTH, EIGHTH, unit, first, second, third),
+    ranges=between("-1/8", "1/8", unit, first, second, third),
 )
 
 
@@ -68,9 +68,9 @@ def _rounded(name, output, samples, over, given):
         (given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
-            *between(-QUARTER, QUARTER, off_plus, off_minus, mean),
+            *between("-1/4", "1/4", off_plus, off_minus, mean),
             *between(0, 3, evaluation, argument, excess, steepest),
-            *between(0, HALF, epsilon, v),
+            *between(0, "1/2", epsilon, v),
         ),
     )
 
@@ -132,16 +132,13 @@ theorem = Theorem(
             at=_at(argument),
         ),
         variant(
-            "one rounding for two",
-            _two,
-            unit >= growth - 1,
-            at={(unit, first, second): [QUARTER] * 3, growth: Rational(25, 16)},
+            "one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): ["1/4"] * 3, growth: "25/16"}
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
             2 * unit + unit**2 >= growth - 1,
-            at={(unit, first, second): [QUARTER] * 3, third: -QUARTER, growth: Rational(25, 12)},
+            at={(unit, first, second): ["1/4"] * 3, third: "-1/4", growth: "25/12"},
         ),
     ),
     side_conditions=(

@@ -1,6 +1,6 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, Rational, S, cos, pi, sin
+from sympy import Expr, S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
@@ -8,7 +8,7 @@ from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, 
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, between, named, positive, ridges, rings, sine, without, zero
+from proofs.theorems.relations import between, named, positive, ridges, rings, sine, without, zero
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
@@ -67,7 +67,7 @@ _broken = Claim(
     "ridges_jump",
     positive(-jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=between(EIGHTH, 7 * EIGHTH, k_u, k_v, v),  # samples keep off the zeros
+    ranges=between("1/8", "7/8", k_u, k_v, v),  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings",
@@ -115,8 +115,8 @@ theorem = Theorem(
         SideCondition(
             "$k_u$ is even",
             "even",
-            holds={k_u: 2, k_v: 1, u: Rational(1, 3), v: HALF},
-            fails=({k_u: 1, k_v: 1, u: Rational(1, 3), v: HALF}, {k_u: 3 * HALF, k_v: 1, u: Rational(1, 3), v: HALF}),
+            holds={k_u: 2, k_v: 1, u: "1/3", v: "1/2"},
+            fails=({k_u: 1, k_v: 1, u: "1/3", v: "1/2"}, {k_u: "3/2", k_v: 1, u: "1/3", v: "1/2"}),
         )
     ),
 )
@@ -129,7 +129,7 @@ seam_saved = Theorem(
     r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
     hypotheses="$k_u$ is whole",
     claims=_periodic,
-    refuted_at={k_u: 1, k_v: 1, v: HALF},
+    refuted_at={k_u: 1, k_v: 1, v: "1/2"},
     steps=Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),
     mutants=(
         variant("true for even k_u", _periodic, given=equation(cos(pi * k_u), 1)),

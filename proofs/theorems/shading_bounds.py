@@ -7,7 +7,7 @@ from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, 
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
-from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
+from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, squared, vector
 from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
 
 _other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
@@ -149,15 +149,15 @@ a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
 _change = a / length_a - b / length_b
 _outside = (
-    *(equation(size**2, dot(p, p)) for size, p in ((length_a, a), (length_b, b))),
+    *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
     equation(product, dot(a, b)),
-    equation(apart**2, dot(a - b, a - b)),
-    equation(turned**2, dot(_change, _change)),
+    equation(apart**2, squared(a - b)),
+    equation(turned**2, squared(_change)),
 )
 _normalise = Claim(
     "normalise",
     (
-        equation(length_a**2 * length_b**2 - product**2, dot(cross(a, b), cross(a, b))),
+        equation(length_a**2 * length_b**2 - product**2, squared(cross(a, b))),
         nonnegative(
             length_a**2 * length_b**2 - product**2,
             length_a * length_b - 1,
@@ -178,7 +178,7 @@ _normalise = Claim(
 _other_m, _other_g = vector("other_m"), vector("other_g")
 _moved = Claim(
     "moved",
-    equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),
+    equation(squared(m - _other_m), beta**2 * squared(g - _other_g)),
     equations(_other_m, normal + beta * _other_g),
     perturbed,
 )

@@ -8,7 +8,7 @@ from proofs.engine.program import chain
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, x, y
+from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, squared, x, y
 from proofs.theorems.hits import distance_squared
 from proofs.theorems.relations import zero
 from proofs.theorems.silhouettes import conic_types
@@ -16,7 +16,7 @@ from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
 _w = light - center
-_c = dot(_w, _w) - body_radius**2
+_c = squared(_w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
 _xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
 _to_light = Vector((x, y, 0)) - light  # P − L
@@ -26,7 +26,7 @@ _at_foot = _on_floor.expand(shadow_discriminant).xreplace({x: foot_x, y: foot_y}
 _conic = Claim(
     "conic",
     (
-        equation(shadow_discriminant, _across**2 - _c * dot(_to_light, _to_light)),
+        equation(shadow_discriminant, _across**2 - _c * squared(_to_light)),
         equation(
             shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
             x * Derivative(_at_foot, foot_x) + y * Derivative(_at_foot, foot_y) + _at_foot,
@@ -48,7 +48,7 @@ _row = Claim(
             (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
             - 2 * (body_radius**2 * light[0] + dot(_along_row, _turn)) * x
             + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
-            - dot(_along_row, _along_row),
+            - squared(_along_row),
         ),
         equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
         equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
@@ -62,9 +62,7 @@ _of_a = Claim(
     (
         equation(
             _on_floor.expand(shadow_discriminant).xreplace(_origin),
-            (x * light[0] + y * light[1]) ** 2
-            - dot(light, light) * (x**2 + y**2)
-            + body_radius**2 * dot(_to_light, _to_light),
+            (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
         )
     ),
 )

@@ -6,7 +6,7 @@ from sympy import Basic, Expr
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
+from proofs.formulas.symbols import ball_center, ball_radius, eye, lengths_of_b, squared, x, y
 from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import nonnegative, positive
 
@@ -77,10 +77,7 @@ _none_seen = Claim(
 )
 _branch = Claim(
     "branch",
-    (
-        equation(toward_b**2, _c * dot(ray_direction, ray_direction)),
-        positive(dot(ray_direction, ray_direction), toward_b**2),
-    ),
+    (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
     (eye > 0, _outside, equation(discriminant_b, 0)),
     hit_of_b,
     squares=(x, y, eye),

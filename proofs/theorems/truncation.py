@@ -11,9 +11,7 @@ from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference
 from proofs.theorems.relations import (
-    EIGHTH,
     HALF,
-    QUARTER,
     SIDES,
     both_ways,
     equations,
@@ -57,7 +55,7 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     )
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
-    step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
+    step, sine_of_step = ("13/30", "24/25") if k == frequency else ("13/60", "3/5")
     example = ((coordinate, HALF), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
     return Claim(name, shows, (given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
@@ -123,11 +121,11 @@ theorem = Theorem(
         Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
     ),
     mutants=(
-        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}),
+        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: "1/4", epsilon: "1/16"}),
         Mutant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
-            at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
+            at={k_u: 1, u: "1/16", k_v: 1, v: "1/2", epsilon: "1/100"},
         ),
         variant(
             "no further apart than the steepest slope",
@@ -137,8 +135,8 @@ theorem = Theorem(
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined={v: HALF, epsilon: 0, k_v: 2}),
-        SideCondition("$k > 0$", "rings", fails={v: HALF, epsilon: EIGHTH, k_v: -2}),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined={v: "1/2", epsilon: 0, k_v: 2}),
+        SideCondition("$k > 0$", "rings", fails={v: "1/2", epsilon: "1/8", k_v: -2}),
     ),
 )
 

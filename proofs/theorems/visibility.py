@@ -1,13 +1,11 @@
 """Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
 
-from sympy import Rational
-
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.theorem import SideCondition, Step, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
-from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, x, y
+from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, squared, x, y
 from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
-from proofs.theorems.relations import HALF, QUARTER, positive
+from proofs.theorems.relations import HALF, positive
 
 t = real("t")
 _square = rho**2 + eye**2
@@ -32,14 +30,14 @@ _tangent = Claim(
     (
         equation(discriminant_a, 0),
         equation(rho**2, rho_silhouette**2),
-        equation(dot(_touching, _touching), radius**2),
+        equation(squared(_touching), radius**2),
         equation(dot(_touching, ray_direction), 0),
         equation(eye * _touching[2], radius**2),
     ),
     (eye_outside_a, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
     hit_of_a,
 )
-_on_a = (*ray_meets_a, equation(dot(along(t), along(t)), radius**2))
+_on_a = (*ray_meets_a, equation(squared(along(t)), radius**2))
 _cos_phi = along(t)[2] / radius
 _from_center = _square * t - eye**2
 _place = (
@@ -54,7 +52,7 @@ _visible = Claim(
     (_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
-    example={eye: 5, radius: 3, x: 9 * QUARTER, y: 0},
+    example={eye: 5, radius: 3, x: "9/4", y: 0},
 )
 _hidden = Claim(
     "hidden",
@@ -67,7 +65,7 @@ _hidden = Claim(
 
 def _rim(t):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return off_the_axis(Rational(15, 16)) | {real("t"): t}
+    return off_the_axis("15/16") | {real("t"): t}
 
 
 silhouette = Theorem(
@@ -90,7 +88,7 @@ silhouette = Theorem(
         variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
     ),
     side_conditions=(
-        SideCondition(r"$\rho \le \rho_s$", "inside", holds=off_the_axis(Rational(15, 16)), fails=off_the_axis(1)),
+        SideCondition(r"$\rho \le \rho_s$", "inside", holds=off_the_axis("15/16"), fails=off_the_axis(1)),
         SideCondition("$e > R$", "in_front", undefined={x: 0, y: 0, eye: 1, radius: 1}),
     ),
 )
@@ -113,5 +111,5 @@ visible = Theorem(
         variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius)), squares=()),
         variant("the hidden point is nearer", _hidden, t < t_a),
     ),
-    side_conditions=SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=_rim(Rational(16, 25)), fails=_rim(1)),
+    side_conditions=SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=_rim("16/25"), fails=_rim(1)),
 )
