@@ -2,7 +2,7 @@
 
 import importlib
 import pkgutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Symbol
 
 from proofs.engine.claim import AnyClaim, Claim, Parts, point
-from proofs.engine.program import Some
+from proofs.engine.program import Some, flat
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -105,7 +105,7 @@ class Theorem(Parts):
 
     id: str
     title: str
-    statement: str | tuple[Clause, ...]
+    statement: Any
     claims: Some = ()
     mutants: Some = ()
     steps: Some = ()
@@ -118,6 +118,7 @@ class Theorem(Parts):
     rounded: Some = ()
 
     def __post_init__(self):
+        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps))
         super().__post_init__()
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
@@ -170,6 +171,20 @@ class Theorem(Parts):
     def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""
         return next(claim for claim in self.claims if claim.name == name)
+
+
+def _clauses(said):
+    """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
+    if not isinstance(said, Mapping):
+        return said
+    return tuple(Clause(text, argued=by) if isinstance(by, str) else Clause(text, by) for text, by in said.items())
+
+
+def _steps(taken):
+    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
+    if not isinstance(taken, Mapping):
+        return taken
+    return tuple(Step(what, why, uses) for what, given in taken.items() for why, *uses in [flat(given)])
 
 
 Theorems = dict[str, Theorem]

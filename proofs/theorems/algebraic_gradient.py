@@ -3,7 +3,7 @@
 from sympy import cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.algebraic_form import (
     base_of_u,
     base_of_v,
@@ -102,13 +102,13 @@ theorem = Theorem(
     r"$k_v = n$, and rings' factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.",
     hypotheses="$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",
     claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times, _reciprocal),
-    steps=(
-        Step(r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$", "induction, by the lines of complex_product"),
-        Step(r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$", "the sign is carried along"),
-        Step(r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$", "the powers of $c-is$"),
-        Step("$(c+is)(c-is) = c^2+s^2 = 1$", "so the conjugate's powers are those with a negative exponent"),
-        Step("squaring doubles the angle, a product adds the angles", "so any order of squarings and products does"),
-    ),
+    steps={
+        r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$": "induction, by the lines of complex_product",
+        r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$": "the sign is carried along",
+        r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$": "the powers of $c-is$",
+        "$(c+is)(c-is) = c^2+s^2 = 1$": "so the conjugate's powers are those with a negative exponent",
+        "squaring doubles the angle, a product adds the angles": "so any order of squarings and products does",
+    },
     mutants=(
         variant("without the sign", _in_u, equation(real_part, cos(n * theta))),
         variant("k_u odd", _in_u, equation(real_part, _half[cos_u])),

@@ -1,6 +1,6 @@
 """Steps that float64 cannot take: where every slope is 0. Coq proves it of the printed difference, in Binades.v."""
 
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 
 theorem = Theorem(
     "binades",
@@ -15,15 +15,11 @@ theorem = Theorem(
         r"$\varepsilon$ is a float64 number; at the pole $\varepsilon \le 1$, at the seam $\varepsilon \le 2^{-54}$",
         r"at the seam $h(1, v) = h(0, v)$, and the rise does not underflow",
     ),
-    steps=(
-        Step(
-            r"$u = ms$, $2^{52} \le m < 2^{53}$: $u \pm \varepsilon = (m \pm t)s$, $t < \frac12$", "the binade's grid"
-        ),
-        Step(
-            r"the nearest whole number to $m \pm t$ is $m$", "below $2^k$ the grid is twice as fine: $2t \\le \\frac12$"
-        ),
-        Step("both heights are $h(u, v)$: their difference is 0", "rounded, halved and divided it stays 0"),
-        Step(r"$t = \frac12$: to the even neighbour, $m$ itself or $m \pm 1$", "ties go to even"),
-    ),
+    steps={
+        r"$u = ms$, $2^{52} \le m < 2^{53}$: $u \pm \varepsilon = (m \pm t)s$, $t < \frac12$": "the binade's grid",
+        r"the nearest whole number to $m \pm t$ is $m$": "below $2^k$ the grid is twice as fine: $2t \\le \\frac12$",
+        "both heights are $h(u, v)$: their difference is 0": "rounded, halved and divided it stays 0",
+        r"$t = \frac12$: to the even neighbour, $m$ itself or $m \pm 1$": "ties go to even",
+    },
     expected="measured",
 )

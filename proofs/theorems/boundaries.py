@@ -4,7 +4,7 @@ from sympy import Symbol
 
 from proofs.engine.claim import Claim, Separation, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import central, central4, forward
@@ -45,11 +45,11 @@ theorem = Theorem(
         "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field"
     ),
     claims=(*_unmoved.values(), *_by_difference.values()),
-    steps=(
-        Step("write the pixel as a straight-line program", "the lines are those that the kernels print"),
-        Step("the names that the chamber reaches are closed under “is used by a line of”", "reading each line once"),
-        Step(r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$", "look"),
-    ),
+    steps={
+        "write the pixel as a straight-line program": "the lines are those that the kernels print",
+        "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",
+        r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$": "look",
+    },
     mutants=(
         variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=_mu, avoid=beta),
         variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=beta),
@@ -71,7 +71,7 @@ attached_shadow = Theorem(
     r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=_in_light,
     refuted_at={**at("3/4"), towards: ("-12/13", 0, "5/13")},
-    steps=Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),
+    steps={r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$": r"$\beta g = (3/4, 0, 0)$"},
     mutants=(
         variant("true at β = 0", _in_light, given=(_in_light.given, equation(beta, 0))),
         variant("true where β g·ω ≥ 0", _in_light, given=(_in_light.given, beta * dot(g, towards) >= 0)),

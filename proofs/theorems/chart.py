@@ -4,7 +4,7 @@ from sympy import S, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, squared, u, v
@@ -64,11 +64,11 @@ forward = Theorem(
         r"the meaning of atan2"
     ),
     claims=(_range, _inside, _seam, _round_trip, _on_the_seam),
-    steps=(
-        Step(r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0", "the case of the reduction"),
-        Step(r"$\cos(2\pi u-\pi) = \cos\theta$", "addition formulas"),
-        Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
-    ),
+    steps={
+        r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0": "the case of the reduction",
+        r"$\cos(2\pi u-\pi) = \cos\theta$": "addition formulas",
+        r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$": r"as at $\theta = \pi$",
+    },
     mutants=(
         variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
@@ -91,11 +91,11 @@ inverse = Theorem(
     r"$\sin\theta = N_y/\sin\varphi$.",
     hypotheses=r"$\sin\varphi > 0$ for the way back",
     claims=(_formula, _unit, _recovered),
-    steps=(
-        Step(r"$\theta = 2\pi u-\pi$, $\varphi = \pi v$", "the chart, solved"),
-        Step(r"$N_x^2+N_y^2 = \sin^2\varphi$", r"$\cos^2\theta+\sin^2\theta = 1$"),
-        Step("the root and the quotients", r"$\sin\varphi > 0$"),
-    ),
+    steps={
+        r"$\theta = 2\pi u-\pi$, $\varphi = \pi v$": "the chart, solved",
+        r"$N_x^2+N_y^2 = \sin^2\varphi$": r"$\cos^2\theta+\sin^2\theta = 1$",
+        "the root and the quotients": r"$\sin\varphi > 0$",
+    },
     mutants=(
         variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
         variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),

@@ -4,7 +4,7 @@ from sympy import Abs, S, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
@@ -64,11 +64,11 @@ first_order = Theorem(
     ),
     claims=(_clamp, _first, _sharp, _at_zero),
     source="DLMF",
-    steps=(
-        Step(r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$", "the lines' own cases, decided"),
-        Step(r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$", "the two remainders, added"),
-        Step("equality", "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$"),
-    ),
+    steps={
+        r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$": "the lines' own cases, decided",
+        r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$": "the two remainders, added",
+        "equality": "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$",
+    },
     mutants=(
         variant(
             "ε² − v², as if the two remainders cancelled",
@@ -147,17 +147,17 @@ second_order = Theorem(
         r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
-    steps=(
-        Step(r"$h(0) = 0$ and $h_{vv}(0) = 0$", "$h$ is odd"),
-        Step("the clamped difference divides by $v+\\varepsilon$", "its lines", uses="clamped_difference"),
-        Step(r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$", r"the two theorems; $v \le s/2$"),
-        Step(r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$", "expansion"),
-        Step(r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$", "expansion"),
-    ),
+    steps={
+        r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
+        "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),
+        r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$": r"the two theorems; $v \le s/2$",
+        r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$": "expansion",
+        r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$": "expansion",
+    },
     mutants=(
         variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
         variant("h(0) = 0 is not needed", _second, lines=_off_zero),
-        Mutant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
+        variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
         variant(
             "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
         ),
@@ -190,9 +190,9 @@ always_first_order = Theorem(
     hypotheses=r"$0 < \varepsilon \le 1$",
     claims=_costs,
     refuted_at={epsilon: "1/2"},
-    steps=Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),
+    steps={r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$": "$h$ is odd"},
     mutants=(
-        Mutant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),
-        Mutant("of v + v², not odd, it is ε", Claim("not_odd", equation(_at_zero_of(v + v**2), epsilon), _steps)),
+        variant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),
+        variant("of v + v², not odd, it is ε", Claim("not_odd", equation(_at_zero_of(v + v**2), epsilon), _steps)),
     ),
 )

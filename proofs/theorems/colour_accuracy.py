@@ -3,7 +3,7 @@
 from sympy import Abs, Max, Pow, Rational
 
 from proofs.engine.claim import Rounded
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.certified import COSINE, NORMAL, SHARE
 from proofs.formulas.shading import (
@@ -76,13 +76,10 @@ theorem = Theorem(
         ),
         Rounded("clip", clip, {clipped: Rational(0)}),
     ),
-    steps=(
-        Step(r"$N + \beta g$ is off by $\tfrac94\mu$ of its length", "two roundings a component"),
-        Step(
-            "its square by 11, its length by 7, the quotient by 12 of them",
-            "three products, two sums, a root, a quotient",
-        ),
-        Step("the share", "nothing cancels in a sum of what is not negative"),
-    ),
+    steps={
+        r"$N + \beta g$ is off by $\tfrac94\mu$ of its length": "two roundings a component",
+        "its square by 11, its length by 7, the quotient by 12 of them": "three products, two sums, a root, a quotient",
+        "the share": "nothing cancels in a sum of what is not negative",
+    },
     expected="measured",
 )

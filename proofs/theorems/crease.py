@@ -4,7 +4,7 @@ from sympy import Abs, Derivative, S, Symbol, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.step_bounds import (
     crease_rms,
@@ -63,15 +63,14 @@ theorem = Theorem(
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
     claims=(_value, _centre, _period, _slopes),
-    steps=(
-        Step(r"$|\sin(\pi m + x)| = |\sin x|$", r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike"),
-        Step(
-            r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$",
-            r"$0 \le \varepsilon \pm \delta \le 1/k$: the signs of the sines",
+    steps={
+        r"$|\sin(\pi m + x)| = |\sin x|$": r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike",
+        r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$": (
+            r"$0 \le \varepsilon \pm \delta \le 1/k$: the signs of the sines"
         ),
-        Step(r"$\sin(a+b) + \sin(a-b) = 2\sin a\cos b$", "the addition formulas"),
-        Step(r"$\pm\pi k\cos\pi k\delta$", "the gradient of ridges, with the sign decided"),
-    ),
+        r"$\sin(a+b) + \sin(a-b) = 2\sin a\cos b$": "the addition formulas",
+        r"$\pm\pi k\cos\pi k\delta$": "the gradient of ridges, with the sign decided",
+    },
     mutants=(
         variant("sine and cosine swapped", _value, equation(across, sin(rate * epsilon) * cos(rate * delta) / epsilon)),
         variant(
@@ -113,10 +112,10 @@ supremum = Theorem(
     hypotheses=r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",
     claims=_descends,
     refuted_at={omega: 1, epsilon: "1/2"},
-    steps=(
-        Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
-        Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),
-    ),
+    steps={
+        r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$": "equal heights on either side",
+        r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$": "arithmetic",
+    },
     mutants=(
         variant("it is ω, whatever ε", _descends, equation(_gap, omega)),
         variant("true where (ωε)² ≥ 6", _descends, given=(_steps, omega**2 * epsilon**2 >= 6)),
@@ -192,48 +191,43 @@ _in_v = _mean_square("in_v", k_v, k_v - 1)
 rms = Theorem(
     "crease_error_area",
     "The error beside the creases falls like √ε",
-    (
-        Clause(
+    {
+        (
             r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
-            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
-            _near_tent,
-        ),
-        Clause(
+            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$."
+        ): _near_tent,
+        (
             r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by "
             r"$\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas "
             r"at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
-            r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
-            (_tents, _means, _in_u, _in_v),
-        ),
-        Clause(
+            r"k_v\sqrt{(k_v-1)\varepsilon/3}$."
+        ): (_tents, _means, _in_u, _in_v),
+        (
             r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which "
-            "also bounds the error elsewhere.",
-            argued="that a primitive gives an area, that the tents are disjoint and how many there are",
-        ),
-    ),
+            "also bounds the error elsewhere."
+        ): "that a primitive gives an area, that the tents are disjoint and how many there are",
+    },
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
         r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
     ),
-    steps=(
-        Step(
-            r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$",
+    steps={
+        r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$": (
             "value and slope, over $\\pi k$",
-            uses="straddling",
+            "straddling",
         ),
-        Step(
-            r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$",
-            r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$",
+        r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$": (
+            r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$"
         ),
-        Step(r"away from the creases the error is below $\pi k\,x^2/6$", "smooth there", uses="truncation_bound"),
-        Step(r"at the poles below $\pi k\,x^2/4$", "odd there", uses="clamped_difference_of_odd"),
-        Step(r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$", "differentiate the primitive"),
-        Step(r"the mean of $\sin^2\pi k v$ is $\tfrac12$", r"differentiate the primitive; $\sin\pi k = 0$"),
-    ),
+        r"away from the creases the error is below $\pi k\,x^2/6$": ("smooth there", "truncation_bound"),
+        r"at the poles below $\pi k\,x^2/4$": ("odd there", "clamped_difference_of_odd"),
+        r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$": "differentiate the primitive",
+        r"the mean of $\sin^2\pi k v$ is $\tfrac12$": r"differentiate the primitive; $\sin\pi k = 0$",
+    },
     mutants=(
-        Mutant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
-        Mutant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
+        variant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
+        variant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
         variant("the mean of sin² is ½ for any k", _means, given=k_v > 0),
         variant("no tent: the error is below (πk)³ε²/6", _near_tent, x**2 / 6 >= _cos_y - straddled / rate, squares=()),
     ),

@@ -4,7 +4,7 @@ from sympy import Derivative, Pow, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
 from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, squared, theta
@@ -62,19 +62,14 @@ displaced_theorem = Theorem(
     r"= -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
     claims=(_product, _chart_scale, _outward, _first_order),
-    steps=(
-        Step(
-            r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise",
-            "product rule",
+    steps={
+        r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise": (
+            "product rule"
         ),
-        Step(
-            "their product, component by component",
-            r"the circle equations of $\theta$ and $\varphi$",
-            uses="tangent_frame",
-        ),
-        Step(r"$h_\theta = h_u/2\pi$, $h_\varphi = h_v/\pi$", r"$u = (\theta+\pi)/2\pi$, $v = \varphi/\pi$"),
-        Step(r"$(1+\beta h)B - D = -\beta^2 h G$", "expansion"),
-    ),
+        "their product, component by component": (r"the circle equations of $\theta$ and $\varphi$", "tangent_frame"),
+        r"$h_\theta = h_u/2\pi$, $h_\varphi = h_v/\pi$": r"$u = (\theta+\pi)/2\pi$, $v = \varphi/\pi$",
+        r"$(1+\beta h)B - D = -\beta^2 h G$": "expansion",
+    },
     mutants=(
         variant("inwards: ∂θ × ∂φ", _product, equations(cross(_along(theta), _along(phi)), _scaled)),
         variant(
@@ -125,15 +120,14 @@ difference_theorem = Theorem(
     r"h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
     claims=(_only_where_flat, _where_flat, _angle),
-    steps=(
-        Step(
-            r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$",
-            "the frame's components",
+    steps={
+        r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$": (
+            "the frame's components"
         ),
-        Step(r"so $\beta h_u = \beta h_v = 0$", "both factors are positive"),
-        Step(r"$\beta g = 0$: $D = (1+\beta h)M$", "$D$ is the displaced surface's normal", "displaced_normal"),
-        Step("the scalar products", "the frame is orthonormal"),
-    ),
+        r"so $\beta h_u = \beta h_v = 0$": "both factors are positive",
+        r"$\beta g = 0$: $D = (1+\beta h)M$": ("$D$ is the displaced surface's normal", "displaced_normal"),
+        "the scalar products": "the frame is orthonormal",
+    },
     mutants=(
         variant(
             "parallel only if h_u = h_v = 0, whatever β",
@@ -141,7 +135,7 @@ difference_theorem = Theorem(
             equation(h_u, 0),
             at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
         ),
-        Mutant("the opposite sign, as Blinn's", _like_blinn),
+        variant("the opposite sign, as Blinn's", _like_blinn),
         variant(
             "without the metric",
             _angle,
@@ -163,10 +157,11 @@ seed_theorem = Theorem(
     claims=_parallel,
     refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
     steps=(
-        Step(
-            r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",
-            r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient",
-        )
+        {
+            r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
+                r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"
+            )
+        }
     ),
     mutants=(
         variant("true where β = 0", _parallel, given=(_parallel.given, equation(beta, 0))),

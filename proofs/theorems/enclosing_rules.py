@@ -3,7 +3,7 @@
 from sympy import Abs, Pow
 
 from proofs.engine.claim import Encloses
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real, x, y
 
@@ -34,13 +34,10 @@ theorem = Theorem(
         Encloses("nearest", RULES["enclosed_nearest"], x_error <= Pow(2, 60)),
         Encloses("selection", RULES["enclosed_selection"]),
     ),
-    steps=(
-        Step("what is inherited", r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like"),
-        Step(
-            "a result's own rounding is at most one",
-            r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
-        ),
-        Step("the count's own roundings", r"at most eight factors $1 - 2^{-53}$"),
-    ),
+    steps={
+        "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
+        "a result's own rounding is at most one": r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
+        "the count's own roundings": r"at most eight factors $1 - 2^{-53}$",
+    },
     expected="measured",
 )

@@ -3,7 +3,7 @@
 from sympy import Expr, Symbol, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
@@ -63,13 +63,13 @@ theorem = Theorem(
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
     ),
     claims=(_clamp, _u, _v, _rings, _cosine),
-    steps=(
-        Step(r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$", "the lines' own cases, decided"),
-        Step(r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$", "the addition formulas"),
-        Step("divide by $2\\varepsilon$", "$\\varepsilon > 0$"),
-    ),
+    steps={
+        r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$": "the lines' own cases, decided",
+        r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$": "the addition formulas",
+        "divide by $2\\varepsilon$": "$\\varepsilon > 0$",
+    },
     mutants=(
-        Mutant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
+        variant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
         variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
         variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),

@@ -4,7 +4,7 @@ from sympy import Derivative, Expr, cos, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a
 from proofs.formulas.symbols import (
     cos_phi,
@@ -59,12 +59,12 @@ theorem = Theorem(
     r"$(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.",
     hypotheses=r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",
     claims=(_along, _unit, _right_handed),
-    steps=(
-        Step(r"$\partial N/\partial\varphi$ is $e_\varphi$ line by line", "differentiation"),
-        Step(r"$\partial N/\partial\theta$ is $\sin\varphi\, e_\theta$ line by line", "differentiation"),
-        Step("the six scalar products", "each is a combination of the two circle equations"),
-        Step(r"$e_\varphi \times e_\theta = N$", "each component is a combination of the two circle equations"),
-    ),
+    steps={
+        r"$\partial N/\partial\varphi$ is $e_\varphi$ line by line": "differentiation",
+        r"$\partial N/\partial\theta$ is $\sin\varphi\, e_\theta$ line by line": "differentiation",
+        "the six scalar products": "each is a combination of the two circle equations",
+        r"$e_\varphi \times e_\theta = N$": "each component is a combination of the two circle equations",
+    },
     mutants=(
         variant("e_θ × e_φ = N (F3)", _right_handed, equations(cross(e_theta, e_phi), normal)),
         variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, equations(_theta, [Derivative(n, theta) for n in _n])),
@@ -78,9 +78,9 @@ seed_orientation = Theorem(
     r"$e_\theta \times e_\varphi = N$.",
     claims=_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),
     refuted_at=at_angle("3/5", "4/5"),
-    steps=Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),
+    steps={r"at one point $e_\theta \times e_\varphi = -N$": "arithmetic"},
     mutants=(
-        Mutant("e_φ × e_θ = N", _right_handed),
+        variant("e_φ × e_θ = N", _right_handed),
         variant("e_θ × e_φ = −N", _right_handed, equations(cross(e_theta, e_phi), -normal)),
     ),
 )
@@ -116,11 +116,11 @@ stable = Theorem(
     r"$\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "the ray hits A"),
     claims=(_angles, _seed),
-    steps=(
-        Step(r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$", "both from the conjugate form of $t$"),
-        Step(r"$\cos^2+\sin^2 = 1$ for both angles", "the point is on the sphere", uses="hit_of_a"),
-        Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$|N| = 1$ and $\sin\varphi > 0$", uses="tangent_frame"),
-    ),
+    steps={
+        r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$": "both from the conjugate form of $t$",
+        r"$\cos^2+\sin^2 = 1$ for both angles": ("the point is on the sphere", "hit_of_a"),
+        r"$\sqrt{1-N_z^2} = \sin\varphi$": (r"$|N| = 1$ and $\sin\varphi > 0$", "tangent_frame"),
+    },
     mutants=(
         variant("R cos φ = e t", _angles, equation(radius * cos_phi, eye * t_a)),
         variant("sin φ = ρ/R", _angles, equation(radius * sin_phi, rho)),

@@ -3,7 +3,7 @@
 from sympy import Abs, Derivative, cos, pi, sign, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.height_fields import gradient
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.relations import SIDES, equations, ridges, rings, sine, zero
@@ -67,16 +67,15 @@ theorem = Theorem(
     hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
     claims=(_sine, _rings, _ridges, _printed, _near, _mirrored),
     source="DLMF",
-    steps=(
-        Step(
+    steps={
+        (
             r"$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$, "
-            r"$\omega = \pi k_u$",
-            r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",
-        ),
-        Step("the same in $v$, and for rings with $2\\pi k_v$", "the addition formulas"),
-        Step(r"$|p+d| = |p| + \operatorname{sign}(p)\,d$ for $|d| \le |p|$", "by the sign of $p$"),
-        Step(r"on the creases $\operatorname{sign}(p) = 0$", "the kernels' sign"),
-    ),
+            r"$\omega = \pi k_u$"
+        ): r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",
+        "the same in $v$, and for rings with $2\\pi k_v$": "the addition formulas",
+        r"$|p+d| = |p| + \operatorname{sign}(p)\,d$ for $|d| \le |p|$": "by the sign of $p$",
+        r"on the creases $\operatorname{sign}(p) = 0$": "the kernels' sign",
+    },
     mutants=(
         variant("sine with its factors swapped", _sine, equation(h_u, h_v)),
         variant("the other sign", _sine, _difference(sine, u, -h_u, pi * k_u)),

@@ -6,7 +6,7 @@ from sympy import Abs, Expr, Max, sqrt
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.pixel import instance
 from proofs.formulas.shading import (
     along_halfway,
@@ -138,33 +138,35 @@ _parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 theorem = Theorem(
     "specular_lipschitz",
     "The highlight is Lipschitz in the normal",
-    (
-        Clause(
-            r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
-            (_scalar, _clamps, _blinn, _gram, _swing, _twice),
+    {
+        r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.": (
+            _scalar,
+            _clamps,
+            _blinn,
+            _gram,
+            _swing,
+            _twice,
         ),
-        Clause(
+        (
             "The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which keeps "
-            r"them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
-            (_powers, _signs, _power),
+            r"them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$."
+        ): (_powers, _signs, _power),
+        r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).": (
+            "an induction over inequalities, which the kernel has no rule for"
         ),
-        Clause(
-            r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).",
-            argued="an induction over inequalities, which the kernel has no rule for",
-        ),
-    ),
+    },
     hypotheses=(
         r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
         "unit vectors",
         r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
     ),
-    steps=(
-        Step(r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$", "Lagrange's identity"),
-        Step(r"$\max(0, \cdot)$ and the clip do not increase a distance", "by cases"),
-        Step(r"$R = 2(n\cdot\omega)n - \omega$ turns by at most $2|\Delta n|$", "the Gram determinant is a square"),
-        Step(r"$x^p - z^p = (x-z)\,S_p$, $p - S_p = (1-x)A_p + (1-z)B_p$", "induction on $p$"),
-        Step("$S_p, A_p, B_p \\ge 0$", "so they start, and each is a sum of products of such; induction on $p$"),
-    ),
+    steps={
+        r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$": "Lagrange's identity",
+        r"$\max(0, \cdot)$ and the clip do not increase a distance": "by cases",
+        r"$R = 2(n\cdot\omega)n - \omega$ turns by at most $2|\Delta n|$": "the Gram determinant is a square",
+        r"$x^p - z^p = (x-z)\,S_p$, $p - S_p = (1-x)A_p + (1-z)B_p$": "induction on $p$",
+        "$S_p, A_p, B_p \\ge 0$": "so they start, and each is a sum of products of such; induction on $p$",
+    },
     mutants=(
         variant("Phong's base is 1-Lipschitz", _twice, apart >= turned),
         variant("the reflection without its factor 2", _swing, equation(_swing.shows[0].lhs, _gram_part)),
@@ -191,10 +193,10 @@ below_one = Theorem(
     hypotheses="$L \\ge 1$",
     claims=_root,
     refuted_at={x: "1/4096", bound: 32},
-    steps=Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),
+    steps={r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$": "and $x = 1/4L^2$ for any other $L$"},
     mutants=(
         variant("true where x ≥ 1/L²", _root, given=(_root.given, bound * sqrt(x) >= 1)),
-        Mutant(
+        variant(
             "false for every L, at x = 1/4L²",
             Claim(
                 "any_bound",
@@ -222,7 +224,7 @@ _base_squared = Claim(
     ),
 )
 
-squared = Theorem(
+from_one_root = Theorem(
     "squared_highlight",
     "The highlight from one root and one division",
     r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
@@ -234,10 +236,10 @@ squared = Theorem(
         r"taken from $k = |d|H$ by hand",
     ),
     claims=(_k, _cosine, _base_squared),
-    steps=(
-        Step(r"$k = |d|(\omega + \hat v)$", "so its direction is the halfway vector's"),
-        Step(r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$", "nor does its sign, as $|d| > 0$"),
-    ),
+    steps={
+        r"$k = |d|(\omega + \hat v)$": "so its direction is the halfway vector's",
+        r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$": "nor does its sign, as $|d| > 0$",
+    },
     mutants=(
         variant("k without |d|", _k, equation(halfway[0], _plain_halfway[0])),
         variant("the base, not its square", _base_squared, equation(blinn_squared[specular_base], _base)),

@@ -6,7 +6,7 @@ from sympy import Expr, Rational, sqrt
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import Program, chain, evaluated
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas import camera, symbols
 from proofs.formulas.camera import (
     POLE,
@@ -115,12 +115,12 @@ theorem_a = Theorem(
     r"root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.",
     hypotheses=(r"$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_solves_a, _near_a, _misses_a),
-    steps=(
-        Step(r"$|P(t)|^2 - R^2 = (\rho^2+e^2)t^2 - 2e^2 t + e^2 - R^2$", "expansion"),
-        Step(r"$(\rho^2+e^2)\,t = e^2 - \sqrt d$", "the conjugate"),
-        Step("any other root is not less", r"$((\rho^2+e^2)t - e^2)^2 = d$ leaves $\pm\sqrt d$"),
-        Step(r"$d < 0$: no hit", "a square plus something positive"),
-    ),
+    steps={
+        r"$|P(t)|^2 - R^2 = (\rho^2+e^2)t^2 - 2e^2 t + e^2 - R^2$": "expansion",
+        r"$(\rho^2+e^2)\,t = e^2 - \sqrt d$": "the conjugate",
+        "any other root is not less": r"$((\rho^2+e^2)t - e^2)^2 = d$ leaves $\pm\sqrt d$",
+        r"$d < 0$: no hit": "a square plus something positive",
+    },
     mutants=(
         variant(
             "d without e² − R²", _solves_a, equation(distance_squared(along(t_a / tangent_squared), _origin), radius**2)
@@ -208,13 +208,13 @@ theorem_b = Theorem(
     r"if $b \le 0$, every root is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.",
     hypotheses="$c > 0$: the eye is outside B",
     claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
-    steps=(
-        Step(r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$", "expansion"),
-        Step(r"$d = |D|^2R_2^2-|D\times(E-C)|^2$", "Lagrange's identity"),
-        Step(r"$|D|^2\,t = b-\sqrt d$", "the conjugate"),
-        Step(r"$K\times D = |D|^2(E-C)+bD$", "a triple product"),
-        Step(r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$", "a sum of a square and non-negative terms"),
-    ),
+    steps={
+        r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$": "expansion",
+        r"$d = |D|^2R_2^2-|D\times(E-C)|^2$": "Lagrange's identity",
+        r"$|D|^2\,t = b-\sqrt d$": "the conjugate",
+        r"$K\times D = |D|^2(E-C)+bD$": "a triple product",
+        r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$": "a sum of a square and non-negative terms",
+    },
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
@@ -237,10 +237,10 @@ seed_quadratic = Theorem(
     r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
     claims=Claim("constant", equation(_seed_c, _c)),
     refuted_at=_default,
-    steps=Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),
+    steps={r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$": "arithmetic"},
     mutants=(
-        Mutant("the constant is |E − C|² − R₂²", _quadratic),
-        Mutant(
+        variant("the constant is |E − C|² − R₂²", _quadratic),
+        variant(
             "the two agree where e = 2 C_z", Claim("agree", equation(_seed_c, _c), equation(eye, 2 * ball_center[2]))
         ),
     ),
@@ -276,12 +276,12 @@ hidden = Theorem(
     r"= \frac34$. So B covers the view and A is never drawn.",
     hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
     claims=(_covers, _before, _behind),
-    steps=(
-        Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", "hit_of_b"),
-        Step(r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$", r"$|D|^2 = x^2+y^2+16 \le 24$"),
-        Step(r"$c/(b+\sqrt d) < c/b < 1/4$", "$d > 0$"),
-        Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
-    ),
+    steps={
+        r"$b = 10.8+(x+y)/2 > 35/4$": ("the vertex, as for the true quadratic", "hit_of_b"),
+        r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$": r"$|D|^2 = x^2+y^2+16 \le 24$",
+        r"$c/(b+\sqrt d) < c/b < 1/4$": "$d > 0$",
+        r"$e(1-t) \le R$ on A": "no point of A is higher than $R$",
+    },
     mutants=(
         variant("with the true c too", _covers, _b**2 - _squared * _true_c > 0),
         variant("the root is beyond 1/4", _before, _root > QUARTER),

@@ -3,7 +3,7 @@
 from sympy import Derivative, Max, Pow
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.image_derivative import (
     base_by_beta,
@@ -91,27 +91,25 @@ def _grazing(cosine):
 theorem = Theorem(
     "image_derivative",
     "The image's derivative in β",
-    (
-        Clause(
+    {
+        (
             r"Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and "
             r"$\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
-            r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong).",
-            (_mu, _blinn, _phong),
-        ),
-        Clause(r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.", _power),
-        Clause(
+            r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong)."
+        ): (_mu, _blinn, _phong),
+        r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.": _power,
+        (
             r"So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative "
-            r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;",
-            _sides,
-        ),
-        Clause("the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.", _clip),
-    ),
+            r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;"
+        ): _sides,
+        "the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.": _clip,
+    },
     hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),
-    steps=(
-        Step(r"$\partial_\beta N'$", "in closed form", uses="normal_by_beta"),
-        Step("each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$", "the chain rule"),
-        Step(r"$(x^{p})'\,x = p\,x^p x'$", "induction on $p$ by the product rule"),
-    ),
+    steps={
+        r"$\partial_\beta N'$": ("in closed form", "normal_by_beta"),
+        "each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$": "the chain rule",
+        r"$(x^{p})'\,x = p\,x^p x'$": "induction on $p$ by the product rule",
+    },
     mutants=(
         variant("Phong without its factor 2", _phong, equation(2 * _phong.shows[0].lhs, _closed("phong"))),
         variant("the highlight's factor p + 1", _power, equation(by_s * x, (power + 1) * of_x * slope)),

@@ -4,7 +4,7 @@ from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import (
@@ -91,28 +91,26 @@ _elsewhere = tuple(
 theorem = Theorem(
     "kink_loci",
     "The creases are rays and circles",
-    (
-        Clause(
+    {
+        (
             r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point $\rho(\cos\theta, "
-            r"\sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel a circle.",
-            _projection,
-        ),
-        Clause(r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;", _creases),
-        Clause(
+            r"\sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel a circle."
+        ): _projection,
+        r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;": _creases,
+        (
             r"everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, "
-            r"$p = \sin\pi k_u u\,\sin\pi k_v v$: no other crease.",
-            _elsewhere,
-        ),
-    ),
+            r"$p = \sin\pi k_u u\,\sin\pi k_v v$: no other crease."
+        ): _elsewhere,
+    },
     hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
     uses="stable_frame",
-    steps=(
-        Step(r"$t = 1 - (R/e)\cos\varphi > 0$", "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$"),
-        Step(r"$(x, y) = \rho(\cos\theta, \sin\theta)$", "the other two, divided by $t$"),
-        Step(r"$\sin\pi m = 0$", "the crease factors"),
-        Step("there ridges has no derivative, unless the other factor is 0", "by its slopes", "ridges_on_creases"),
-        Step(r"$|p| = \pm p$ where $p \ne 0$", "by the sign of $p$, which is the same all around"),
-    ),
+    steps={
+        r"$t = 1 - (R/e)\cos\varphi > 0$": "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$",
+        r"$(x, y) = \rho(\cos\theta, \sin\theta)$": "the other two, divided by $t$",
+        r"$\sin\pi m = 0$": "the crease factors",
+        "there ridges has no derivative, unless the other factor is 0": ("by its slopes", "ridges_on_creases"),
+        r"$|p| = \pm p$ where $p \ne 0$": "by the sign of $p$, which is the same all around",
+    },
     mutants=(
         variant("ρ with e + R cos φ", _projection, _other_sign),
         variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
@@ -149,31 +147,29 @@ _poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), e
 parallels = Theorem(
     "visible_parallels",
     "How many creased parallels are seen",
-    (
-        Clause(r"From pole to pole the cosine falls: $\cos\pi a > \cos\pi b$ for $0 \le a < b \le 1$.", _falling),
-        Clause(
+    {
+        r"From pole to pole the cosine falls: $\cos\pi a > \cos\pi b$ for $0 \le a < b \le 1$.": _falling,
+        (
             r"So if the parallel $v = b$ is seen, $\cos\pi b \ge R/e$, so is each nearer the pole: of "
-            "$v = m/k_v$ the first ones, up to some $m$.",
-            _nearer,
-        ),
-        Clause("$m = 0$ is the pole, a point.", _poles),
-        Clause(
+            "$v = m/k_v$ the first ones, up to some $m$."
+        ): _nearer,
+        "$m = 0$ is the pole, a point.": _poles,
+        (
             r"In the default scene, $k_v = 4$ and $R/e = \frac14$, one circle is seen: "
-            r"$\cos\frac\pi4 > \frac14 > \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$.",
-            _default,
-        ),
-    ),
+            r"$\cos\frac\pi4 > \frac14 > \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$."
+        ): _default,
+    },
     hypotheses=(
         "$e > R > 0$",
         r"a parallel is seen, where no other body hides it, exactly if $\cos\varphi \ge R/e$ (on the rim if equal)",
         r"$\sin\pi x > 0$ for $0 < x < 1$ (cited)",
     ),
-    steps=(
-        Step(r"the parallel $\varphi = \pi m/k_v$ is a circle", r"$v = \varphi/\pi$", "kink_loci"),
-        Step(r"it is seen where $\cos\varphi \ge R/e$", "the near hit", "visible_iff"),
-        Step(r"$\cos\pi a-\cos\pi b = 2\sin\pi\frac{a+b}2\sin\pi\frac{b-a}2 > 0$", "both sines are positive"),
-        Step(r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$", "the exact values"),
-    ),
+    steps={
+        r"the parallel $\varphi = \pi m/k_v$ is a circle": (r"$v = \varphi/\pi$", "kink_loci"),
+        r"it is seen where $\cos\varphi \ge R/e$": ("the near hit", "visible_iff"),
+        r"$\cos\pi a-\cos\pi b = 2\sin\pi\frac{a+b}2\sin\pi\frac{b-a}2 > 0$": "both sines are positive",
+        r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$": "the exact values",
+    },
     mutants=(
         variant("two circles", _default, cos(pi / 2) > QUARTER),
         variant("the cosine rises", _falling, _far > _near),

@@ -5,7 +5,7 @@ The measurements are in verify/checkers/measurements."""
 from sympy import Abs, Basic, Expr, Max, Or, Pow, Symbol, pi
 
 from proofs.engine.claim import Rounded, equation
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
@@ -89,14 +89,12 @@ gradients = Theorem(
         _slopes_in_float64("ridges", ((h_u, k_u), (h_v, k_v))),
         _slopes_in_float64("rings", ((h_v, 2 * k_v),)),
     ),
-    steps=(
-        Step(r"$k_u u = p + e$ exactly", "Dekker's product"),
-        Step(
-            r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$", "exact reduction; two polynomials; quadrant"
-        ),
-        Step(r"$\pi$ is off by $1.11\mu$; three products", "each rounds once"),
-        Step(r"ridges: the side of a crease is never wrong", "no rounding changes the reduced argument's sign"),
-    ),
+    steps={
+        r"$k_u u = p + e$ exactly": "Dekker's product",
+        r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$": "exact reduction; two polynomials; quadrant",
+        r"$\pi$ is off by $1.11\mu$; three products": "each rounds once",
+        r"ridges: the side of a crease is never wrong": "no rounding changes the reduced argument's sign",
+    },
     expected="measured",
 )
 
@@ -111,17 +109,16 @@ algebraic_gradients = Theorem(
         rf"${ALGEBRAIC_GRADIENT}(1+k)\mu$, so that the side of every crease is "
         "certain; nearer than that the form may take the other one's slope",
     ),
-    steps=(
-        Step(
-            r"$\cos\theta$, $\sin\theta$ are off by $4.1\mu$ of themselves, $\cos\varphi + i\sin\varphi$ by $44\mu$",
-            r"A's lines on intervals, over every box of $R/e$ and $\rho/\rho_s$",
+    steps={
+        r"$\cos\theta$, $\sin\theta$ are off by $4.1\mu$ of themselves, $\cos\varphi + i\sin\varphi$ by $44\mu$": (
+            r"A's lines on intervals, over every box of $R/e$ and $\rho/\rho_s$"
         ),
-        Step(
-            r"the powers $\tfrac12|k_u|$ and $|k_v|$, and their product with $\pi k$, four roundings",
+        r"the powers $\tfrac12|k_u|$ and $|k_v|$, and their product with $\pi k$, four roundings": (
             r"$(1+\mu)^4A_uA_v-1$, for every pair of wave numbers",
-            uses=("rounded_powers", "algebraic_gradient"),
+            "rounded_powers",
+            "algebraic_gradient",
         ),
-    ),
+    },
     expected="certified",
 )
 
@@ -138,19 +135,17 @@ differences = Theorem(
         "forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the seam for "
         "even, odd and fractional $k_u$"
     ),
-    steps=(
-        Step(
-            "truncation: the exact quotient less the slope",
+    steps={
+        "truncation: the exact quotient less the slope": (
             r"three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$ "
             r"$J/2\varepsilon$ more",
-            uses=_truncation,
+            _truncation,
         ),
-        Step(
-            "arguments and evaluation: what remains",
+        "arguments and evaluation: what remains": (
             r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ follows from the certified sine",
-            uses=_rounding,
+            _rounding,
         ),
-    ),
+    },
     expected="measured",
 )
 
@@ -163,7 +158,7 @@ slopes = Theorem(
     r"$v = \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS "
     r"error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.",
     hypotheses="the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
-    steps=Step("2; at the pole 1, where odd 2; ½", "as proved", uses=_orders),
+    steps={"2; at the pole 1, where odd 2; ½": ("as proved", _orders)},
     expected="measured",
 )
 

@@ -6,7 +6,7 @@ from sympy import Abs, Derivative, Expr, Rational
 
 from proofs.engine.claim import Claim, at_least, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.formulas.symbols import beta, dot, h_u, h_v, normal, squared
 from proofs.theorems.frame import on_circles
@@ -44,11 +44,11 @@ unit_length = Theorem(
     hypotheses=(r"$|N| = 1$", r"$g = h_u e_\theta + h_v e_\varphi$"),
     claims=(_tangent, _length),
     uses="tangent_frame",
-    steps=(
-        Step(r"$N\cdot g = 0$ and $|g|^2 = h_u^2 + h_v^2$", "the frame is orthonormal"),
-        Step(r"$|M|^2 = |N|^2 + 2\beta N\cdot g + \beta^2|g|^2 = 1 + \beta^2|g|^2$", "expansion"),
-        Step(r"$|M|^2 \ge 1$", "the rest is a sum of squares"),
-    ),
+    steps={
+        r"$N\cdot g = 0$ and $|g|^2 = h_u^2 + h_v^2$": "the frame is orthonormal",
+        r"$|M|^2 = |N|^2 + 2\beta N\cdot g + \beta^2|g|^2 = 1 + \beta^2|g|^2$": "expansion",
+        r"$|M|^2 \ge 1$": "the rest is a sum of squares",
+    },
     mutants=(
         variant("|M|² = 1 − β²|g|²", _length, equation(squared(m), 1 - beta**2 * squared(g))),
         variant("|M|² = 1 + β|g|²", _length, equation(squared(m), 1 + beta * squared(g))),
@@ -69,14 +69,11 @@ derivative = Theorem(
     r"$\partial N'/\partial\beta = (I - N'N'^{\mathsf T})\,g/|M|$, tangent to the sphere of directions.",
     hypotheses=r"$M \ne 0$",
     claims=(_derivative, _on_the_sphere),
-    steps=(
-        Step(
-            r"$\partial M/\partial\beta = g$, $\partial|M|/\partial\beta = M\cdot g/|M|$",
-            "differentiation of the lines",
-        ),
-        Step("each component", "membership in the ideal of |M|² and 1/|M|"),
-        Step(r"$M \ne 0$ for every $\beta$ where $g \perp N$", r"$|M| \ge 1$ there", uses="unit_length"),
-    ),
+    steps={
+        r"$\partial M/\partial\beta = g$, $\partial|M|/\partial\beta = M\cdot g/|M|$": "differentiation of the lines",
+        "each component": "membership in the ideal of |M|² and 1/|M|",
+        r"$M \ne 0$ for every $\beta$ where $g \perp N$": (r"$|M| \ge 1$ there", "unit_length"),
+    },
     mutants=(
         variant("without the projection", _derivative, equations(_slopes, g / m_length)),
         variant("without 1/|M|", _derivative, equations(_slopes, bumped_by_beta * m_length)),
@@ -108,15 +105,14 @@ theorem = Theorem(
     hypotheses=r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",
     claims=_verifies,
     refuted_at=_point,
-    steps=(
-        Step(r"$N = (0, 0, 1)$, $g = (g_x, 0, 0)$: $N'_x = b/\sqrt{1+b^2}$, $b = \beta g_x$", "the lines"),
-        Step(
-            r"$g_x \approx 25$, $b = 3/4$: the error is $2.3\cdot10^{-5}$, by the second derivative",
-            r"$\sqrt{1+b^2}$ is rational at $\beta$ and $\beta + \Delta\beta$",
+    steps={
+        r"$N = (0, 0, 1)$, $g = (g_x, 0, 0)$: $N'_x = b/\sqrt{1+b^2}$, $b = \beta g_x$": "the lines",
+        r"$g_x \approx 25$, $b = 3/4$: the error is $2.3\cdot10^{-5}$, by the second derivative": (
+            r"$\sqrt{1+b^2}$ is rational at $\beta$ and $\beta + \Delta\beta$"
         ),
-    ),
+    },
     mutants=(
-        Mutant("before normalising it is exact: M is linear in β", _linear),
-        Mutant("the formula itself is exact", derivative.claim("derivative")),
+        variant("before normalising it is exact: M is linear in β", _linear),
+        variant("the formula itself is exact", derivative.claim("derivative")),
     ),
 )

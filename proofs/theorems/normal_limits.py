@@ -3,7 +3,7 @@
 from sympy import Abs, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
 from proofs.formulas.symbols import beta, cross, dot, normal, real, squared, towards
 from proofs.theorems.normal import at, tangent
@@ -31,13 +31,11 @@ angle = Theorem(
     r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     claims=_angle,
-    steps=(
-        Step(r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$", r"$|N| = 1$, $N\cdot g = 0$"),
-        Step(
-            r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$", "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$"
-        ),
-        Step(r"the tangent is $|\beta||g|$, the angle less than $\pi/2$", "the cosine is positive"),
-    ),
+    steps={
+        r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$": r"$|N| = 1$, $N\cdot g = 0$",
+        r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$": "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$",
+        r"the tangent is $|\beta||g|$, the angle less than $\pi/2$": "the cosine is positive",
+    },
     mutants=(
         variant("the sine is |β||g|", _angle, equation(squared(_turned), beta**2 * _g_squared)),
         variant("the tangent is |β||g|²", _angle, equation(squared(_turned), beta**2 * _g_squared**2 * cosine**2)),
@@ -99,22 +97,19 @@ _gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 limits = Theorem(
     "normal_limits",
     "The bumped normal for small and large β",
-    (
-        Clause(r"$|N'-N| \le |\beta||g|$;", _small),
-        Clause(
-            r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.",
-            (_up, _down),
-        ),
-        Clause(r"$N' = N$ at $\beta = 0$, and where $g = 0$.", (_still, _flat)),
-    ),
+    {
+        r"$|N'-N| \le |\beta||g|$;": _small,
+        r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.": (_up, _down),
+        r"$N' = N$ at $\beta = 0$, and where $g = 0$.": (_still, _flat),
+    },
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    steps=(
-        Step(r"$|N'-N|^2 = 2-2/|M|$", "$N\\cdot N' = 1/|M|$"),
-        Step(r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$", r"$|M| \ge 1$"),
-        Step(r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$", r"$|M|^2-w^2 = 1$"),
-        Step(r"it is at most $1/w^2$", r"$|M| \ge w$"),
-        Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
-    ),
+    steps={
+        r"$|N'-N|^2 = 2-2/|M|$": "$N\\cdot N' = 1/|M|$",
+        r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$": r"$|M| \ge 1$",
+        r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$": r"$|M|^2-w^2 = 1$",
+        r"it is at most $1/w^2$": r"$|M| \ge w$",
+        "$M = N$ where $g = 0$ or $\\beta = 0$": r"$|N| = 1$",
+    },
     mutants=(
         variant("half as far", _small, w >= 2 * sqrt(squared(_moved))),
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
@@ -157,11 +152,11 @@ shadow_line = Theorem(
     r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
     claims=_within,
-    steps=(
-        Step(r"$(g\cdot\omega)^2 \le |g|^2$", "Lagrange's identity"),
-        Step(r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$", "expansion"),
-        Step("for the other side, the same with $-\\omega$", "nothing else changes"),
-    ),
+    steps={
+        r"$(g\cdot\omega)^2 \le |g|^2$": "Lagrange's identity",
+        r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$": "expansion",
+        "for the other side, the same with $-\\omega$": "nothing else changes",
+    },
     mutants=(
         variant(
             "N·ω > ½|β||g| suffices",

@@ -3,7 +3,7 @@
 from sympy import sqrt
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
@@ -83,7 +83,7 @@ lagrange = Theorem(
     r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
     r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
     claims=(_of_b, _of_shadow),
-    steps=Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),
+    steps={r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$": "Lagrange's identity, by expansion"},
     mutants=(
         variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
         variant(
@@ -101,21 +101,15 @@ theorem = Theorem(
     r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
     hypotheses="$|C-P| > r$ and $|C-L| > r$",
     claims=(_quadratic, _program, _if, _only_if),
-    steps=(
-        Step(
-            r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$",
+    steps={
+        r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$": (
             "expansion; positive at $s = 0$ and $s = 1$",
             "lagrange_identity",
         ),
-        Step(
-            r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$",
-            r"$d < (a\cdot w)^2$ and $d < (|a|^2-a\cdot w)^2$",
-        ),
-        Step(r"only if: a root has $(|a|^2s - a\cdot w)^2 = d \ge 0$", "the square completed"),
-        Step(
-            "and the vertex lies between the ends", "a convex parabola, positive at both ends, with a root between them"
-        ),
-    ),
+        r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$": r"$d < (a\cdot w)^2$ and $d < (|a|^2-a\cdot w)^2$",
+        r"only if: a root has $(|a|^2s - a\cdot w)^2 = d \ge 0$": "the square completed",
+        "and the vertex lies between the ends": "a convex parabola, positive at both ends, with a root between them",
+    },
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
         variant("without the vertex after P", _if, _first > 0, given=(_if.given[:-2], _a > 0, _b < _a)),
@@ -198,31 +192,27 @@ def _points(apart):
 cone = Theorem(
     "shadow_out_of_reach",
     "A body that clears the cone of light casts no shadow",
-    (
-        Clause(
+    {
+        (
             "The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within $ts$ "
-            "of $L + t(C-L)$.",
-            _within,
-        ),
-        Clause(
+            "of $L + t(C-L)$."
+        ): _within,
+        (
             r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
-            r"$r$ about $c$.",
-            _cone,
+            r"$r$ about $c$."
+        ): _cone,
+        r"The squares' difference is a quadratic in $t$, least at an end or where it turns.": (
+            _clearance,
+            _least,
+            _chord,
         ),
-        Clause(
-            r"The squares' difference is a quadratic in $t$, least at an end or where it turns.",
-            (_clearance, _least, _chord),
-        ),
-    ),
+    },
     hypotheses="$r, s > 0$",
-    steps=(
-        Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),
-        Step(r"$|X| - |w| > r + ts - |w| \ge r$", r"$|w| \le ts$"),
-        Step(
-            r"$|X(t)|^2 - (r+ts)^2 = f_0 + 2f_1 t + f_2 t^2$",
-            "expansion; its least value on $[0,1]$ by the sign of $f_2$",
-        ),
-    ),
+    steps={
+        r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$": "Lagrange's identity",
+        r"$|X| - |w| > r + ts - |w| \ge r$": r"$|w| \le ts$",
+        r"$|X(t)|^2 - (r+ts)^2 = f_0 + 2f_1 t + f_2 t^2$": "expansion; its least value on $[0,1]$ by the sign of $f_2$",
+    },
     mutants=(
         variant(
             "without the ball's reach",

@@ -4,7 +4,7 @@ from sympy import S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import (
@@ -93,47 +93,39 @@ _same_limit = tuple(
 theorem = Theorem(
     "pole",
     "The gradient at the pole",
-    (
-        Clause(
+    {
+        (
             r"At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, "
             r"of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0 where "
-            r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits.",
-            (_length, _vanishes, _differs),
-        ),
-        Clause(r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.", _opposite),
-        Clause(
+            r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits."
+        ): (_length, _vanishes, _differs),
+        r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.": _opposite,
+        (
             r"Sine's surface gradient tends to $k_v$ times a vector of squared length "
             r"$k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or "
-            r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$.",
-            (_limit, _same_limit),
-        ),
-        Clause(r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.", _smooth),
-    ),
+            r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$."
+        ): (_limit, _same_limit),
+        r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
+    },
     hypotheses=(
         r"along a meridian $g$ is continuous in $v$: its limit is its value at $v = 0$",
         r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
         r"$\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
     ),
     source="DLMF",
-    steps=(
-        Step(
+    steps={
+        (
             r"$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), "
-            r"$e_\varphi \to (\cos\theta, \sin\theta, 0)$",
-            "the lines at $v = 0$, $\\varphi = 0$",
+            r"$e_\varphi \to (\cos\theta, \sin\theta, 0)$"
+        ): "the lines at $v = 0$, $\\varphi = 0$",
+        "two meridians, two limits": (
+            r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$"
         ),
-        Step(
-            "two meridians, two limits",
-            r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$",
+        r"$(h_\theta/\sin\varphi)\,e_\theta + h_\varphi e_\varphi$ at $\varphi \to 0$": (
+            "its squared length, and its value for $k_u = \\pm 2$"
         ),
-        Step(
-            r"$(h_\theta/\sin\varphi)\,e_\theta + h_\varphi e_\varphi$ at $\varphi \to 0$",
-            "its squared length, and its value for $k_u = \\pm 2$",
-        ),
-        Step(
-            r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$",
-            r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
-        ),
-    ),
+        r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$": r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
+    },
     mutants=(
         variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
         variant("rings' has one", _opposite, zero(*_across)),
@@ -156,9 +148,9 @@ smooth_everywhere = Theorem(
     r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
     claims=_same,
     refuted_at={k_u: 2, k_v: 1, theta: pi / 2},
-    steps=Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
+    steps={r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$": "arithmetic"},
     mutants=(
         variant("true for k_v = 0", _same, given=zero(k_v)),
-        Mutant("true of the surface gradient, k_u = 2", _same_limit[1]),
+        variant("true of the surface gradient, k_u = 2", _same_limit[1]),
     ),
 )

@@ -4,7 +4,7 @@ from sympy import Rational
 
 from proofs.engine.claim import Claim, equation, number
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
 from proofs.formulas.symbols import (
     column,
@@ -64,15 +64,14 @@ theorem = Theorem(
     r"$10^{-4}$ is never taken.",
     hypotheses=("$e = 4$, $R = 1$, $256^2$ pixels", "column $m$ and row $n$ are whole numbers"),
     claims=(_on_the_raster, _linear, _far),
-    steps=(
-        Step(r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$", "the pixel's centre"),
-        Step(
-            r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$",
-            r"whole numbers: $m \le 127$ or $m \ge 128$, $n \le 108$ or $n \ge 109$",
+    steps={
+        r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$": "the pixel's centre",
+        r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$": (
+            r"whole numbers: $m \le 127$ or $m \ge 128$, $n \le 108$ or $n \ge 109$"
         ),
-        Step(r"$\rho = eR\sin\varphi/(e-R\cos\varphi)$ and $\cos\varphi \le 1$", "a parallel is a circle", "kink_loci"),
-        Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
-    ),
+        r"$\rho = eR\sin\varphi/(e-R\cos\varphi)$ and $\cos\varphi \le 1$": ("a parallel is a circle", "kink_loci"),
+        r"$\tfrac34\sqrt{34/15}/256 > 0.0044$": "squared",
+    },
     mutants=(
         variant("ρ ≥ 2/256", _on_the_raster[0], _radius_squared >= Rational(4, 256**2), at={m: 127, n: 108}),
         variant("sin φ ≥ ρ/R", _linear, radius * sin_phi >= rho),
@@ -98,10 +97,10 @@ seed_theorem = Theorem(
     hypotheses="$e = 4$, $R = 1$",
     claims=_beside,
     refuted_at={m: 127, n: 108},
-    steps=Step(r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$", "arithmetic; $m = 127$, $n = 108$"),
+    steps={r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$": "arithmetic; $m = 127$, $n = 108$"},
     mutants=(
-        Mutant("ρ ≥ √(34/15)/256 at every pixel, n ≤ 108", _on_the_raster[0]),
-        Mutant("no pixel is that near the axis, n ≥ 109", _no_pixel[1]),
-        Mutant("sin φ < 10⁻⁴ needs ρ < 4/3·10⁻⁴", _only_near),
+        variant("ρ ≥ √(34/15)/256 at every pixel, n ≤ 108", _on_the_raster[0]),
+        variant("no pixel is that near the axis, n ≥ 109", _no_pixel[1]),
+        variant("sin φ < 10⁻⁴ needs ρ < 4/3·10⁻⁴", _only_near),
     ),
 )

@@ -1,7 +1,7 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Clause, Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.algebraic_form import (
     complex_product,
     complex_square,
@@ -120,38 +120,32 @@ _factors = Claim(
 theorem = Theorem(
     "rounded_powers",
     "What a power by repeated squaring loses",
-    (
-        Clause(
+    {
+        (
             r"In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or product "
-            r"of complex numbers is off by at most $\kappa$ of its size.",
-            (_three, _square, _product),
-        ),
-        Clause(
+            r"of complex numbers is off by at most $\kappa$ of its size."
+        ): (_three, _square, _product),
+        (
             r"Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is within "
-            r"$(1+\kappa)AB-1$ of $ab$.",
-            _power,
-        ),
-        Clause(
+            r"$(1+\kappa)AB-1$ of $ab$."
+        ): _power,
+        (
             r"So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to one "
-            r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.",
-            argued="an induction over every order of the products, which the kernel has no rule for; Coq has one",
-        ),
-        Clause(r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.", _factors),
-    ),
+            r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$."
+        ): "an induction over every order of the products, which the kernel has no rule for; Coq has one",
+        r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.": _factors,
+    },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu \le \tfrac14$; nothing underflows",
         "the triangle's inequality, and that the size of a product is the product of the sizes",
     ),
-    steps=(
-        Step(
-            r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$",
-            r"$|a| = 1$, $|\hat b| \le B$",
+    steps={
+        r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$": (
+            r"$|a| = 1$, $|\hat b| \le B$"
         ),
-        Step(
-            r"$\kappa|\hat a||\hat b| \le \kappa AB$, so $(1+\kappa)AB-1$ in all", "the product's own rounding, added"
-        ),
-        Step(r"$A_n = (1+\delta)^n(1+\kappa)^{n-1}$ has $(1+\kappa)A_mA_n = A_{m+n}$", "induction over the products"),
-    ),
+        r"$\kappa|\hat a||\hat b| \le \kappa AB$, so $(1+\kappa)AB-1$ in all": "the product's own rounding, added",
+        r"$A_n = (1+\delta)^n(1+\kappa)^{n-1}$ has $(1+\kappa)A_mA_n = A_{m+n}$": "induction over the products",
+    },
     mutants=(
         variant(
             "a product costs one rounding",

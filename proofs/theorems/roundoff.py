@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.step_bounds import (
@@ -90,19 +90,16 @@ def _at(error):
 theorem = Theorem(
     "roundoff_bound",
     "The rounding error of the central difference",
-    (
-        Clause(
+    {
+        (
             r"With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$: "
             r"$|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, "
-            r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,",
-            (_in_u, _in_v),
-        ),
-        Clause(r"and clamped at the pole over $S = v + \varepsilon$.", _clamped),
-        Clause(
-            r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;", _two
-        ),
-        Clause(r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.", _three),
-    ),
+            r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,"
+        ): (_in_u, _in_v),
+        r"and clamped at the pole over $S = v + \varepsilon$.": _clamped,
+        r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
+        r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
+    },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
         r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped, or "
@@ -110,14 +107,13 @@ theorem = Theorem(
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),
     source="DLMF",
-    steps=(
-        Step(r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$", r"the line, with $|e_\pm| \le \eta + L\alpha$"),
-        Step(
-            r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$",
-            r"$|d_i| \le \mu$: difference, quotient, span",
+    steps={
+        r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$": r"the line, with $|e_\pm| \le \eta + L\alpha$",
+        r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$": (
+            r"$|d_i| \le \mu$: difference, quotient, span"
         ),
-        Step("the two parts, added", "each is within its bound"),
-    ),
+        "the two parts, added": "each is within its bound",
+    },
     mutants=(
         variant(
             "half of it: the two errors share 2ε",
@@ -173,14 +169,13 @@ best_step_theorem = Theorem(
     r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
     claims=_least,
-    steps=(
-        Step(
+    steps={
+        (
             r"$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E = "
-            r"T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$",
-            "expansion; not negative",
-        ),
-        Step(r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$", "arithmetic"),
-    ),
+            r"T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$"
+        ): "expansion; not negative",
+        r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$": "arithmetic",
+    },
     mutants=(
         variant("at (E/T)^{1/3}", _least, given=(_positive[:3], equation(rounding, truncation * best**3))),
         variant("the floor 4Tε₀²", _least, truncation * epsilon**2 + rounding / epsilon >= 4 * truncation * best**2),

@@ -4,7 +4,7 @@ from sympy import Expr, S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
@@ -78,33 +78,31 @@ _smooth = Claim(
 theorem = Theorem(
     "seam",
     "Which fields cross the seam smoothly",
-    (
-        Clause(r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.", _parity),
-        Clause(
+    {
+        r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.": _parity,
+        (
             r"Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by "
-            r"$\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$:",
-            _sine,
-        ),
-        Clause("not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;", _even),
-        Clause(r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.", _odd),
-        Clause(
+            r"$\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$:"
+        ): _sine,
+        "not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;": _even,
+        r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.": _odd,
+        (
             r"Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$ "
-            r"at $s$ from it, as on a crease;",
-            (_ridges, _crease),
-        ),
-        Clause(r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.", _broken),
-        Clause("Rings does not depend on $u$.", _smooth),
-    ),
+            r"at $s$ from it, as on a crease;"
+        ): (_ridges, _crease),
+        r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.": _broken,
+        "Rings does not depend on $u$.": _smooth,
+    },
     hypotheses=(
         r"$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either sign: "
         r"$\cos$ is even"
     ),
-    steps=(
-        Step(r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$", "induction"),
-        Step(r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$", "the field and its derivative at both ends"),
-        Step(r"$h(s, v)^2 = h(1-s, v)^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$", "ridges, whole $k_u$; both are $\\ge 0$"),
-        Step("the slopes on either side are opposite and not zero", "as on every crease", uses="ridges_on_creases"),
-    ),
+    steps={
+        r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$": "induction",
+        r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$": "the field and its derivative at both ends",
+        r"$h(s, v)^2 = h(1-s, v)^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$": "ridges, whole $k_u$; both are $\\ge 0$",
+        "the slopes on either side are opposite and not zero": ("as on every crease", "ridges_on_creases"),
+    },
     mutants=(
         variant("C¹ for odd k_u", _odd, _even.shows),
         variant("continuous for every k_u", _sine, equation(h_jump, 0)),
@@ -130,9 +128,9 @@ seam_saved = Theorem(
     hypotheses="$k_u$ is whole",
     claims=_periodic,
     refuted_at={k_u: 1, k_v: 1, v: "1/2"},
-    steps=Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),
+    steps={r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$": "arithmetic"},
     mutants=(
         variant("true for even k_u", _periodic, given=equation(cos(pi * k_u), 1)),
-        Mutant("true for the height", Claim("height", zero(jump(sine.expression)), _whole)),
+        variant("true for the height", Claim("height", zero(jump(sine.expression)), _whole)),
     ),
 )

@@ -3,7 +3,7 @@
 from sympy import Max, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
@@ -73,33 +73,30 @@ def _lamp(shine):
 difference_bound = Theorem(
     "difference_bound",
     "How far a gradient's error can move a colour",
-    (
-        Clause(
-            r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,",
-            _lights,
+    {
+        r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,": (
+            _lights
         ),
-        Clause("and the clip adds nothing;", _clip),
-        Clause(
+        "and the clip adds nothing;": _clip,
+        (
             r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
-            "up to five lights.",
-            _all_lights,
-        ),
-    ),
+            "up to five lights."
+        ): _all_lights,
+    },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
         "the same chamber: the same point and the same lights",
         r"$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$ with "
         "$q = p$ (Blinn) or $2p$ (Phong), as is argued",
     ),
-    steps=(
-        Step(
-            r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$",
+    steps={
+        r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
             "Lipschitz, stage by stage",
-            uses="specular_lipschitz",
+            "specular_lipschitz",
         ),
-        Step("the light's line", "products of non-negative weights with these; both ways round; over all lights"),
-        Step(r"$|\Delta N'| \le |\beta||\Delta g|$", "normalising", uses="normalising_is_lipschitz"),
-    ),
+        "the light's line": "products of non-negative weights with these; both ways round; over all lights",
+        r"$|\Delta N'| \le |\beta||\Delta g|$": ("normalising", "normalising_is_lipschitz"),
+    },
     mutants=(
         variant(
             "the clip halves a change", _clip, both_ways(_bound_on / 2, clipped_value(_first) - clipped_value(_second))
@@ -110,8 +107,8 @@ difference_bound = Theorem(
             sum(_factors[:4]) * step >= _changes[-1],
             at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
         ),
-        Mutant("without the highlight", _at_unit_weights(_weights[0])),
-        Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
+        variant("without the highlight", _at_unit_weights(_weights[0])),
+        variant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
     ),
     side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
@@ -128,7 +125,7 @@ one_more = Theorem(
     r"more sample is added, with the share $w$, stays within what bounds each.",
     hypotheses=r"$0 \le w \le 1$",
     claims=_step,
-    steps=Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),
+    steps={r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$": "products of non-negative terms"},
     mutants=(
         variant("the mean gains on its samples", _step, bound >= 2 * _next),
         variant("a share beyond 1", _step, given=(share >= 0, share <= 2, _step.given[2:])),
@@ -193,23 +190,21 @@ def _pair(length):
 normalising = Theorem(
     "normalising_is_lipschitz",
     "Normalising is 1-Lipschitz outside the unit ball",
-    (
-        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", _normalise),
-        Clause(
+    {
+        r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.": _normalise,
+        (
             r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
-            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
-            _moved,
-        ),
-    ),
+            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$."
+        ): _moved,
+    },
     hypotheses=r"$|a|, |b| \ge 1$",
-    steps=(
-        Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
-        Step(
-            r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$",
-            r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$",
+    steps={
+        r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$": "expansion",
+        r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$": (
+            r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$"
         ),
-        Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses="unit_length"),
-    ),
+        r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$": ("the same $N$ and $\\beta$", "unit_length"),
+    },
     mutants=(
         variant("with the constant ½", _normalise, apart >= 2 * turned),
         variant(

@@ -5,7 +5,7 @@ from sympy import Derivative
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
 from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, squared, x, y
@@ -112,12 +112,12 @@ shadow_of_b = Theorem(
     r"($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
     claims=(_conic, _types, _away, _cast),
-    steps=(
-        Step(r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$", "expansion", "lagrange_identity"),
-        Step(r"its quadratic part has the determinant $c\,(w_z^2-r^2)$", "expansion; $c > 0$"),
-        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the vertex comes before the light", "occlusion_by_signs"),
-        Step("its sign, type by type", "the silhouette of the sphere with the light as the eye", "silhouette_of_b"),
-    ),
+    steps={
+        r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$": ("expansion", "lagrange_identity"),
+        r"its quadratic part has the determinant $c\,(w_z^2-r^2)$": "expansion; $c > 0$",
+        r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$": ("the vertex comes before the light", "occlusion_by_signs"),
+        "its sign, type by type": ("the silhouette of the sphere with the light as the eye", "silhouette_of_b"),
+    },
     mutants=(
         variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
         variant("an ellipse from any height", _types[2], _determinant > 0),
@@ -134,10 +134,10 @@ shadow_of_a = Theorem(
     r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
     hypotheses="$|L| > R$, $|P| > R$",
     claims=(_of_a, _behind_a),
-    steps=(
-        Step("put $C = 0$", "substitution", "shadow_of_b_on_floor"),
-        Step(r"$a\cdot w' = |P|^2-P\cdot L$", "the vertex comes after P", "occlusion_by_signs"),
-    ),
+    steps={
+        "put $C = 0$": ("substitution", "shadow_of_b_on_floor"),
+        r"$a\cdot w' = |P|^2-P\cdot L$": ("the vertex comes after P", "occlusion_by_signs"),
+    },
     mutants=(
         variant(
             "− R²|P − L|²",
@@ -156,10 +156,10 @@ row = Theorem(
     r"with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and "
     "one linear polynomial.",
     claims=(_row, _leading, _away),
-    steps=(
-        Step(r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$", r"$P\times P = 0$: linear in $P$, not quadratic"),
-        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the conditions of the shadow test", "occlusion_by_signs"),
-    ),
+    steps={
+        r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$": r"$P\times P = 0$: linear in $P$, not quadratic",
+        r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$": ("the conditions of the shadow test", "occlusion_by_signs"),
+    },
     mutants=(
         variant(
             "the leading coefficient is r² − w_z²",

@@ -4,7 +4,7 @@
 from sympy import Basic, Expr
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
 from proofs.formulas.symbols import ball_center, ball_radius, eye, lengths_of_b, squared, x, y
 from proofs.theorems.hits import distance_squared, hit_of_b
@@ -99,15 +99,13 @@ theorem = Theorem(
     "branch $b < 0$ is spurious.",
     hypotheses="$c > 0$: the eye is outside B",
     claims=(_conic, _types, _branch, _all_seen, _none_seen),
-    steps=(
-        Step(
-            r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$", "expansion", "lagrange_identity"
-        ),
-        Step(r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$", "expansion; $c > 0$"),
-        Step(r"on it $b^2 > 0$; $b < 0$ has $t < 0$", r"$b \le 0$: every root is negative", "hit_of_b"),
-        Step(r"$H \ge R_2$: $b^2 > (xC_x+yC_y)^2$", r"$c \ge C_x^2+C_y^2$ and Cauchy's inequality"),
-        Step(r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise", r"$b^2-(b-eH)^2 = eH(2b-eH)$"),
-    ),
+    steps={
+        r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$": ("expansion", "lagrange_identity"),
+        r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$": "expansion; $c > 0$",
+        r"on it $b^2 > 0$; $b < 0$ has $t < 0$": (r"$b \le 0$: every root is negative", "hit_of_b"),
+        r"$H \ge R_2$: $b^2 > (xC_x+yC_y)^2$": r"$c \ge C_x^2+C_y^2$ and Cauchy's inequality",
+        r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise": r"$b^2-(b-eH)^2 = eH(2b-eH)$",
+    },
     mutants=(
         variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
         variant("an ellipse even if |H| < R₂", _types[2], _determinant > 0),

@@ -3,7 +3,7 @@
 from sympy import Derivative, Expr, Rational, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
@@ -92,37 +92,34 @@ _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 theorem = Theorem(
     "truncation_bound",
     "The truncation error of the central difference",
-    (
-        Clause(
+    {
+        (
             r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
-            r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.",
-            (_u, _v, _rings),
-        ),
-        Clause(
+            r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$."
+        ): (_u, _v, _rings),
+        (
             r"Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope are "
-            r"sine's, or both their negatives: the same bound.",
-            _ridges,
-        ),
-        Clause(
+            r"sine's, or both their negatives: the same bound."
+        ): _ridges,
+        (
             r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
-            r"at most $2\pi k$ apart.",
-            _apart,
-        ),
-    ),
+            r"at most $2\pi k$ apart."
+        ): _apart,
+    },
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
         r"$x - x^3/6 \le \sin x \le x$ for $x \ge 0$ (cited)",
     ),
-    steps=(
-        Step(r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$", "the lines; addition formulas"),
-        Step(r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$", "cited"),
-        Step(r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$", r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$"),
-        Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
-    ),
+    steps={
+        r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$": "the lines; addition formulas",
+        r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$": "cited",
+        r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$": r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$",
+        r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$": "the triangle's inequality",
+    },
     mutants=(
         variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: "1/4", epsilon: "1/16"}),
-        Mutant(
+        variant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
             at={k_u: 1, u: "1/16", k_v: 1, v: "1/2", epsilon: "1/100"},
@@ -146,7 +143,7 @@ third_derivative = Theorem(
     r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
     hypotheses=r"$3 < \pi < 22/7$",
     claims=(_at_eight, _at_four),
-    steps=(Step(r"$8\pi > 24$ and $24^3 = 13{,}824$", r"$\pi > 3$"), Step(r"$(88/7)^3 < 1987$", r"$\pi < 22/7$")),
+    steps={r"$8\pi > 24$ and $24^3 = 13{,}824$": r"$\pi > 3$", r"$(88/7)^3 < 1987$": r"$\pi < 22/7$"},
     mutants=(
         variant("(8π)³ is about 2,000", _at_eight, greater(2100, (8 * pi) ** 3)),
         variant("(4π)³ exceeds 2,000", _at_four, (4 * pi) ** 3 > 2000),

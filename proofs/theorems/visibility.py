@@ -1,7 +1,7 @@
 """Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
 
 from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
 from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, squared, x, y
 from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
@@ -76,12 +76,12 @@ silhouette = Theorem(
     r"$\cos\varphi = R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_quadratic, _inside, _only_inside, _in_front, _tangent),
-    steps=(
-        Step(r"$d = e^4-(\rho^2+e^2)(e^2-R^2) = (e^2-R^2)(\rho_s^2-\rho^2)$", "expansion"),
-        Step(r"its sign is that of $\rho_s-\rho$", "the other factors are positive"),
-        Step(r"$t = (e^2-R^2)/(e^2+\sqrt d) < 1$", r"$e^2-R^2 < e^2 \le e^2+\sqrt d$", "hit_of_a"),
-        Step(r"$d = 0$: the double root is $t = e^2/(\rho^2+e^2) = 1-R^2/e^2$", "substitution"),
-    ),
+    steps={
+        r"$d = e^4-(\rho^2+e^2)(e^2-R^2) = (e^2-R^2)(\rho_s^2-\rho^2)$": "expansion",
+        r"its sign is that of $\rho_s-\rho$": "the other factors are positive",
+        r"$t = (e^2-R^2)/(e^2+\sqrt d) < 1$": (r"$e^2-R^2 < e^2 \le e^2+\sqrt d$", "hit_of_a"),
+        r"$d = 0$: the double root is $t = e^2/(\rho^2+e^2) = 1-R^2/e^2$": "substitution",
+    },
     mutants=(
         variant("ρ_s = R e/√(e² + R²)", _only_inside, eye**2 * radius**2 >= rho**2 * (eye**2 + radius**2)),
         variant("t < 1/2", _in_front, greater(HALF, t_a)),
@@ -101,11 +101,11 @@ visible = Theorem(
     r"$\cos\varphi < R/e$.",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "$|P(t)| = R$", "no other body stands before A"),
     claims=(_visible, _hidden),
-    steps=(
-        Step(r"$t\,((\rho^2+e^2)t-e^2) = R^2-eR\cos\varphi$", r"$R\cos\varphi = e(1-t)$ and $|P(t)| = R$"),
-        Step("$t > 0$, and a ray that hits A has $d \\ge 0$", r"$2e^2t = (\rho^2+e^2)t^2+e^2-R^2$", "silhouette_of_a"),
-        Step(r"$(\rho^2+e^2)t-e^2 = \mp\sqrt d$", r"its square is $d$, its sign that of $R-e\cos\varphi$", "hit_of_a"),
-    ),
+    steps={
+        r"$t\,((\rho^2+e^2)t-e^2) = R^2-eR\cos\varphi$": r"$R\cos\varphi = e(1-t)$ and $|P(t)| = R$",
+        "$t > 0$, and a ray that hits A has $d \\ge 0$": (r"$2e^2t = (\rho^2+e^2)t^2+e^2-R^2$", "silhouette_of_a"),
+        r"$(\rho^2+e^2)t-e^2 = \mp\sqrt d$": (r"its square is $d$, its sign that of $R-e\cos\varphi$", "hit_of_a"),
+    },
     mutants=(
         variant("visible where cos φ ≥ 0", _visible, equation(t, t_a), given=(_on_a, _cos_phi >= 0)),
         variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius)), squares=()),
