@@ -118,7 +118,8 @@ class Theorem(Parts):
     rounded: Some = ()
 
     def __post_init__(self):
-        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps))
+        hypotheses = tuple(map(_line, flat(self.hypotheses)))
+        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
         super().__post_init__()
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
@@ -173,18 +174,26 @@ class Theorem(Parts):
         return next(claim for claim in self.claims if claim.name == name)
 
 
+def _line(text):
+    """Return a text in one line."""
+    return " ".join(text.split())
+
+
 def _clauses(said):
     """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
+    if isinstance(said, str):
+        return _line(said)
     if not isinstance(said, Mapping):
         return said
-    return tuple(Clause(text, argued=by) if isinstance(by, str) else Clause(text, by) for text, by in said.items())
+    parts = [(_line(text), by) for text, by in said.items()]
+    return tuple(Clause(text, argued=_line(by)) if isinstance(by, str) else Clause(text, by) for text, by in parts)
 
 
 def _steps(taken):
     """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
     if not isinstance(taken, Mapping):
         return taken
-    return tuple(Step(what, why, uses) for what, given in taken.items() for why, *uses in [flat(given)])
+    return tuple(Step(_line(what), _line(why), uses) for what, given in taken.items() for why, *uses in [flat(given)])
 
 
 Theorems = dict[str, Theorem]

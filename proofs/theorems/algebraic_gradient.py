@@ -96,10 +96,10 @@ _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 theorem = Theorem(
     "algebraic_gradient",
     "The algebraic gradient is the trigonometric one",
-    r"For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: "
-    r"$(-\cos\theta - i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, "
-    r"$\sin\pi k_u u$ for $k_u = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for "
-    r"$k_v = n$, and rings' factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.",
+    r"""For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: $(-\cos\theta -
+    i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, $\sin\pi k_u u$ for $k_u
+    = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for $k_v = n$, and rings'
+    factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.""",
     hypotheses="$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",
     claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times, _reciprocal),
     steps={
@@ -116,12 +116,10 @@ theorem = Theorem(
         variant("a negative power does not conjugate", _backwards, states=_plain.states),
         variant("squaring keeps the angle", _square, _on_circle(complex_square, (alpha,), alpha)[0]),
     ),
-    side_conditions=(
-        SideCondition(
-            "the conjugate is the reciprocal on the unit circle, and not off it",
-            "reciprocal",
-            holds={real_part: "3/5", imaginary_part: "4/5"},
-            fails=({real_part: "3/5", imaginary_part: 1}, {real_part: 0, imaginary_part: 0}),
-        )
+    side_conditions=SideCondition(
+        "the conjugate is the reciprocal on the unit circle, and not off it",
+        "reciprocal",
+        holds={real_part: "3/5", imaginary_part: "4/5"},
+        fails=({real_part: "3/5", imaginary_part: 1}, {real_part: 0, imaginary_part: 0}),
     ),
 )

@@ -39,8 +39,8 @@ _mu = Symbol("mu_0", real=True)
 theorem = Theorem(
     "bump_moves_no_boundary",
     "The bump moves no boundary",
-    r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
-    r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
+    r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
+    none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""",
     hypotheses=(
         "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field"
     ),

@@ -56,13 +56,11 @@ _formula = Claim(
 forward = Theorem(
     "chart",
     "The chart of sphere A",
-    r"For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, 1]$; $u = "
-    r"(\theta+\pi)/2\pi$ where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the "
-    r"same cosines and sines of $\theta$ and $\varphi$, on the seam too.",
-    hypotheses=(
-        r"$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise: "
-        r"the meaning of atan2"
-    ),
+    r"""For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, 1]$; $u =
+    (\theta+\pi)/2\pi$ where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the
+    same cosines and sines of $\theta$ and $\varphi$, on the seam too.""",
+    hypotheses=r"""$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise:
+    the meaning of atan2""",
     claims=(_range, _inside, _seam, _round_trip, _on_the_seam),
     steps={
         r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0": "the case of the reduction",
@@ -78,17 +76,17 @@ forward = Theorem(
             equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),
         ),
     ),
-    side_conditions=(
-        SideCondition(r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0})
+    side_conditions=SideCondition(
+        r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0}
     ),
 )
 
 inverse = Theorem(
     "chart_inverse",
     "The inverse of the chart",
-    r"$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi "
-    r"> 0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$, "
-    r"$\sin\theta = N_y/\sin\varphi$.",
+    r"""$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi >
+    0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$,
+    $\sin\theta = N_y/\sin\varphi$.""",
     hypotheses=r"$\sin\varphi > 0$ for the way back",
     claims=(_formula, _unit, _recovered),
     steps={
@@ -100,7 +98,7 @@ inverse = Theorem(
         variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
         variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
     ),
-    side_conditions=(
-        SideCondition(r"$\sin\varphi > 0$", "recovered", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0))
+    side_conditions=SideCondition(
+        r"$\sin\varphi > 0$", "recovered", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)
     ),
 )

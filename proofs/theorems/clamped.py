@@ -54,13 +54,13 @@ _at_zero = Claim(
 first_order = Theorem(
     "clamped_difference",
     "The difference clamped at the pole",
-    r"For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and "
-    r"$|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller "
-    r"factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.",
+    r"""For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and
+    $|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller
+    factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and "
-        r"$h(0) = h - v h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$",
+        r"""Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and $h(0) = h - v
+        h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$""",
     ),
     claims=(_clamp, _first, _sharp, _at_zero),
     source="DLMF",
@@ -133,18 +133,18 @@ _attained = Claim(
 second_order = Theorem(
     "clamped_difference_of_odd",
     "Where the field is odd, the clamp costs no order",
-    r"If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then "
-    r"$|D_\varepsilon h - h_v| \le \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and "
-    r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges "
-    r"$v+\varepsilon \le 1/k_v$: no hump may end inside the step. $w^3/6$ attains the bound.",
+    r"""If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then $|D_\varepsilon h - h_v| \le
+    \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and rings are odd; on $[0,
+    1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges $v+\varepsilon \le 1/k_v$: no
+    hump may end inside the step. $w^3/6$ attains the bound.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, "
-        r"$|a| \le \sup|h_{vvv}|$",
-        r"$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up to "
-        r"$\pi k_v$",
-        r"the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + "
-        r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
+        r"""$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3
+        a$, $|a| \le \sup|h_{vvv}|$""",
+        r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up
+        to $\pi k_v$""",
+        r"""the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + \tfrac12(s^2/4
+        - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
     steps={
@@ -162,13 +162,11 @@ second_order = Theorem(
             "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            "ridges up to its first crease, $k_v v \\le 1$",
-            "first_ridge",
-            holds={u: "1/3", k_u: 1, k_v: 4, v: "1/4"},
-            fails={u: "1/3", k_u: 1, k_v: 4, v: "3/8"},
-        )
+    side_conditions=SideCondition(
+        "ridges up to its first crease, $k_v v \\le 1$",
+        "first_ridge",
+        holds={u: "1/3", k_u: 1, k_v: 4, v: "1/4"},
+        fails={u: "1/3", k_u: 1, k_v: 4, v: "3/8"},
     ),
 )
 
@@ -185,8 +183,8 @@ _costs = Claim("costs_an_order", Abs(_at_zero_of(v - v**3)) >= epsilon, _steps)
 always_first_order = Theorem(
     "seed_clamp",
     "The seed's clamp always costs an order",
-    r"At the pole the one-sided difference is of first order for every field: at $v = 0$ that of "
-    r"$h = v - v^3$ errs by $\varepsilon$ at least.",
+    r"""At the pole the one-sided difference is of first order for every field: at $v = 0$ that of $h = v - v^3$
+    errs by $\varepsilon$ at least.""",
     hypotheses=r"$0 < \varepsilon \le 1$",
     claims=_costs,
     refuted_at={epsilon: "1/2"},

@@ -53,10 +53,10 @@ _slopes = tuple(
 theorem = Theorem(
     "straddling",
     "A difference that straddles a crease",
-    r"At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and "
-    r"$\varepsilon + |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, "
-    r"whereas the slope is $\pm\pi k\cos\pi k\delta$ on either side. At the crease $D_\varepsilon h$ is 0, for "
-    r"every $\varepsilon$, and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.",
+    r"""At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and $\varepsilon +
+    |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, whereas the slope
+    is $\pm\pi k\cos\pi k\delta$ on either side. At the crease $D_\varepsilon h$ is 0, for every $\varepsilon$,
+    and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
         r"ridges in $u$, where $|\sin\pi k_v v| = 1$; elsewhere that factor multiplies both sides",
@@ -107,8 +107,8 @@ _descends = Claim("descends", truncation_bound[truncation].xreplace({third_deriv
 supremum = Theorem(
     "seed_truncation_slope",
     "The seed's descent of the truncation slope, at a crease",
-    r"The error of the central difference of ridges is at most $\frac{\varepsilon^2}{6}\omega^3$, "
-    r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
+    r"""The error of the central difference of ridges is at most $\frac{\varepsilon^2}{6}\omega^3$, $\omega = \pi
+    k$, as for a sine: its supremum falls with $\varepsilon$.""",
     hypotheses=r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",
     claims=_descends,
     refuted_at={omega: 1, epsilon: "1/2"},
@@ -192,20 +192,16 @@ rms = Theorem(
     "crease_error_area",
     "The error beside the creases falls like √ε",
     {
-        (
-            r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
-            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$."
-        ): _near_tent,
-        (
-            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by "
-            r"$\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas "
-            r"at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
-            r"k_v\sqrt{(k_v-1)\varepsilon/3}$."
-        ): (_tents, _means, _in_u, _in_v),
-        (
-            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which "
-            "also bounds the error elsewhere."
-        ): "that a primitive gives an area, that the tents are disjoint and how many there are",
+        r"""Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is $\pi
+        k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": _near_tent,
+        r"""$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by
+        $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
+        at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
+        k_v\sqrt{(k_v-1)\varepsilon/3}$.""": (_tents, _means, _in_u, _in_v),
+        r"""So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which
+        also bounds the error elsewhere.""": (
+            "that a primitive gives an area, that the tents are disjoint and how many there are"
+        ),
     },
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",

@@ -56,10 +56,10 @@ _first_order = Claim(
 displaced_theorem = Theorem(
     "displaced_normal",
     "The displaced surface's normal, and Blinn's",
-    r"The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = "
-    r"(1+\beta h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta + "
-    r"\tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times B "
-    r"= -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.",
+    r"""The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = (1+\beta
+    h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta +
+    \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times
+    B = -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.""",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
     claims=(_product, _chart_scale, _outward, _first_order),
     steps={
@@ -114,10 +114,10 @@ _like_blinn = Claim("like_blinn", equation(dot(m, displaced), 1 + beta**2 * _met
 difference_theorem = Theorem(
     "bump_is_not_displacement",
     "The bumped normal is not the displaced surface's",
-    r"If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's "
-    r"normal $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta "
-    r"h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 = (1+\beta "
-    r"h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.",
+    r"""If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's normal
+    $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta
+    h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 =
+    (1+\beta h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.""",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
     claims=(_only_where_flat, _where_flat, _angle),
     steps={
@@ -152,17 +152,15 @@ _parallel = Claim(
 seed_theorem = Theorem(
     "seed_bump_as_displacement",
     "The bumped normal as the displaced surface's",
-    r"$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular "
-    r"$N\cdot(M\times D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).",
+    r"""$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular $N\cdot(M\times
+    D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).""",
     claims=_parallel,
     refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
-    steps=(
-        {
-            r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
-                r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"
-            )
-        }
-    ),
+    steps={
+        r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
+            r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"
+        )
+    },
     mutants=(
         variant("true where β = 0", _parallel, given=(_parallel.given, equation(beta, 0))),
         variant(

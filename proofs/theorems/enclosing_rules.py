@@ -12,11 +12,11 @@ x_error, y_error, x_exact = real("x_error y_error x_exact")
 theorem = Theorem(
     "enclosing_rules",
     "The rules of the enclosing machine",
-    r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
-    r"float64. By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of "
-    r"the whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if "
-    r"the counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, "
-    r"one after the other, by $2^{-20}$.",
+    r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
+    By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
+    whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if the
+    counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them,
+    one after the other, by $2^{-20}$.""",
     hypotheses=(
         "nothing overflows; of a product and of a whole number the counts are at most $2^{60}$",
         r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",

@@ -42,11 +42,9 @@ _clamp = Claim(
 )
 _cosine = Claim(
     "cosine",
-    (
-        equation(
-            (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
-            -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
-        )
+    equation(
+        (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
+        -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
     ),
     (epsilon > 0, k_u > 0),
 )
@@ -55,9 +53,9 @@ _angle = pi * k_u * epsilon
 theorem = Theorem(
     "central_difference_of_sine",
     "The central difference of a sine",
-    r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
-    r"$\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in $v$; "
-    r"rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.",
+    r"""For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times
+    $\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in
+    $v$; rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.""",
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",

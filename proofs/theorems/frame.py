@@ -55,8 +55,8 @@ _right_handed = Claim("right_handed", equations(cross(e_phi, e_theta), normal), 
 theorem = Theorem(
     "tangent_frame",
     "The tangent frame",
-    r"$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$; "
-    r"$(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.",
+    r"""$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$;
+    $(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.""",
     hypotheses=r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",
     claims=(_along, _unit, _right_handed),
     steps={
@@ -111,9 +111,9 @@ _angles = Claim(
 stable = Theorem(
     "stable_frame",
     "The frame without cancellation",
-    r"Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with "
-    r"$\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where "
-    r"$\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.",
+    r"""Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with
+    $\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where
+    $\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.""",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "the ray hits A"),
     claims=(_angles, _seed),
     steps={

@@ -61,17 +61,16 @@ _mirrored = Claim("same_sign_below", _same, (p < 0, p + d <= 0))
 theorem = Theorem(
     "gradients",
     "The gradients of the three fields",
-    r"Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings: "
-    r"$h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$: $\operatorname{sign}(p)\,p_u$ "
-    r"and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the creases the kernels print 0.",
+    r"""Sine: $h_u = \pi k_u\cos\pi k_u u\,\sin\pi k_v v$, $h_v = \pi k_v\sin\pi k_u u\,\cos\pi k_v v$. Rings:
+    $h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$:
+    $\operatorname{sign}(p)\,p_u$ and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the
+    creases the kernels print 0.""",
     hypotheses=("any real $k_u$, $k_v$", r"$\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
     claims=(_sine, _rings, _ridges, _printed, _near, _mirrored),
     source="DLMF",
     steps={
-        (
-            r"$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$, "
-            r"$\omega = \pi k_u$"
-        ): r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",
+        r"""$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$,
+        $\omega = \pi k_u$""": r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",
         "the same in $v$, and for rings with $2\\pi k_v$": "the addition formulas",
         r"$|p+d| = |p| + \operatorname{sign}(p)\,d$ for $|d| \le |p|$": "by the sign of $p$",
         r"on the creases $\operatorname{sign}(p) = 0$": "the kernels' sign",
@@ -82,12 +81,7 @@ theorem = Theorem(
         variant("rings with πk_v", _rings, _difference(rings, v, h_v, pi * k_v)),
         variant("ridges without the sign", _ridges[1], equation(h_u, _of_sine[0])),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$|d| \le |p|$: no crease is crossed",
-            "same_sign",
-            holds={p: 1, d: -1},
-            fails=({p: 1, d: -2}, {p: 0, d: 1}),
-        )
+    side_conditions=SideCondition(
+        r"$|d| \le |p|$: no crease is crossed", "same_sign", holds={p: 1, d: -1}, fails=({p: 1, d: -2}, {p: 0, d: 1})
     ),
 )

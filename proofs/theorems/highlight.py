@@ -147,10 +147,12 @@ theorem = Theorem(
             _swing,
             _twice,
         ),
-        (
-            "The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which keeps "
-            r"them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$."
-        ): (_powers, _signs, _power),
+        r"""The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which
+        keeps them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.""": (
+            _powers,
+            _signs,
+            _power,
+        ),
         r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).": (
             "an induction over inequalities, which the kernel has no rule for"
         ),
@@ -173,13 +175,11 @@ theorem = Theorem(
         variant("p − 1 in place of p", _power, both_ways((power - 1) * (x - z), of_x - of_z)),
         variant("x^p − z^p with the quotient's last term dropped", _powers, states=_dropped),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\omega$ has length 1",
-            "along_a_direction",
-            holds=_parallel | {omega: (1, 0, 0)},
-            fails=_parallel | {omega: (2, 0, 0)},
-        )
+    side_conditions=SideCondition(
+        r"$\omega$ has length 1",
+        "along_a_direction",
+        holds=_parallel | {omega: (1, 0, 0)},
+        fails=_parallel | {omega: (2, 0, 0)},
     ),
 )
 
@@ -227,13 +227,13 @@ _base_squared = Claim(
 from_one_root = Theorem(
     "squared_highlight",
     "The highlight from one root and one division",
-    r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
-    r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
+    r"""With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the
+    square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.""",
     hypotheses=(
         "$L \\ne P$",
         r"$\omega \ne -\hat v$",
-        r"with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$, "
-        r"taken from $k = |d|H$ by hand",
+        r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
+        taken from $k = |d|H$ by hand""",
     ),
     claims=(_k, _cosine, _base_squared),
     steps={

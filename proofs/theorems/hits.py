@@ -111,8 +111,8 @@ _misses_a = Claim(
 theorem_a = Theorem(
     "hit_of_a",
     "The near hit with sphere A",
-    r"If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least "
-    r"root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.",
+    r"""If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least
+    root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.""",
     hypotheses=(r"$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_solves_a, _near_a, _misses_a),
     steps={
@@ -203,9 +203,9 @@ _quadratic = Claim(
 theorem_b = Theorem(
     "hit_of_b",
     "The near hit with sphere B",
-    r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
-    r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
-    r"if $b \le 0$, every root is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.",
+    r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
+    and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
+    is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""",
     hypotheses="$c > 0$: the eye is outside B",
     claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
     steps={
@@ -221,12 +221,10 @@ theorem_b = Theorem(
         variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
         variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, _behind_b.given[2:])),
     ),
-    side_conditions=(
-        SideCondition(
-            "$c > 0$: the eye is outside B",
-            "solves",
-            fails=(_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)),
-        )
+    side_conditions=SideCondition(
+        "$c > 0$: the eye is outside B",
+        "solves",
+        fails=(_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)),
     ),
 )
 _default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
@@ -271,9 +269,9 @@ _behind = Claim(
 hidden = Theorem(
     "seed_covers_the_view",
     "With the seed's quadratic B is everywhere",
-    "In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
-    r"$|x|, |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e "
-    r"= \frac34$. So B covers the view and A is never drawn.",
+    r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
+    |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
+    \frac34$. So B covers the view and A is never drawn.""",
     hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
     claims=(_covers, _before, _behind),
     steps={

@@ -92,16 +92,12 @@ theorem = Theorem(
     "image_derivative",
     "The image's derivative in β",
     {
-        (
-            r"Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and "
-            r"$\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
-            r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong)."
-        ): (_mu, _blinn, _phong),
+        r"""Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and $\text{base}'
+        = \partial_\beta N'\cdot H/|H|$ (Blinn) or $2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$
+        (Phong).""": (_mu, _blinn, _phong),
         r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.": _power,
-        (
-            r"So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative "
-            r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;"
-        ): _sides,
+        r"""So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative $i\,(a k_d\,\mu'[\mu >
+        0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;""": _sides,
         "the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.": _clip,
     },
     hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),

@@ -92,15 +92,12 @@ theorem = Theorem(
     "kink_loci",
     "The creases are rays and circles",
     {
-        (
-            r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point $\rho(\cos\theta, "
-            r"\sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel a circle."
-        ): _projection,
+        r"""Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point
+        $\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a
+        parallel a circle.""": _projection,
         r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;": _creases,
-        (
-            r"everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, "
-            r"$p = \sin\pi k_u u\,\sin\pi k_v v$: no other crease."
-        ): _elsewhere,
+        r"""everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, $p = \sin\pi k_u
+        u\,\sin\pi k_v v$: no other crease.""": _elsewhere,
     },
     hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
     uses="stable_frame",
@@ -117,13 +114,8 @@ theorem = Theorem(
         variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
         variant("the slope of p, whatever its sign", _elsewhere[1], _elsewhere[0].shows[4:5]),
     ),
-    side_conditions=(
-        SideCondition(
-            "$e > R$",
-            "projection",
-            fails={**_on_the_axis, radius: 2, t: -1},
-            undefined={**_on_the_axis, radius: 1, t: 0},
-        )
+    side_conditions=SideCondition(
+        "$e > R$", "projection", fails={**_on_the_axis, radius: 2, t: -1}, undefined={**_on_the_axis, radius: 1, t: 0}
     ),
 )
 
@@ -149,15 +141,11 @@ parallels = Theorem(
     "How many creased parallels are seen",
     {
         r"From pole to pole the cosine falls: $\cos\pi a > \cos\pi b$ for $0 \le a < b \le 1$.": _falling,
-        (
-            r"So if the parallel $v = b$ is seen, $\cos\pi b \ge R/e$, so is each nearer the pole: of "
-            "$v = m/k_v$ the first ones, up to some $m$."
-        ): _nearer,
+        r"""So if the parallel $v = b$ is seen, $\cos\pi b \ge R/e$, so is each nearer the pole: of $v = m/k_v$
+        the first ones, up to some $m$.""": _nearer,
         "$m = 0$ is the pole, a point.": _poles,
-        (
-            r"In the default scene, $k_v = 4$ and $R/e = \frac14$, one circle is seen: "
-            r"$\cos\frac\pi4 > \frac14 > \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$."
-        ): _default,
+        r"""In the default scene, $k_v = 4$ and $R/e = \frac14$, one circle is seen: $\cos\frac\pi4 > \frac14 >
+        \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$.""": _default,
     },
     hypotheses=(
         "$e > R > 0$",

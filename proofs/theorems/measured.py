@@ -13,9 +13,9 @@ from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
 products = Theorem(
     "crease_products",
     "A rounded product puts points on a crease",
-    r"Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the "
-    r"rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on the "
-    r"crease. With the product exact it takes none.",
+    r"""Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the
+    rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on
+    the crease. With the product exact it takes none.""",
     hypotheses=("every $k$ and $m$, exhaustively", "the heights are those of the kernel that draws"),
     expected="measured",
 )
@@ -23,8 +23,8 @@ products = Theorem(
 contrast = Theorem(
     "crease_contrast",
     "The error at the creases, against the rest",
-    r"In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag "
-    "is set is about four orders of magnitude above that elsewhere on A, not one.",
+    r"""In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag is set is
+    about four orders of magnitude above that elsewhere on A, not one.""",
     hypotheses="four orders to the nearest whole order",
     expected="measured",
 )
@@ -32,8 +32,8 @@ contrast = Theorem(
 dark = Theorem(
     "dark_difference",
     "The difference canvas stays dark",
-    r"In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is below half an 8-bit level "
-    r"at $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.",
+    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is below half an 8-bit level at
+    $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
     hypotheses="linear light",
     expected="measured",
 )
@@ -41,9 +41,10 @@ dark = Theorem(
 pole = Theorem(
     "pole_accuracy",
     "The printed frame and chart toward the pole",
-    r"In float64 the vector $g$ of the default field, by the seed's $\sin\varphi = \sqrt{1-N_z^2}$ and "
-    r"$v = \arccos(N_z)/\pi$, is off by more than $10^{-7}$ near $\sin\varphi = 10^{-4}$, by more than $10^{-3}$ near "
-    r"$6\cdot10^{-7}$ without the fallback, and by more than 20 with it; from $\rho$ and $t$ by less than $10^{-12}$.",
+    r"""In float64 the vector $g$ of the default field, by the seed's $\sin\varphi = \sqrt{1-N_z^2}$ and $v =
+    \arccos(N_z)/\pi$, is off by more than $10^{-7}$ near $\sin\varphi = 10^{-4}$, by more than $10^{-3}$ near
+    $6\cdot10^{-7}$ without the fallback, and by more than 20 with it; from $\rho$ and $t$ by less than
+    $10^{-12}$.""",
     hypotheses="the largest of 200 points near each latitude, against 50 digits; the seed's forms with libm",
     expected="measured",
 )
@@ -52,13 +53,13 @@ pole = Theorem(
 pixels = Theorem(
     "pixel_accuracy",
     "A pixel against the reference",
-    "Every channel of a pixel is within the bound that its picture carries of its exact value, for every "
-    "field, both models and other exponents.",
+    """Every channel of a pixel is within the bound that its picture carries of its exact value, for every field,
+    both models and other exponents.""",
     hypotheses=(
-        "$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges, nearest "
-        "to the pole, the seam, the creases, the terminator and grazing light",
-        "pixels that are open, and those whose side of a crease balls leave open, as those of the column $x = 0$, are "
-        "counted apart",
+        """$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges,
+        nearest to the pole, the seam, the creases, the terminator and grazing light""",
+        """pixels that are open, and those whose side of a crease balls leave open, as those of the column $x =
+        0$, are counted apart""",
     ),
     expected="measured",
 )
@@ -128,17 +129,14 @@ _rounding = ("roundoff_bound", "elementary_functions")
 differences = Theorem(
     "difference_bounds",
     "The U-curve lies below its bounds",
-    r"For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded "
-    r"arguments and that of the rounded evaluation of the float64 central difference are each at most their proved "
-    "bounds.",
-    hypotheses=(
-        "forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the seam for "
-        "even, odd and fractional $k_u$"
-    ),
+    r"""For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded arguments
+    and that of the rounded evaluation of the float64 central difference are each at most their proved bounds.""",
+    hypotheses="""forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the
+    seam for even, odd and fractional $k_u$""",
     steps={
         "truncation: the exact quotient less the slope": (
-            r"three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$ "
-            r"$J/2\varepsilon$ more",
+            r"""three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$
+            $J/2\varepsilon$ more""",
             _truncation,
         ),
         "arguments and evaluation: what remains": (
@@ -154,9 +152,9 @@ _orders = ("truncation_bound", "clamped_difference", "clamped_difference_of_odd"
 slopes = Theorem(
     "difference_slopes",
     "The orders of the difference, fitted",
-    r"Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at "
-    r"$v = \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS "
-    r"error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.",
+    r"""Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at $v =
+    \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS
+    error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.""",
     hypotheses="the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
     steps={"2; at the pole 1, where odd 2; ½": ("as proved", _orders)},
     expected="measured",
@@ -166,18 +164,18 @@ slopes = Theorem(
 functions = Theorem(
     "elementary_functions",
     "The elementary functions of the kernels",
-    r"In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, "
-    r"$\cos\pi x$ by {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and "
-    r"{cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by "
-    r"{log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.".format(
+    r"""In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, $\cos\pi x$ by
+    {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and
+    {cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by
+    {log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.""".format(
         **{name: float(ulps) for name, ulps in CERTIFIED.items()}
     ),
     hypotheses=(
         "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
-        r"the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of a "
-        r"product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants",
-        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le 10^6$ "
-        r"for $x^p \ge e^{-708}$, and what is smaller is 0",
+        r"""the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding
+        of a product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants""",
+        r"""$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le
+        10^6$ for $x^p \ge e^{-708}$, and what is smaller is 0""",
     ),
     expected="certified",
 )

@@ -100,8 +100,8 @@ _point = at(_before / _g_x, (_g_x, 0, 0))
 theorem = Theorem(
     "seed_step_in_beta",
     "The seed's check of the normal's derivative",
-    r"The one-sided difference of $N'$ with step $\Delta\beta = 10^{-7}$ is $\partial N'/\partial\beta$ to "
-    r"$10^{-12}$.",
+    r"""The one-sided difference of $N'$ with step $\Delta\beta = 10^{-7}$ is $\partial N'/\partial\beta$ to
+    $10^{-12}$.""",
     hypotheses=r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",
     claims=_verifies,
     refuted_at=_point,

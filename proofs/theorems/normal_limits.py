@@ -27,8 +27,8 @@ _angle = Claim(
 angle = Theorem(
     "angle_of_the_bump",
     "The angle between N and N'",
-    r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
-    r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
+    r"""The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and $|N\times N'|^2 =
+    \beta^2|g|^2\,(N\cdot N')^2$.""",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     claims=_angle,
     steps={
@@ -41,8 +41,8 @@ angle = Theorem(
         variant("the tangent is |β||g|²", _angle, equation(squared(_turned), beta**2 * _g_squared**2 * cosine**2)),
         variant("at least 45°", _angle, 2 * cosine**2 <= 1),
     ),
-    side_conditions=(
-        SideCondition(r"$N\cdot g = 0$", "angle", holds=at(7), fails=at(1, (0, 0, 1)), undefined=at(-1, (0, 0, 1)))
+    side_conditions=SideCondition(
+        r"$N\cdot g = 0$", "angle", holds=at(7), fails=at(1, (0, 0, 1)), undefined=at(-1, (0, 0, 1))
     ),
 )
 
@@ -115,14 +115,12 @@ limits = Theorem(
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
         variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\beta \ne 0$, $g \ne 0$",
-            "large_beta",
-            holds={**at("3/4"), w: "3/4"},
-            fails={**at(0), w: 0},
-            undefined={**at(1, (0, 0, 0)), w: 0},
-        )
+    side_conditions=SideCondition(
+        r"$\beta \ne 0$, $g \ne 0$",
+        "large_beta",
+        holds={**at("3/4"), w: "3/4"},
+        fails={**at(0), w: 0},
+        undefined={**at(1, (0, 0, 0)), w: 0},
     ),
 )
 
@@ -148,8 +146,8 @@ _light = {towards: ("-3/5", 0, "4/5")}
 shadow_line = Theorem(
     "shadow_line_moves_within",
     "How far the bump can move an attached shadow",
-    r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
-    r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
+    r"""Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only where
+    $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.""",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
     claims=_within,
     steps={
@@ -167,12 +165,10 @@ shadow_line = Theorem(
         ),
         variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$N\cdot\omega > |\beta||g|$",
-            "shadow_line",
-            holds=({**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}),
-            fails=({**at("4/3"), **_light, w: "4/3"}, {**at(0), towards: (1, 0, 0), w: 0}),
-        )
+    side_conditions=SideCondition(
+        r"$N\cdot\omega > |\beta||g|$",
+        "shadow_line",
+        holds=({**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}),
+        fails=({**at("4/3"), **_light, w: "4/3"}, {**at(0), towards: (1, 0, 0), w: 0}),
     ),
 )

@@ -65,11 +65,9 @@ _only_if = Claim(
 )
 _of_b = Claim(
     "of_b",
-    (
-        equation(
-            discriminant_b,
-            toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
-        )
+    equation(
+        discriminant_b,
+        toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
     ),
     (),
     hit_of_b,
@@ -80,8 +78,8 @@ _wrong_side = toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, 0)
 lagrange = Theorem(
     "lagrange_identity",
     "Both discriminants without cancellation",
-    r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
-    r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
+    r"""$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, $w = C -
+    E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.""",
     claims=(_of_b, _of_shadow),
     steps={r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$": "Lagrange's identity, by expansion"},
     mutants=(
@@ -97,8 +95,8 @@ lagrange = Theorem(
 theorem = Theorem(
     "occlusion_by_signs",
     "The shadow test by signs",
-    "Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in "
-    r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
+    r"""Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in
+    $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.""",
     hypotheses="$|C-P| > r$ and $|C-L| > r$",
     claims=(_quadratic, _program, _if, _only_if),
     steps={
@@ -193,14 +191,10 @@ cone = Theorem(
     "shadow_out_of_reach",
     "A body that clears the cone of light casts no shadow",
     {
-        (
-            "The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within $ts$ "
-            "of $L + t(C-L)$."
-        ): _within,
-        (
-            r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
-            r"$r$ about $c$."
-        ): _cone,
+        """The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within
+        $ts$ of $L + t(C-L)$.""": _within,
+        r"""If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius $r$
+        about $c$.""": _cone,
         r"The squares' difference is a quadratic in $t$, least at an end or where it turns.": (
             _clearance,
             _least,

@@ -94,17 +94,13 @@ theorem = Theorem(
     "pole",
     "The gradient at the pole",
     {
-        (
-            r"At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, "
-            r"of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0 where "
-            r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits."
-        ): (_length, _vanishes, _differs),
+        r"""At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta,
+        0)$, of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0
+        where $\sin\pi k_u u \ne 0$, so that two meridians have two limits.""": (_length, _vanishes, _differs),
         r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.": _opposite,
-        (
-            r"Sine's surface gradient tends to $k_v$ times a vector of squared length "
-            r"$k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or "
-            r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$."
-        ): (_limit, _same_limit),
+        r"""Sine's surface gradient tends to $k_v$ times a vector of squared length $k_u^2/4 +
+        (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or $k_u = \pm
+        2$, where it is $(0, \mp 1, 0)$.""": (_limit, _same_limit),
         r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
     },
     hypotheses=(
@@ -114,10 +110,8 @@ theorem = Theorem(
     ),
     source="DLMF",
     steps={
-        (
-            r"$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), "
-            r"$e_\varphi \to (\cos\theta, \sin\theta, 0)$"
-        ): "the lines at $v = 0$, $\\varphi = 0$",
+        r"""$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), $e_\varphi \to (\cos\theta,
+        \sin\theta, 0)$""": "the lines at $v = 0$, $\\varphi = 0$",
         "two meridians, two limits": (
             r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$"
         ),

@@ -59,9 +59,9 @@ _beside = Claim("beside", _needed > _half_squared * _in_halves, (_whole, (n - 10
 theorem = Theorem(
     "pixels_off_the_pole",
     "No pixel comes near the pole",
-    r"In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has "
-    r"$\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below "
-    r"$10^{-4}$ is never taken.",
+    r"""In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has
+    $\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below $10^{-4}$ is
+    never taken.""",
     hypotheses=("$e = 4$, $R = 1$, $256^2$ pixels", "column $m$ and row $n$ are whole numbers"),
     claims=(_on_the_raster, _linear, _far),
     steps={
@@ -79,21 +79,19 @@ theorem = Theorem(
             "sin φ > 0.0045", _far, sin_phi > Rational(45, 10000), at={sin_phi: "4412/1000000", rho: "5882/1000000"}
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            "column and row are whole numbers",
-            "raster_above",
-            holds={m: 127, n: 108},
-            fails=({m: "255/2", n: 108}, {m: 127, n: "217/2"}),
-        )
+    side_conditions=SideCondition(
+        "column and row are whole numbers",
+        "raster_above",
+        holds={m: 127, n: 108},
+        fails=({m: "255/2", n: 108}, {m: 127, n: "217/2"}),
     ),
 )
 
 seed_theorem = Theorem(
     "seed_pole_rows",
     "The seed's rows at the pole",
-    r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < 10^{-4}$, which needs "
-    r"$\rho < \tfrac43 10^{-4}$.",
+    r"""In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < 10^{-4}$, which needs
+    $\rho < \tfrac43 10^{-4}$.""",
     hypotheses="$e = 4$, $R = 1$",
     claims=_beside,
     refuted_at={m: 127, n: 108},

@@ -87,10 +87,8 @@ crossings = Theorem(
     "ridges_at_crossings",
     "Ridges is differentiable where its creases cross",
     {
-        (
-            r"At $(a, b)$ from a crossing $u = m/k_u$, $v = n/k_v$ of creases inside the chart, "
-            r"$0 \le h \le \pi^2(k_u^2a^2 + k_v^2b^2)/2 \le \tfrac12K(a^2+b^2)$,"
-        ): _crossed,
+        r"""At $(a, b)$ from a crossing $u = m/k_u$, $v = n/k_v$ of creases inside the chart, $0 \le h \le
+        \pi^2(k_u^2a^2 + k_v^2b^2)/2 \le \tfrac12K(a^2+b^2)$,""": _crossed,
         r"so $h \le \epsilon\sqrt{a^2+b^2}$ wherever $K\sqrt{a^2+b^2} \le 2\epsilon$: the derivative there is 0.": (
             _flat
         ),
@@ -113,15 +111,11 @@ on_creases = Theorem(
     "ridges_on_creases",
     "Ridges is not differentiable elsewhere on its creases",
     {
-        (
-            r"At $s$ on either side of a crease $u = m/k_u$, $0 < s \le 1/k_u$: $h(m/k_u \pm s, v) = "
-            r"\sin x\,|\sin\pi k_v v|$, $x = \pi k_u s$, and $A(1-x^2/6) \le h/s \le A$ with the slope "
-            r"$A = \pi k_u|\sin\pi k_v v|$; the same on $v = n/k_v$."
-        ): (_on_u, _on_v),
-        (
-            r"Where $A \ne 0$, the quotients $\pm h/s$ to the right and to the left are more than $A$ apart for every "
-            r"$x \le 1$: there is no derivative."
-        ): _differ,
+        r"""At $s$ on either side of a crease $u = m/k_u$, $0 < s \le 1/k_u$: $h(m/k_u \pm s, v) = \sin
+        x\,|\sin\pi k_v v|$, $x = \pi k_u s$, and $A(1-x^2/6) \le h/s \le A$ with the slope $A = \pi k_u|\sin\pi
+        k_v v|$; the same on $v = n/k_v$.""": (_on_u, _on_v),
+        r"""Where $A \ne 0$, the quotients $\pm h/s$ to the right and to the left are more than $A$ apart for
+        every $x \le 1$: there is no derivative.""": _differ,
     },
     hypotheses=("$m$ whole; $k_u > 0$", r"$\sin x \ge 0$ on $[0, \pi]$ and $x - x^3/6 \le \sin x \le x$ (cited)"),
     steps={
@@ -145,8 +139,8 @@ _one_slope = Claim("one_slope", equation(Abs(_u_slope), -Abs(_u_slope)), zero(si
 differentiable = Theorem(
     "ridges_differentiable",
     "Ridges is differentiable",
-    r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
-    r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
+    r"""On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with $p =
+    \sin\pi k_u u\,\sin\pi k_v v$, are the same.""",
     claims=_one_slope,
     refuted_at={u: "1/4", v: "1/8", k_u: 8, k_v: 4},
     steps={r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$": "arithmetic"},

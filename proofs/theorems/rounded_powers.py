@@ -121,18 +121,14 @@ theorem = Theorem(
     "rounded_powers",
     "What a power by repeated squaring loses",
     {
-        (
-            r"In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or product "
-            r"of complex numbers is off by at most $\kappa$ of its size."
-        ): (_three, _square, _product),
-        (
-            r"Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is within "
-            r"$(1+\kappa)AB-1$ of $ab$."
-        ): _power,
-        (
-            r"So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to one "
-            r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$."
-        ): "an induction over every order of the products, which the kernel has no rule for; Coq has one",
+        r"""In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or
+        product of complex numbers is off by at most $\kappa$ of its size.""": (_three, _square, _product),
+        r"""Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is
+        within $(1+\kappa)AB-1$ of $ab$.""": _power,
+        r"""So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to
+        one within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.""": (
+            "an induction over every order of the products, which the kernel has no rule for; Coq has one"
+        ),
         r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.": _factors,
     },
     hypotheses=(

@@ -91,19 +91,17 @@ theorem = Theorem(
     "roundoff_bound",
     "The rounding error of the central difference",
     {
-        (
-            r"With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$: "
-            r"$|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, "
-            r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,"
-        ): (_in_u, _in_v),
+        r"""With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$:
+        $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, $L =
+        \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,""": (_in_u, _in_v),
         r"and clamped at the pole over $S = v + \varepsilon$.": _clamped,
         r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
         r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
     },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
-        r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped, or "
-        r"$v \pm \varepsilon$, clamped",
+        r"""$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped,
+        or $v \pm \varepsilon$, clamped""",
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),
     source="DLMF",
@@ -137,10 +135,8 @@ theorem = Theorem(
             at={(unit, first, second): ["1/4"] * 3, third: "-1/4", growth: "25/12"},
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
-        )
+    side_conditions=SideCondition(
+        r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
     ),
 )
 
@@ -165,15 +161,13 @@ _least = Claim(
 best_step_theorem = Theorem(
     "best_step",
     "The best step, and the floor that it leaves",
-    r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
-    r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
+    r"""For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at $\varepsilon = (E/2T)^{1/3}$, where
+    it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.""",
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
     claims=_least,
     steps={
-        (
-            r"$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E = "
-            r"T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$"
-        ): "expansion; not negative",
+        r"""$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E =
+        T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$""": "expansion; not negative",
         r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$": "arithmetic",
     },
     mutants=(

@@ -80,23 +80,17 @@ theorem = Theorem(
     "Which fields cross the seam smoothly",
     {
         r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.": _parity,
-        (
-            r"Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by "
-            r"$\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$:"
-        ): _sine,
+        r"""Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by $\pi
+        k_u(1-\cos\pi k_u)\sin\pi k_v v$:""": _sine,
         "not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;": _even,
         r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.": _odd,
-        (
-            r"Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$ "
-            r"at $s$ from it, as on a crease;"
-        ): (_ridges, _crease),
+        r"""Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$
+        at $s$ from it, as on a crease;""": (_ridges, _crease),
         r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.": _broken,
         "Rings does not depend on $u$.": _smooth,
     },
-    hypotheses=(
-        r"$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either sign: "
-        r"$\cos$ is even"
-    ),
+    hypotheses=r"""$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either
+    sign: $\cos$ is even""",
     steps={
         r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$": "induction",
         r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$": "the field and its derivative at both ends",
@@ -109,13 +103,11 @@ theorem = Theorem(
         variant("ridges continuous for every k_u", _ridges, given=()),
         variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=_whole),
     ),
-    side_conditions=(
-        SideCondition(
-            "$k_u$ is even",
-            "even",
-            holds={k_u: 2, k_v: 1, u: "1/3", v: "1/2"},
-            fails=({k_u: 1, k_v: 1, u: "1/3", v: "1/2"}, {k_u: "3/2", k_v: 1, u: "1/3", v: "1/2"}),
-        )
+    side_conditions=SideCondition(
+        "$k_u$ is even",
+        "even",
+        holds={k_u: 2, k_v: 1, u: "1/3", v: "1/2"},
+        fails=({k_u: 1, k_v: 1, u: "1/3", v: "1/2"}, {k_u: "3/2", k_v: 1, u: "1/3", v: "1/2"}),
     ),
 )
 

@@ -78,16 +78,14 @@ difference_bound = Theorem(
             _lights
         ),
         "and the clip adds nothing;": _clip,
-        (
-            r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
-            "up to five lights."
-        ): _all_lights,
+        r"""so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of up to
+        five lights.""": _all_lights,
     },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
         "the same chamber: the same point and the same lights",
-        r"$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$ with "
-        "$q = p$ (Blinn) or $2p$ (Phong), as is argued",
+        r"""$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$
+        with $q = p$ (Blinn) or $2p$ (Phong), as is argued""",
     ),
     steps={
         r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
@@ -121,8 +119,8 @@ _step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, both
 one_more = Theorem(
     "mean_keeps_the_bound",
     "A mean keeps the bound of its samples",
-    r"If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one "
-    r"more sample is added, with the share $w$, stays within what bounds each.",
+    r"""If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one more
+    sample is added, with the share $w$, stays within what bounds each.""",
     hypotheses=r"$0 \le w \le 1$",
     claims=_step,
     steps={r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$": "products of non-negative terms"},
@@ -131,13 +129,11 @@ one_more = Theorem(
         variant("a share beyond 1", _step, given=(share >= 0, share <= 2, _step.given[2:])),
         variant("the last sample is not bounded", _step, given=_step.given[:4]),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$0 \le w \le 1$",
-            "one_more",
-            holds=({mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}),
-            fails=({mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}),
-        )
+    side_conditions=SideCondition(
+        r"$0 \le w \le 1$",
+        "one_more",
+        holds=({mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}),
+        fails=({mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}),
     ),
 )
 
@@ -192,10 +188,8 @@ normalising = Theorem(
     "Normalising is 1-Lipschitz outside the unit ball",
     {
         r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.": _normalise,
-        (
-            r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
-            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$."
-        ): _moved,
+        r"""With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so $|\Delta N'| \le
+        \min(|\beta||\Delta g|, 2)$.""": _moved,
     },
     hypotheses=r"$|a|, |b| \ge 1$",
     steps={

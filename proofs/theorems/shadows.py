@@ -59,11 +59,9 @@ _row = Claim(
 _origin = dict.fromkeys(center, 0)
 _of_a = Claim(
     "of_a",
-    (
-        equation(
-            _on_floor.expand(shadow_discriminant).xreplace(_origin),
-            (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
-        )
+    equation(
+        _on_floor.expand(shadow_discriminant).xreplace(_origin),
+        (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
     ),
 )
 _away = Claim("away", equation(segment_squared - toward_center, -_across), (), _on_floor)
@@ -98,18 +96,19 @@ _behind_a = Claim(
 )
 _leading = Claim(
     "leading",
-    (equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2))),
+    equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),
 )
 _given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 
 shadow_of_b = Theorem(
     "shadow_of_b_on_floor",
     "A sphere's shadow on the floor is a conic",
-    "Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = "
-    r"|w|^2-r^2$. On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with "
-    r"the determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a "
-    r"parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$ "
-    r"($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
+    r"""Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = |w|^2-r^2$.
+    On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the
+    determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a
+    parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$
+    ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
+    hyperbola.""",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
     claims=(_conic, _types, _away, _cast),
     steps={
@@ -129,9 +128,9 @@ shadow_of_b = Theorem(
 shadow_of_a = Theorem(
     "shadow_of_a_on_floor",
     "Sphere A's shadow on the floor",
-    r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's "
-    r"shadow with $w_z = L_z$: "
-    r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
+    r"""With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's shadow with $w_z
+    = L_z$: an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L <
+    |P|^2$.""",
     hypotheses="$|L| > R$, $|P| > R$",
     claims=(_of_a, _behind_a),
     steps={
@@ -151,10 +150,10 @@ shadow_of_a = Theorem(
 row = Theorem(
     "shadow_along_a_row",
     "Along a row of pixels the shadow test is quadratic",
-    r"On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial of degree at "
-    r"most 2 in $x$, with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics "
-    r"with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and "
-    "one linear polynomial.",
+    r"""On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial of degree at most
+    2 in $x$, with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics
+    with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics
+    and one linear polynomial.""",
     claims=(_row, _leading, _away),
     steps={
         r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$": r"$P\times P = 0$: linear in $P$, not quadratic",

@@ -93,18 +93,12 @@ theorem = Theorem(
     "truncation_bound",
     "The truncation error of the central difference",
     {
-        (
-            r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
-            r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$."
-        ): (_u, _v, _rings),
-        (
-            r"Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope are "
-            r"sine's, or both their negatives: the same bound."
-        ): _ridges,
-        (
-            r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
-            r"at most $2\pi k$ apart."
-        ): _apart,
+        r"""$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: $k = k_u$
+        for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.""": (_u, _v, _rings),
+        r"""Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope
+        are sine's, or both their negatives: the same bound.""": _ridges,
+        r"""Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are
+        at most $2\pi k$ apart.""": _apart,
     },
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",

@@ -71,9 +71,9 @@ def _rim(t):
 silhouette = Theorem(
     "silhouette_of_a",
     "The silhouette of sphere A",
-    r"Let $e > R$. A ray meets A exactly if $\rho \le \rho_s = eR/\sqrt{e^2-R^2}$, and then $0 < t < 1$: in "
-    r"front of the floor. At $\rho = \rho_s$ it touches A, $P\cdot D = 0$, at height $P_z = R^2/e$, that is "
-    r"$\cos\varphi = R/e$.",
+    r"""Let $e > R$. A ray meets A exactly if $\rho \le \rho_s = eR/\sqrt{e^2-R^2}$, and then $0 < t < 1$: in
+    front of the floor. At $\rho = \rho_s$ it touches A, $P\cdot D = 0$, at height $P_z = R^2/e$, that is
+    $\cos\varphi = R/e$.""",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_quadratic, _inside, _only_inside, _in_front, _tangent),
     steps={
@@ -96,9 +96,9 @@ silhouette = Theorem(
 visible = Theorem(
     "visible_iff",
     "Which points of sphere A are seen",
-    r"The point $P(t)$ of A at polar angle $\varphi$ is the ray's near hit, $t = t_A$, where $\cos\varphi "
-    r"\ge R/e$ (on the rim $\cos\varphi = R/e$ the two hits are one), and lies behind it, $t > t_A$, where "
-    r"$\cos\varphi < R/e$.",
+    r"""The point $P(t)$ of A at polar angle $\varphi$ is the ray's near hit, $t = t_A$, where $\cos\varphi \ge
+    R/e$ (on the rim $\cos\varphi = R/e$ the two hits are one), and lies behind it, $t > t_A$, where $\cos\varphi
+    < R/e$.""",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "$|P(t)| = R$", "no other body stands before A"),
     claims=(_visible, _hidden),
     steps={
