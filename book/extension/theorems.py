@@ -129,9 +129,9 @@ def module_and_line(id: str) -> tuple[Path, int]:
     """The file that declares a theorem, and the line before the one that names it."""
     modules = {path: import_module(f"proofs.theorems.{path.stem}") for path in sorted(THEOREMS.glob("[!_]*.py"))}
     for path in modules:
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines()):
-            if re.search(rf"\bid=[\"']{id}[\"']", line):
-                return path, max(1, number)
+        text = path.read_text(encoding="utf-8")
+        if found := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
+            return path, text.count("\n", 0, found.start()) + 1
     held = [path for path in modules if id in [getattr(value, "id", "") for value in vars(modules[path]).values()]]
     return held[0], 1  # its id is computed
 

@@ -1,12 +1,12 @@
 """What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
 
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
-from proofs.engine.program import Program, evaluated
+from proofs.engine.program import Program, Some, evaluated, flat, pairs
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
@@ -30,8 +30,22 @@ def number(value: Basic | int | str) -> Basic:
     return sympify(value).doit()
 
 
+def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
+    """Return ((symbol, exact number), …) of {symbol or vector: value or values}, or of such pairs."""
+    return tuple((symbol, number(value)) for symbol, value in pairs(values))
+
+
+class Parts:
+    """What has fields that are given as one thing or several: tuples from here on."""
+
+    several: ClassVar[tuple[str, ...]] = ("given",)
+
+    def __post_init__(self):
+        vars(self).update({name: flat(getattr(self, name)) for name in self.several})
+
+
 @dataclass(frozen=True)
-class CitedLemma:
+class CitedLemma(Parts):
     """A relation that is taken from a source, a key of the bibliography, and not proved here.
 
     What is proved with it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
@@ -40,7 +54,7 @@ class CitedLemma:
 
     relation: Basic
     source: str
-    given: tuple[Basic, ...] = ()
+    given: Some = ()
 
     @property
     def text(self) -> str:
@@ -49,7 +63,7 @@ class CitedLemma:
 
 
 @dataclass(frozen=True)
-class Changeable:
+class Changeable(Parts):
     """What every sort of claim can do."""
 
     def but(self, **changes: Any) -> Self:
@@ -65,26 +79,31 @@ class Claim(Changeable):
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
     squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
-    ranges: {symbol: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds, as far as
-    the search for one needs to be told.
+    ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
+    as far as the search for one needs to be told. Both are tuples of pairs from here on.
     """
 
+    several = ("shows", "given", "squares", "cited")
+
     name: str
-    shows: tuple[Basic, ...]
-    given: tuple[Basic, ...] = ()
+    shows: Some
+    given: Some = ()
     lines: Program | None = None
-    squares: tuple[Basic, ...] = ()
+    squares: Some = ()
     borrowed: tuple[tuple[str, str], ...] = ()
-    ranges: tuple[tuple[Symbol, tuple], ...] = ()
-    cited: tuple[CitedLemma, ...] = ()
-    example: tuple[tuple[Symbol, Basic | int], ...] = ()
+    ranges: Any = ()
+    cited: Some = ()
+    example: Any = ()
 
     def __post_init__(self):
+        super().__post_init__()
         vars(self).update(
             shows=tuple(map(sympify, self.shows)),
             given=tuple(map(sympify, self.given)),
-            ranges=tuple((s, tuple(map(number, ends))) for s, ends in self.ranges),
-            example=tuple((s, number(value)) for s, value in self.example),
+            ranges=tuple(
+                (s, tuple(map(number, ends))) for several, ends in dict(self.ranges).items() for s in flat(several)
+            ),
+            example=point(self.example),
         )
 
     def everywhere(self) -> list[Basic]:
@@ -107,10 +126,12 @@ class Claim(Changeable):
 class Separation(Changeable):
     """In the program `lines`, none of `outputs` depends on any of `avoid`."""
 
+    several = ("outputs", "avoid")
+
     name: str
     lines: Program
-    outputs: tuple[Symbol, ...]
-    avoid: tuple[Symbol, ...]
+    outputs: Some
+    avoid: Some
 
 
 @dataclass(frozen=True)
@@ -121,26 +142,32 @@ class Induction(Changeable):
     the addition formulas. given: relations over the parameters.
     """
 
+    several = ("shows", "given")
+
     name: str
     n: Symbol
-    shows: tuple[Basic, ...]
+    shows: Some
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
-    given: tuple[Basic, ...] = ()
-    ranges: tuple[tuple[Symbol, tuple], ...] = ()
+    given: Some = ()
+    ranges: Any = ()
 
 
 @dataclass(frozen=True)
 class Rounded(Changeable):
     """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
 
-    program: one whose float64 operations are printed for Coq, which alone proves it. bounds: ((output, how far it is
-    off at most), …). given: relations over the inputs, which are finite.
+    program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
+    off at most}. given: relations over the inputs, which are finite.
     """
 
     name: str
     program: Program
-    bounds: tuple[tuple[Symbol, Basic], ...]
-    given: tuple[Basic, ...] = ()
+    bounds: Any
+    given: Some = ()
+
+    def __post_init__(self):
+        super().__post_init__()
+        vars(self).update(bounds=pairs(self.bounds))
 
 
 @dataclass(frozen=True)
@@ -154,7 +181,7 @@ class Encloses(Changeable):
 
     name: str
     program: Program
-    given: tuple[Basic, ...] = ()
+    given: Some = ()
 
 
 AnyClaim = Claim | Separation | Induction

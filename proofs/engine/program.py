@@ -23,33 +23,38 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-def _each(part):
-    """Return the components of a vector, or the one part that is none."""
-    return part if isinstance(part, tuple) else (part,)
+Some = Any
+"""One thing, or several in tuples and lists, one in another."""
 
 
-def _all(parts):
-    return tuple(component for part in parts for component in _each(part))
+def flat(part: Some) -> tuple:
+    """Return the things as one tuple."""
+    return tuple(thing for each in part for thing in flat(each)) if isinstance(part, tuple | list) else (part,)
+
+
+def pairs(given: Any) -> tuple[tuple, ...]:
+    """Return ((symbol, value), …) of {symbol or vector: value or values}, or of such pairs."""
+    items = given.items() if isinstance(given, Mapping) else given
+    return tuple(pair for names, values in items for pair in zip(flat(names), flat(values), strict=True))
 
 
 @dataclass(frozen=True)
 class Program:
-    """Definitions `(symbol, expression)` in order, from `inputs` to `outputs` (tuples of symbols).
+    """Definitions {symbol: expression} in order, from `inputs` to `outputs`; tuples, and of pairs, from here on.
 
-    A vector may be an input, or defined at once: `(symbols, expressions)`. Without `outputs`, the last line's are.
+    A vector may be an input, or defined at once: {symbols: expressions}. Without `outputs`, the last line's are.
     Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
     defined twice, or where an output is not defined.
     """
 
     name: str
-    inputs: tuple[Symbol, ...]
-    definitions: tuple[tuple[Symbol, Expr], ...]
-    outputs: tuple[Symbol, ...] = None  # type: ignore[assignment]  # a tuple from here on
+    inputs: Some
+    definitions: Any
+    outputs: Some = None
 
     def __post_init__(self):
-        lines = [line for names, values in self.definitions for line in zip(_each(names), _each(values), strict=True)]
-        outputs = self.definitions[-1][:1] if self.outputs is None else self.outputs
-        vars(self).update(inputs=_all(self.inputs), definitions=tuple(lines), outputs=_all(outputs))
+        outputs = [*dict(self.definitions)][-1] if self.outputs is None else self.outputs
+        vars(self).update(inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
         known = set(self.inputs)
         for symbol, expression in self.definitions:
             unknown = expression.free_symbols - known
@@ -84,11 +89,12 @@ class Program:
             outputs,
         )
 
-    def at(self, values: Mapping[Symbol, Expr]) -> "Program":
-        """Return the program with values, which may be expressions, in the place of some inputs."""
-        lines = tuple((symbol, expression.xreplace(values)) for symbol, expression in self.definitions)
-        used = set().union(*(expression.free_symbols for _, expression in lines)) - {symbol for symbol, _ in lines}
-        return Program(self.name, tuple(sorted(used, key=str)), lines, self.outputs)
+    def at(self, values: Mapping) -> "Program":
+        """Return the program with {symbol or vector: value or values}: what inputs are, and what lines are called."""
+        put = dict(pairs(values))
+        inputs = (t for s in self.inputs for t in sorted(put.get(s, s).free_symbols, key=str))
+        lines = tuple((put.get(symbol, symbol), expression.xreplace(put)) for symbol, expression in self.definitions)
+        return Program(self.name, tuple(dict.fromkeys(inputs)), lines, tuple(put.get(s, s) for s in self.outputs))
 
     def expand(self, symbol: Any, until: Collection[Symbol] = ()) -> Any:
         """Return a symbol, or each of a vector's, as one expression in the inputs and the names in `until`."""
@@ -101,18 +107,24 @@ class Program:
         return expression
 
 
-def chain(name: str, *programs: Program, outputs: tuple[Symbol, ...] | None = None) -> Program:
-    """Return the programs one after another: a later one's inputs may be names that an earlier one defines.
+def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program:
+    """Return programs one after another: a later one's inputs may be names that an earlier one defines.
 
-    A line that an earlier program already has, letter for letter, is not repeated.
+    Between them may stand lines alone, {symbol or vector: expression or expressions}. A line that an earlier program
+    already has, letter for letter, is not repeated.
     """
-    definitions: dict[Symbol, Expr] = {}
+    lines: dict[Symbol, Expr] = {}
     inputs: dict[Symbol, None] = {}
-    for program in programs:
-        for symbol in program.inputs:
-            if symbol not in definitions:
-                inputs[symbol] = None
+    for part in parts:
+        program = part if isinstance(part, Program) else _of_lines(name, part)
+        inputs |= dict.fromkeys(symbol for symbol in program.inputs if symbol not in lines)
         for symbol, expression in program.definitions:
-            if definitions.setdefault(symbol, expression) != expression:
+            if lines.setdefault(symbol, expression) != expression:
                 raise ValueError(f"{name}: {symbol} is defined twice, differently")
-    return Program(name, tuple(inputs), tuple(definitions.items()), outputs or programs[-1].outputs)
+    return Program(name, tuple(inputs), lines, outputs or program.outputs)
+
+
+def _of_lines(name, lines):
+    """Return the program of some lines: its inputs are what they use, line by line, and do not define."""
+    used = [s for line in flat(tuple(lines.values())) for s in sorted(line.free_symbols, key=str)]
+    return Program(name, tuple(dict.fromkeys(s for s in used if s not in flat(tuple(lines)))), lines)

@@ -7,67 +7,62 @@ from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
-from sympy import Basic, Symbol
+from sympy import Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Encloses, Rounded, number
+from proofs.engine.claim import AnyClaim, Claim, Parts, point
+from proofs.engine.program import Some, flat
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
 
-OUTCOMES = ("holds", "fails", "undefined")
-
 Point = tuple[tuple[Symbol, object], ...]
 
 
-def point(values: Any) -> Point:
-    """Return ((symbol, value), …) of {symbol or vector of symbols: value or values}, or of what is one already."""
-    pairs = values.items() if isinstance(values, Mapping) else values
-    lines = (zip(s, v, strict=True) if isinstance(s, tuple) else ((s, v),) for s, v in pairs)
-    return tuple((symbol, number(value)) for line in lines for symbol, value in line)
-
-
 @dataclass(frozen=True)
-class Step:
+class Step(Parts):
     """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
+
+    several = ("uses",)
 
     what: str
     why: str
-    uses: tuple[str, ...] = ()
+    uses: Some = ()
 
 
 @dataclass(frozen=True)
-class Clause:
+class Clause(Parts):
     """A part of a statement, as the reader sees it, and the claims that say it.
 
     One without claims is argued in the steps and decided by nothing; `argued` says why.
     """
 
+    several = ("claims",)
+
     text: str
-    claims: tuple[AnyClaim, ...] = ()
+    claims: Some = ()
     argued: str = ""
 
 
 @dataclass(frozen=True)
-class SideCondition:
+class SideCondition(Parts):
     """A condition without which the claim named `claim` is not claimed, and points on, or just past, its edge.
 
     holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
     {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
     """
 
+    several = ("holds", "fails", "undefined")
+
     text: str
     claim: str
-    holds: Sequence = ()
-    fails: Sequence = ()
-    undefined: Sequence = ()
-
-    def __post_init__(self):
-        vars(self).update({outcome: tuple(map(point, getattr(self, outcome))) for outcome in OUTCOMES})
+    holds: Some = ()
+    fails: Some = ()
+    undefined: Some = ()
 
     @property
     def edges(self) -> list[tuple[Point, str]]:
         """The points, each with its outcome."""
-        return [(at, outcome) for outcome in OUTCOMES for at in getattr(self, outcome)]
+        return [(point(at), outcome) for outcome in self.several for at in getattr(self, outcome)]
 
 
 @dataclass(frozen=True)
@@ -85,13 +80,13 @@ class Mutant:
         vars(self).update(at=point(self.at))
 
 
-def variant(text: str, claim: AnyClaim, *shows: Basic, at: Any = (), **changes: Any) -> Mutant:
+def variant(text: str, claim: AnyClaim, *shows: Some, at: Any = (), **changes: Any) -> Mutant:
     """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
     return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 
 
 @dataclass(frozen=True)
-class Theorem:
+class Theorem(Parts):
     """A statement with everything that its evidence is made of.
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
@@ -106,21 +101,26 @@ class Theorem:
     float64's own operations.
     """
 
+    several = ("claims", "mutants", "steps", "hypotheses", "side_conditions", "uses", "rounded")
+
     id: str
     title: str
-    statement: str | tuple[Clause, ...]
-    claims: tuple = ()
-    mutants: tuple[Mutant, ...] = ()
-    steps: tuple[Step, ...] = ()
-    hypotheses: tuple[str, ...] = ()
-    side_conditions: tuple[SideCondition, ...] = ()
-    uses: tuple[str, ...] = ()
+    statement: Any
+    claims: Some = ()
+    mutants: Some = ()
+    steps: Some = ()
+    hypotheses: Some = ()
+    side_conditions: Some = ()
+    uses: Some = ()
     refuted_at: Any = None
     expected: str = ""
     source: str = ""
-    rounded: tuple[Rounded | Encloses, ...] = ()
+    rounded: Some = ()
 
     def __post_init__(self):
+        hypotheses = tuple(map(_line, flat(self.hypotheses)))
+        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
+        super().__post_init__()
         if not isinstance(self.statement, str):
             said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
             vars(self).update(claims=tuple(said))
@@ -172,6 +172,28 @@ class Theorem:
     def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""
         return next(claim for claim in self.claims if claim.name == name)
+
+
+def _line(text):
+    """Return a text in one line."""
+    return " ".join(text.split())
+
+
+def _clauses(said):
+    """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
+    if isinstance(said, str):
+        return _line(said)
+    if not isinstance(said, Mapping):
+        return said
+    parts = [(_line(text), by) for text, by in said.items()]
+    return tuple(Clause(text, argued=_line(by)) if isinstance(by, str) else Clause(text, by) for text, by in parts)
+
+
+def _steps(taken):
+    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
+    if not isinstance(taken, Mapping):
+        return taken
+    return tuple(Step(_line(what), _line(why), uses) for what, given in taken.items() for why, *uses in [flat(given)])
 
 
 Theorems = dict[str, Theorem]

@@ -24,17 +24,17 @@ _product = (product_real, product_imaginary)
 complex_square = Program(
     "complex_square",
     (real_part, imaginary_part),
-    ((_product, ((real_part - imaginary_part) * (real_part + imaginary_part), 2 * real_part * imaginary_part)),),
+    {_product: ((real_part - imaginary_part) * (real_part + imaginary_part), 2 * real_part * imaginary_part)},
 )
 """(a + ib)² = (a − b)(a + b) + 2iab."""
 
 complex_product = Program(
     "complex_product",
     (real_part, imaginary_part, other_real, other_imaginary),
-    (
-        (product_real, real_part * other_real - imaginary_part * other_imaginary),
-        (product_imaginary, real_part * other_imaginary + imaginary_part * other_real),
-    ),
+    {
+        product_real: real_part * other_real - imaginary_part * other_imaginary,
+        product_imaginary: real_part * other_imaginary + imaginary_part * other_real,
+    },
     _product,
 )
 """(a + ib)(c + id)."""
@@ -42,6 +42,6 @@ complex_product = Program(
 algebraic_bases = Program(
     "algebraic_bases",
     (cos_theta, sin_theta, cos_phi, sin_phi),
-    ((real("base_u_real base_u_imaginary base_v_real base_v_imaginary"), (*base_of_u, *base_of_v)),),
+    {real("base_u_real base_u_imaginary base_v_real base_v_imaginary"): (*base_of_u, *base_of_v)},
 )
 """The numbers that are raised to the powers a/2 and b."""

@@ -18,15 +18,15 @@ low, high = real("low high")
 tangent_interval = Program(
     "tangent_interval",
     (apex, apex_height, center, center_height, sphere_radius, level),
-    (
-        (across, center - apex),
-        (drop, apex_height - center_height),
-        (spread, sphere_radius * sqrt(across**2 + (drop - sphere_radius) * (drop + sphere_radius))),
-        (slope_low, (across * drop - spread) / ((drop - sphere_radius) * (drop + sphere_radius))),
-        (slope_high, (across * drop + spread) / ((drop - sphere_radius) * (drop + sphere_radius))),
-        (low, apex + slope_low * (apex_height - level)),
-        (high, apex + slope_high * (apex_height - level)),
-    ),
+    {
+        across: center - apex,
+        drop: apex_height - center_height,
+        spread: sphere_radius * sqrt(across**2 + (drop - sphere_radius) * (drop + sphere_radius)),
+        slope_low: (across * drop - spread) / ((drop - sphere_radius) * (drop + sphere_radius)),
+        slope_high: (across * drop + spread) / ((drop - sphere_radius) * (drop + sphere_radius)),
+        low: apex + slope_low * (apex_height - level),
+        high: apex + slope_high * (apex_height - level),
+    },
     (low, high),
 )
 """Where the two tangents from (apex, apex_height) to the circle of radius r about (center, center_height) meet the

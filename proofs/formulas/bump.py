@@ -3,7 +3,7 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, vector
+from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, squared, vector
 from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
 
 g, m = vector("g"), vector("m")
@@ -13,22 +13,12 @@ bumped_by_beta = vector("bumped_by_beta")
 perturbed = Program(
     "perturbed",
     (normal, g, beta),
-    ((m, normal + beta * g), (m_length, sqrt(dot(m, m))), (m_scale, 1 / m_length), (bumped, m * m_scale)),
+    {m: normal + beta * g, m_length: sqrt(squared(m)), m_scale: 1 / m_length, bumped: m * m_scale},
 )
 """N' = M/|M|, M = N + βg. Domain: g ⟂ N, so that |M| ≥ 1; any β."""
 
-bumped_normal = chain(
-    "bumped_normal",
-    unit_normal,
-    tangent_frame,
-    Program("tangent_vector", (e_theta, e_phi, h_u, h_v), ((g, h_u * e_theta + h_v * e_phi),)),
-    perturbed,
-)
+bumped_normal = chain("bumped_normal", unit_normal, tangent_frame, {g: h_u * e_theta + h_v * e_phi}, perturbed)
 """N' from the angles, the gradient and β: g = h_u e_θ + h_v e_φ. At the pole g = 0. Source: seed, §3."""
 
-normal_by_beta = chain(
-    "normal_by_beta",
-    perturbed,
-    Program("projection", (g, bumped, m_length), ((bumped_by_beta, (g - bumped * dot(bumped, g)) / m_length),)),
-)
+normal_by_beta = chain("normal_by_beta", perturbed, {bumped_by_beta: (g - bumped * dot(bumped, g)) / m_length})
 """∂N'/∂β = (I − N'N'ᵀ) g/|M|. Theorem: normal_by_beta."""

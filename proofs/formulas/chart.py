@@ -11,11 +11,11 @@ u_closed, theta = real("u_closed theta")
 chart = Program(
     "chart",
     (cos_theta, sin_theta, cos_phi, sin_phi),
-    (
-        (u_closed, (1 + atan2pi(sin_theta, cos_theta)) / 2),
-        (u, where(u_closed < 1, u_closed, 0)),
-        (v, atan2pi(sin_phi, cos_phi)),
-    ),
+    {
+        u_closed: (1 + atan2pi(sin_theta, cos_theta)) / 2,
+        u: where(u_closed < 1, u_closed, 0),
+        v: atan2pi(sin_phi, cos_phi),
+    },
     (u, v),
 )
 """u = (1 + θ/π)/2 reduced to [0, 1) (θ = π gives 1, which is 0), v = φ/π, both by atan2. Theorem: chart."""
@@ -23,15 +23,15 @@ chart = Program(
 chart_inverse = Program(
     "chart_inverse",
     (u, v),
-    (((cos_theta, sin_theta, cos_phi, sin_phi), (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))),),
+    {(cos_theta, sin_theta, cos_phi, sin_phi): (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))},
 )
 """The angles from the chart: cos θ = −cos 2πu, sin θ = −sin 2πu, φ = πv. Domain: 0 ≤ v ≤ 1, any u. Theorem:
 chart_inverse."""
 
-chart_radians = Program("chart_radians", (u, v), ((theta, pi * (2 * u - 1)), (phi, pi * v)), (theta, phi))
+chart_radians = Program("chart_radians", (u, v), {theta: pi * (2 * u - 1), phi: pi * v}, (theta, phi))
 """The angles themselves, θ = 2πu − π and φ = πv. Theorem: chart."""
 
 seed_chart = Program(
-    "seed_chart", normal, ((u, (atan2(normal[1], normal[0]) + pi) / (2 * pi)), (v, acos(normal[2]) / pi)), (u, v)
+    "seed_chart", normal, {u: (atan2(normal[1], normal[0]) + pi) / (2 * pi), v: acos(normal[2]) / pi}, (u, v)
 )
 """The seed's chart, from N: v by acos loses digits at the pole, and u = 1 is not reduced (F20)."""

@@ -11,9 +11,6 @@ diffuse_share, specular_share, most = real("diffuse_share specular_share most")
 def light_bound(channel: int) -> Program:
     """Return the program → i(a k_d + k_s q): how much a light adds at most to |ΔI|/|ΔN'| of a channel."""
     color, albedo = light_colors[channel], albedos[channel]
-    lines = (
-        (diffuse_share, color * albedo * kd),
-        (specular_share, color * ks),
-        (most, diffuse_share + specular_share * q),
-    )
+    shares = {diffuse_share: color * albedo * kd, specular_share: color * ks}
+    lines = shares | {most: diffuse_share + specular_share * q}
     return Program(f"light_bound_{channel}", (color, albedo, kd, ks, q), lines)

@@ -7,19 +7,19 @@ from sympy import Abs, Max, Or, Rational, diff
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import rint
-from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import epsilon, k_u, k_v, real, sin_phi, u, v, where
+from proofs.formulas.height_fields import IN_CHART, HeightField
+from proofs.formulas.symbols import epsilon, real, sin_phi, u, v, where
 
 KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitude is shown as a kink
 
-kink, straddles, away = real("kink straddles away")
+kink, straddles = real("kink straddles")
 
 
 def kink_flag(field: HeightField) -> Program:
     """Return the program → 1 where a crease factor is below KINK_BAND in magnitude, and at the pole; else 0."""
     at_pole = sin_phi <= 0
     close = [Abs(factor) < KINK_BAND for factor in field.creases]
-    return Program(f"kink_{field.name}", (sin_phi, u, v, k_u, k_v), ((kink, where(Or(at_pole, *close), 1, 0)),))
+    return Program(f"kink_{field.name}", (sin_phi, IN_CHART), {kink: where(Or(at_pole, *close), 1, 0)})
 
 
 def straddling(field: HeightField) -> Program:
@@ -27,13 +27,13 @@ def straddling(field: HeightField) -> Program:
 
     Where a factor depends on v alone and is zero at v = 0, that is the pole: the chart ends there, nothing is crossed.
     """
-    lines, conditions = [], []
+    lines, conditions = {}, []
     for number, factor in enumerate(field.creases):
         (argument,) = factor.args
         distance = real(f"crease_distance_{number}")
         ends_at_pole = argument.subs(v, 0) == 0
         nearest = Max(1, rint(Abs(argument))) if ends_at_pole else rint(argument)
-        lines.append((distance, Abs((Abs(argument) if ends_at_pole else argument) - nearest)))
+        lines[distance] = Abs((Abs(argument) if ends_at_pole else argument) - nearest)
         conditions += [distance < Abs(rate) * epsilon for c in (u, v) if (rate := diff(argument, c)) != 0]
-    flag = where(Or(*conditions), 1, 0) if conditions else 0 * epsilon
-    return Program(f"straddling_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, (straddles, flag)))
+    lines[straddles] = where(Or(*conditions), 1, 0) if conditions else 0 * epsilon
+    return Program(f"straddling_{field.name}", (IN_CHART, epsilon), lines)

@@ -12,19 +12,18 @@ from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_no
 h_theta, h_phi, lift = real("h_theta h_phi lift")
 displaced = vector("displaced")
 
-_angular_slopes = Program("angular_slopes", (h_u, h_v), ((h_theta, h_u / 2 / pi), (h_phi, h_v / pi)), (h_theta, h_phi))
+_angular_slopes = Program("angular_slopes", (h_u, h_v), {h_theta: h_u / 2 / pi, h_phi: h_v / pi}, (h_theta, h_phi))
 """h_θ = h_u/2π, h_φ = h_v/π: the chart's scale."""
 
 
-def _normal(name, height_of_n, inputs):
-    lines = ((lift, height_of_n), (displaced, lift * normal - beta * (h_theta / sin_phi * e_theta + h_phi * e_phi)))
-    tail = Program(name, (normal, e_theta, e_phi, h_theta, h_phi, sin_phi, beta, *inputs), lines)
-    return chain(name, unit_normal, tangent_frame, _angular_slopes, tail)
+def _normal(name, height_of_n):
+    lines = {lift: height_of_n, displaced: lift * normal - beta * (h_theta / sin_phi * e_theta + h_phi * e_phi)}
+    return chain(name, unit_normal, tangent_frame, _angular_slopes, lines)
 
 
-displaced_normal = _normal("displaced_normal", 1 + beta * h, (h,))
+displaced_normal = _normal("displaced_normal", 1 + beta * h)
 """(1 + βh) N − β (h_θ/sin φ · e_θ + h_φ e_φ), not normalised: the normal of P + βhN on the unit sphere.
 Domain: sin φ > 0, 1 + βh > 0."""
 
-blinn_normal = _normal("blinn_normal", 1 + 0 * beta, ())
+blinn_normal = _normal("blinn_normal", 1 + 0 * beta)
 """N − β (h_θ/sin φ · e_θ + h_φ e_φ): the same to first order in β (Blinn 1978). Domain: sin φ > 0."""

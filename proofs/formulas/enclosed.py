@@ -2,24 +2,21 @@
 
 from sympy import StrictLessThan, floor, sqrt
 
-from proofs.engine.program import Program
+from proofs.engine.program import chain
 from proofs.formulas.half_turns import rint
-from proofs.formulas.registry import by_name
 from proofs.formulas.symbols import real, where, x, y
 
-total, product, quotient, root, chosen, left, right = real("total product quotient root chosen left right")
-below, nearest = real("below nearest")
+left, right = real("left right")
 
-RULES = by_name((
-    Program("enclosed_sum", (x, y), ((total, x + y),)),
-    Program("enclosed_product", (x, y), ((product, x * y),)),
-    Program("enclosed_quotient", (x, y), ((quotient, x / y),)),
-    Program("enclosed_root", (x,), ((root, sqrt(x)),)),
-    Program("enclosed_floor", (x,), ((below, floor(x)),)),
-    Program("enclosed_nearest", (x,), ((nearest, rint(x)),)),
-    Program(
-        "enclosed_selection",
-        (left, right, x, y),
-        ((chosen, where(StrictLessThan(left, right), x, y)),),
-    ),
-))  # fmt: skip
+RULES = {
+    name: chain(name, {real(result): value})
+    for name, result, value in (
+        ("enclosed_sum", "total", x + y),
+        ("enclosed_product", "product", x * y),
+        ("enclosed_quotient", "quotient", x / y),
+        ("enclosed_root", "root", sqrt(x)),
+        ("enclosed_floor", "below", floor(x)),
+        ("enclosed_nearest", "nearest", rint(x)),
+        ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
+    )
+}

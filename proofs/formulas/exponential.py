@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from sympy import And, Eq, Expr, Function, Integer, Piecewise, Rational, factorial, log, nan, oo, sqrt
 
-from proofs.engine.program import Program
+from proofs.engine.program import chain
 from proofs.formulas.elementary import (
     a,
     a_high,
@@ -52,33 +52,29 @@ away_gained, away_error, away_squared, exponential_tail = real("away_gained away
 departure_low, departure, exponential_near, exponential = real("departure_low departure exponential_near exponential")
 
 exponential_series = [float64(1 / factorial(n)) for n in range(2, EXPONENTIAL_TERMS)]
-exponential_reduction = (
-    (whole, rint(float64(1 / log(2)) * product)),
-    (away_high, product - LN2_SHORT * whole),
-    (away_low, LN2_REST * whole - product_error),
-    (away, away_high - away_low),
-    (away_gained, away_high - away),
-    (away_error, away_gained - away_low),
-)
+exponential_reduction = {
+    whole: rint(float64(1 / log(2)) * product),
+    away_high: product - LN2_SHORT * whole,
+    away_low: LN2_REST * whole - product_error,
+    away: away_high - away_low,
+    away_gained: away_high - away,
+    away_error: away_gained - away_low,
+}
 _even, _odd = (polynomial(away_squared, exponential_series[first::2]) for first in (0, 1))
 
-exponential_of_sum = Program(
+exponential_of_sum = chain(
     "exponential_of_sum",
-    (product, product_error),
-    (
-        *exponential_reduction,
-        (away_squared, away**2),
-        (exponential_tail, _even + away * _odd),
-        (departure_low, away_error + away_squared * exponential_tail),
-        (departure, away + departure_low),
-        (exponential_near, 1 + departure),
-        (
-            exponential,
-            Piecewise(
-                (oo, product > OVERFLOW), (0, product < UNDERFLOW), (exponential_near * power_of_two(whole), True)
-            ),
+    exponential_reduction,
+    {
+        away_squared: away**2,
+        exponential_tail: _even + away * _odd,
+        departure_low: away_error + away_squared * exponential_tail,
+        departure: away + departure_low,
+        exponential_near: 1 + departure,
+        exponential: Piecewise(
+            (oo, product > OVERFLOW), (0, product < UNDERFLOW), (exponential_near * power_of_two(whole), True)
         ),
-    ),
+    },
 )
 """exp(product + product_error), |product_error| < 2^-42: 2ⁿ exp(r) with |r| ≤ ln 2 / 2, by a Taylor polynomial of r.
 
@@ -104,36 +100,39 @@ def _by_node(values: Sequence[Expr]) -> Expr:
     return Piecewise((values[0], mantissa < NODE_1_FROM), (values[1], mantissa < NODE_1_BELOW), (values[2], True))
 
 
-logarithm_reduction = (
-    (scaled_by, where(number < 1, SCALING, -SCALING)),
-    (scaled, number * power_of_two(scaled_by)),
-    (binary, binary_exponent(float64(sqrt(2)) * scaled)),
-    (mantissa, scaled * power_of_two(-binary)),
-    (doublings, binary - scaled_by),
-    (node, _by_node(NODES)),
-    (node_short, _by_node(nodes_short)),
-    (node_rest, _by_node(nodes_rest)),
-    (above_node, mantissa - node),
-    (lifted, mantissa + LIFT),
-    (mantissa_short, lifted - LIFT),
-    (mantissa_rest, mantissa - mantissa_short),
-    (sum_short, mantissa_short + node),
-    (inverse, 1 / (mantissa + node)),
-    (a, above_node * inverse),
-    *two_product.keep(a_high).definitions,
-    (undivided_near, above_node - a_high * sum_short),
-    (undivided, undivided_near - a_high * mantissa_rest),
-    (quotient_rest, undivided * inverse),
-)
-logarithm_in_three = (
-    *logarithm_reduction,
-    (quotient, a_high + quotient_rest),
-    (quotient_squared, quotient**2),
-    (log_tail, quotient * quotient_squared * polynomial(quotient_squared, logarithm_series)),
-    (log_whole, LN2_SHORT * doublings + node_short),
-    (log_whole_rest, LN2_REST * doublings + node_rest),
-    (log_quotient, 2 * a_high),
-    (log_rest, log_tail + 2 * quotient_rest + log_whole_rest),
+logarithm_reduction = {
+    scaled_by: where(number < 1, SCALING, -SCALING),
+    scaled: number * power_of_two(scaled_by),
+    binary: binary_exponent(float64(sqrt(2)) * scaled),
+    mantissa: scaled * power_of_two(-binary),
+    doublings: binary - scaled_by,
+    node: _by_node(NODES),
+    node_short: _by_node(nodes_short),
+    node_rest: _by_node(nodes_rest),
+    above_node: mantissa - node,
+    lifted: mantissa + LIFT,
+    mantissa_short: lifted - LIFT,
+    mantissa_rest: mantissa - mantissa_short,
+    sum_short: mantissa_short + node,
+    inverse: 1 / (mantissa + node),
+    a: above_node * inverse,
+    **dict(two_product.keep(a_high).definitions),
+    undivided_near: above_node - a_high * sum_short,
+    undivided: undivided_near - a_high * mantissa_rest,
+    quotient_rest: undivided * inverse,
+}
+logarithm_in_three = chain(
+    "logarithm_in_three",
+    logarithm_reduction,
+    {
+        quotient: a_high + quotient_rest,
+        quotient_squared: quotient**2,
+        log_tail: quotient * quotient_squared * polynomial(quotient_squared, logarithm_series),
+        log_whole: LN2_SHORT * doublings + node_short,
+        log_whole_rest: LN2_REST * doublings + node_rest,
+        log_quotient: 2 * a_high,
+        log_rest: log_tail + 2 * quotient_rest + log_whole_rest,
+    },
 )
 """ln(number) = log_whole + log_quotient + log_rest for a number above 0, the first two exact and of 26 bits each.
 
@@ -142,26 +141,19 @@ of three nodes; |q| < 0.06. q is the sum of a_high, of 26 bits, and the quotient
 
 log_sum, log_lost, log_sum_rest, log_low, log_near = real("log_sum log_lost log_sum_rest log_low log_near")
 logarithm = real("logarithm")
-natural_logarithm = Program(
+natural_logarithm = chain(
     "natural_logarithm",
-    (number,),
-    (
-        *logarithm_in_three,
-        (log_sum, log_whole + log_quotient),
-        (log_lost, log_whole - log_sum),
-        (log_sum_rest, log_lost + log_quotient),
-        (log_low, log_sum_rest + log_rest),
-        (log_near, log_sum + log_low),
-        (
-            logarithm,
-            Piecewise(
-                (log_near, And(number > 0, number <= LARGEST)),
-                (oo, number > LARGEST),
-                (-oo, Eq(number, 0)),
-                (nan, True),
-            ),
+    logarithm_in_three,
+    {
+        log_sum: log_whole + log_quotient,
+        log_lost: log_whole - log_sum,
+        log_sum_rest: log_lost + log_quotient,
+        log_low: log_sum_rest + log_rest,
+        log_near: log_sum + log_low,
+        logarithm: Piecewise(
+            (log_near, And(number > 0, number <= LARGEST)), (oo, number > LARGEST), (-oo, Eq(number, 0)), (nan, True)
         ),
-    ),
+    },
 )
 """ln(number): −inf at 0, inf at inf, NaN below 0 and of NaN."""
 
@@ -169,25 +161,24 @@ exponent, of_whole, of_quotient, product_near, product_lost = real(
     "exponent of_whole of_quotient product_near product_lost"
 )
 product_near_rest, product_rest, product_gained, power = real("product_near_rest product_rest product_gained power")
-raised = Program(
+raised = chain(
     "raised",
-    (number, exponent),
-    (
-        *logarithm_in_three,
-        (b, exponent),
-        *two_product.keep(b_high, b_low).definitions,
-        (of_whole, b_high * log_whole),
-        (of_quotient, b_high * log_quotient),
-        (product_near, of_whole + of_quotient),
-        (product_lost, of_whole - product_near),
-        (product_near_rest, product_lost + of_quotient),
-        (product_rest, product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest),
-        (product, product_near + product_rest),
-        (product_gained, product - product_near),
-        (product_error, product_rest - product_gained),
-        *exponential_of_sum.definitions,
-        (power, where(number <= 0, 0, exponential)),
-    ),
+    logarithm_in_three,
+    {b: exponent},
+    two_product.keep(b_high, b_low),
+    {
+        of_whole: b_high * log_whole,
+        of_quotient: b_high * log_quotient,
+        product_near: of_whole + of_quotient,
+        product_lost: of_whole - product_near,
+        product_near_rest: product_lost + of_quotient,
+        product_rest: product_near_rest + b_low * log_whole + b_low * log_quotient + exponent * log_rest,
+        product: product_near + product_rest,
+        product_gained: product - product_near,
+        product_error: product_rest - product_gained,
+    },
+    exponential_of_sum,
+    {power: where(number <= 0, 0, exponential)},
 )
 """number^exponent = exp(exponent · ln(number)), the product to some 60 bits, for an exponent from 5·10^-4 to 10^6.
 

@@ -33,6 +33,7 @@ from proofs.formulas.registry import by_name, check_name, not_allowed
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
 
 sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
+IN_CHART = (u, v, k_u, k_v)
 CHART = dict.fromkeys((u, v), iv.mpf([0, 1])) | dict.fromkeys((k_u, k_v), iv.mpf([-64, 64]))
 """Where an entry and its slopes have to be finite: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
 PERIODIC = [{v: Rational(n, 7), k_u: 2 * n, k_v: n} for n in (1, 3, 6)]
@@ -76,6 +77,10 @@ class HeightField:
 
     def _refused(self, why):
         return not_allowed("expression", self.expression, why)
+
+    def at(self, at_u: Expr, at_v: Expr) -> Expr:
+        """Return h at another place of the chart."""
+        return self.expression.xreplace({u: at_u, v: at_v})
 
     @evaluated
     def gradient(self) -> tuple[Expr, Expr]:
@@ -153,34 +158,33 @@ def _named_factors(field):
 
 def height(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h."""
-    return Program(f"height_{field.name}", (u, v, k_u, k_v), ((h, field.expression),))
+    return Program(f"height_{field.name}", IN_CHART, {h: field.expression})
 
 
 @evaluated
 def factors(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → the field's trigonometric factors, by name."""
-    lines = tuple((name, factor) for factor, name in sorted(_named_factors(field).items(), key=lambda p: str(p[1])))
-    return Program(f"factors_{field.name}", (u, v, k_u, k_v), lines, tuple(name for name, _ in lines))
+    lines = {name: factor for factor, name in sorted(_named_factors(field).items(), key=lambda p: str(p[1]))}
+    return Program(f"factors_{field.name}", IN_CHART, lines, tuple(lines))
 
 
 @evaluated
 def gradient_from_factors(field: HeightField) -> Program:
     """Return the program (factors, k_u, k_v) → h_u, h_v: the derivative with its factors named."""
-    names = _named_factors(field)
-    slopes = tuple(derivative.subs(names) for derivative in field.gradient())
+    slopes = tuple(derivative.subs(_named_factors(field)) for derivative in field.gradient())
     inputs = (sin_u, cos_u, sin_v, cos_v, k_u, k_v)
-    return Program(f"gradient_from_factors_{field.name}", inputs, (((h_u, h_v), slopes),))
+    return Program(f"gradient_from_factors_{field.name}", inputs, {(h_u, h_v): slopes})
 
 
 @evaluated
 def gradient(field: HeightField) -> Program:
     """Return the program (u, v, k_u, k_v) → h_u, h_v: the general exact gradient, any real k_u and k_v."""
-    if field.wave_numbers is None:
-        return Program(f"gradient_{field.name}", (u, v, k_u, k_v), (((h_u, h_v), field.gradient()),))
-    named, tail = factors(field), gradient_from_factors(field)
-    return Program(f"gradient_{field.name}", (u, v, k_u, k_v), named.definitions + tail.definitions, (h_u, h_v))
+    lines = [((h_u, h_v), field.gradient())]
+    if field.wave_numbers is not None:
+        lines = [*factors(field).definitions, *gradient_from_factors(field).definitions]
+    return Program(f"gradient_{field.name}", IN_CHART, lines, (h_u, h_v))
 
 
 slope_value = real("slope")
-slope = Program("slope", (h_u, h_v), ((slope_value, sqrt(h_u**2 + h_v**2)),))
+slope = Program("slope", (h_u, h_v), {slope_value: sqrt(h_u**2 + h_v**2)})
 """|∇h| = √(h_u² + h_v²), in the chart."""

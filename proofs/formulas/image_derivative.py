@@ -14,19 +14,19 @@ mu_by_beta, base_by_beta, diffuse_by_beta, shine_by_beta, term_by_beta = real(
     "mu_by_beta base_by_beta diffuse_by_beta shine_by_beta term_by_beta"
 )
 
-mu_derivative = Program("mu_derivative", (towards, bumped_by_beta), ((mu_by_beta, dot(bumped_by_beta, towards)),))
+mu_derivative = Program("mu_derivative", (towards, bumped_by_beta), {mu_by_beta: dot(bumped_by_beta, towards)})
 """∂μ/∂β = ∂N'/∂β · ω."""
 
 base_derivatives = {
     "blinn": Program(
         "blinn_base_derivative",
         (halfway, halfway_length, bumped_by_beta),
-        ((base_by_beta, dot(bumped_by_beta, halfway) / halfway_length),),
+        {base_by_beta: dot(bumped_by_beta, halfway) / halfway_length},
     ),
     "phong": Program(
         "phong_base_derivative",
         (view, bumped, bumped_by_beta, mu, mu_by_beta),
-        ((base_by_beta, 2 * (mu_by_beta * dot(bumped, view) + mu * dot(bumped_by_beta, view))),),
+        {base_by_beta: 2 * (mu_by_beta * dot(bumped, view) + mu * dot(bumped_by_beta, view))},
     ),
 }
 """The base's derivative where it is positive: ∂N'/∂β · H/|H|; 2 (∂μ/∂β N'·v̂ + μ ∂N'/∂β · v̂)."""
@@ -34,15 +34,15 @@ base_derivatives = {
 term_derivative = Program(
     "term_derivative",
     (mu, mu_by_beta, specular_base, base_by_beta, shininess, kd, ks, albedos[0], light_colors[0]),
-    (
-        (diffuse_by_beta, where(mu > 0, kd * mu_by_beta, 0)),
-        (shine_by_beta, where(specular_base > 0, ks * shininess * Pow(specular_base, shininess - 1) * base_by_beta, 0)),
-        (term_by_beta, light_colors[0] * (albedos[0] * diffuse_by_beta + shine_by_beta)),
-    ),
+    {
+        diffuse_by_beta: where(mu > 0, kd * mu_by_beta, 0),
+        shine_by_beta: where(specular_base > 0, ks * shininess * Pow(specular_base, shininess - 1) * base_by_beta, 0),
+        term_by_beta: light_colors[0] * (albedos[0] * diffuse_by_beta + shine_by_beta),
+    },
 )
 """A light's share of a channel: colour · (albedo · k_d ∂μ/∂β [μ > 0] + k_s p base^(p−1) ∂base/∂β [base > 0])."""
 
 clip_derivative = Program(
-    "clip_derivative", (color, term_by_beta), ((clipped, where((color > 0) & (color < 1), term_by_beta, 0)),)
+    "clip_derivative", (color, term_by_beta), {clipped: where((color > 0) & (color < 1), term_by_beta, 0)}
 )
 """The clip keeps the derivative where 0 < channel < 1, and makes it 0 outside."""

@@ -4,8 +4,9 @@ The same programs that the kernels print, joined: what a theorem about a pixel s
 """
 
 from collections.abc import Collection, Mapping
+from types import MappingProxyType
 
-from sympy import Eq, Expr, Max, Piecewise, Symbol
+from sympy import Eq, Max, Piecewise, Symbol
 
 from proofs.engine.program import Program, chain, evaluated
 from proofs.formulas import camera, shading, shadow
@@ -29,11 +30,14 @@ from proofs.formulas.symbols import (
 )
 
 CHANNELS = ("red", "green", "blue")
+
+
+def _channels(before, after=""):
+    return real(" ".join(f"{before}{channel}{after}" for channel in CHANNELS))
+
+
 dark_square = real("dark_square")
-rgb = real("rgb_red rgb_green rgb_blue")
-ambient_light, albedo_of_a, albedo_of_b = (
-    real(" ".join(f"{name}_{c}" for c in CHANNELS)) for name in ("ambient", "albedo_a", "albedo_b")
-)
+rgb, ambient_light, albedo_of_a, albedo_of_b = map(_channels, ("rgb_", "ambient_", "albedo_a_", "albedo_b_"))
 
 
 def light_position(number: int) -> Vector:
@@ -43,7 +47,7 @@ def light_position(number: int) -> Vector:
 
 def light_color(number: int) -> Vector:
     """Return the colour symbols of a light."""
-    return real(" ".join(f"light_{number}_{c}" for c in CHANNELS))
+    return _channels(f"light_{number}_")
 
 
 def occlusion(number: int) -> Symbol:
@@ -51,26 +55,17 @@ def occlusion(number: int) -> Symbol:
     return real(f"occluded_{number}")
 
 
+def _suffixed(symbols, suffix):
+    return tuple(real(f"{symbol}_{suffix}") for symbol in symbols)
+
+
 @evaluated
 def instance(
-    program: Program, suffix: str | int, kept: Collection[Symbol] = (), given: Mapping[Symbol, Expr] | None = None
+    program: Program, suffix: str | int, kept: Collection[Symbol] = (), given: Mapping = MappingProxyType({})
 ) -> Program:
     """Return the program with its own names suffixed, except those in `kept`, and inputs replaced by `given`."""
-    own = {s: Symbol(f"{s.name}_{suffix}", real=True) for s, _ in program.definitions if s not in kept}
-    changed = {**own, **(given or {})}
-    inputs = {t: None for s in program.inputs for t in sorted(changed.get(s, s).free_symbols, key=str)}
-    return Program(
-        f"{program.name}_{suffix}",
-        tuple(inputs),
-        tuple((own.get(s, s), e.xreplace(changed)) for s, e in program.definitions),
-        tuple(own.get(s, s) for s in program.outputs),
-    )
-
-
-def _program(name, *definitions):
-    defined = {s for s, _ in definitions}
-    inputs = {t: None for _, e in definitions for t in sorted(e.free_symbols, key=str) if t not in defined}
-    return Program(name, tuple(inputs), definitions, tuple(s for s, _ in definitions))
+    own = tuple(symbol for symbol, _ in program.definitions if symbol not in kept)
+    return program.at({own: _suffixed(own, suffix), **given})
 
 
 def _by_surface(on_a, on_b, on_floor, otherwise=0):
@@ -78,51 +73,52 @@ def _by_surface(on_a, on_b, on_floor, otherwise=0):
     return Piecewise((on_a, Eq(surface, 1)), (on_b, Eq(surface, 2)), (on_floor, Eq(surface, 3)), (otherwise, True))
 
 
+def _each_by_surface(names, *on_each):
+    """Return the lines of names, each by what it is on A, on B and on the floor."""
+    return {name: _by_surface(*on) for name, *on in zip(names, *on_each, strict=True)}
+
+
 def _places(gradient_program):
     """Return the programs for the visible point and its shading normal, on whichever surface it is."""
     seen = chain("seen", camera.image_extent, camera.image_point, camera.visible_surface, camera.angles_on_a)
-    kept = {s for s, _ in seen.definitions}
-    on_a = instance(camera.point_on_a, "on_a")
-    bumped_on_a = instance(bumped_normal, "on_a")
-    on_b = instance(camera.normal_of_b, "on_b", kept)
-    on_floor = instance(camera.normal_of_floor, "on_floor")
-
-    def on(symbol, surface):
-        return Symbol(f"{symbol.name}_{surface}", real=True)
-
-    select = _program(
-        "select",
-        *((p, _by_surface(*(on(p, s) for s in ("on_a", "on_b", "on_floor")))) for p in point),
-        *(
-            (b, _by_surface(on(b, "on_a"), on(n, "on_b"), on(b, "on_floor")))
-            for b, n in zip(bumped, normal, strict=True)
-        ),
-    )
-    return [seen, on_a, chart, gradient_program, bumped_on_a, on_b, on_floor, select]
+    return [
+        seen,
+        instance(camera.point_on_a, "on_a"),
+        chart,
+        gradient_program,
+        instance(bumped_normal, "on_a"),
+        instance(camera.normal_of_b, "on_b", {symbol for symbol, _ in seen.definitions}),
+        instance(camera.normal_of_floor, "on_floor"),
+        _each_by_surface(point, *(_suffixed(point, surface) for surface in ("on_a", "on_b", "on_floor")))
+        | _each_by_surface(bumped, _suffixed(bumped, "on_a"), _suffixed(normal, "on_b"), _suffixed(bumped, "on_floor")),
+    ]
 
 
 def _shadows(number):
     """Return the programs for one light's occlusion by another body."""
-    position = dict(zip(light, light_position(number), strict=True))
-    origin = {**dict.fromkeys(shadow.center, 0 * radius), shadow.body_radius: radius}
-    ball = {**dict(zip(shadow.center, ball_center, strict=True)), shadow.body_radius: camera.ball_radius}
-    by_a = instance(shadow.shadow, f"by_a_{number}", given=position | origin)
-    by_b = instance(shadow.shadow, f"by_b_{number}", given=position | ball)
+    position = {light: light_position(number)}
+    origin = {shadow.center: [0 * radius] * 3, shadow.body_radius: radius}
+    ball = {shadow.center: ball_center, shadow.body_radius: camera.ball_radius}
+    by_a, by_b = (
+        instance(shadow.shadow, f"by_{name}_{number}", given=position | body)
+        for name, body in (("a", origin), ("b", ball))
+    )
     a, b = by_a.outputs[0], where(ball_on > 0, by_b.outputs[0], 0)
-    return [by_a, by_b, _program(f"occlusion_{number}", (occlusion(number), _by_surface(b, a, Max(a, b))))]
+    return [by_a, by_b, {occlusion(number): _by_surface(b, a, Max(a, b))}]
 
 
 def _light(number, model, before):
     """Return the programs for one light's share of the colour, and the symbols of the colour after it."""
-    position = dict(zip(light, light_position(number), strict=True))
-    base = instance(shading.LIGHT_MODELS[model].program, number, given=position)
-    own = {s: Symbol(f"{s.name}_{number}", real=True) for s in (mu, shading.specular_base, specular)}
+    base = instance(shading.LIGHT_MODELS[model].program, number, given={light: light_position(number)})
+    from_base = (mu, shading.specular_base, specular)
+    own = {from_base: _suffixed(from_base, number)}
     power = instance(shading.highlight, number, given=own)
-    colors = dict(zip(shading.light_colors, light_color(number), strict=True))
-    term = instance(shading.light_term, number, given=own | colors | dict(zip(shading.colors, before, strict=True)))
-    after = real(" ".join(f"{c}_after_{number}" for c in CHANNELS))
-    lines = ((s, where(occlusion(number) > 0, b, lit)) for s, b, lit in zip(after, before, term.outputs, strict=True))
-    return [base, power, term, _program(f"after_{number}", *lines)], after
+    term = instance(
+        shading.light_term, number, given=own | {shading.light_colors: light_color(number), shading.colors: before}
+    )
+    after = _channels("", f"_after_{number}")
+    lines = {s: where(occlusion(number) > 0, b, lit) for s, b, lit in zip(after, before, term.outputs, strict=True)}
+    return [base, power, term, lines], after
 
 
 @evaluated
@@ -134,26 +130,25 @@ def pixel(
     field: a HeightField. model: one of LIGHT_MODELS. lights: how many. gradient_program: (u, v, …) → h_u, h_v; default,
     the exact gradient. Outputs: surface, occluded_0 …, dark_square, rgb.
     """
-    parts = _places(gradient_program or gradient(field))
-    parts += [
+    color = _channels("", "_before")
+    floor = (shading.floor_red, shading.floor_red, shading.floor_blue)
+    parts = [
+        *_places(gradient_program or gradient(field)),
         shadow.checker,
-        _program("dark_square", (dark_square, _by_surface(0, 0, shadow.dark))),
+        {dark_square: _by_surface(0, 0, shadow.dark)},
         shading.floor_albedo.at({shading.floor_dark: dark_square}),
         camera.view_length,
         camera.view_direction,
+        _each_by_surface(shading.albedos, albedo_of_a, albedo_of_b, floor),
+        {
+            s: shading.ambient_term[shading.color].xreplace({shading.ambient: a})
+            for s, a in zip(color, ambient_light, strict=True)
+        },
     ]
-    floor = (shading.floor_red, shading.floor_red, shading.floor_blue)
-    reflected = zip(shading.albedos, albedo_of_a, albedo_of_b, floor, strict=True)
-    parts.append(_program("albedo", *((s, _by_surface(*three)) for s, *three in reflected)))
-    start = real(" ".join(f"{c}_before" for c in CHANNELS))
-    ambient = shading.ambient_term[shading.color]
-    lines = ((s, ambient.xreplace({shading.ambient: a})) for s, a in zip(start, ambient_light, strict=True))
-    parts.append(_program("ambient", *lines))
-    color = start
     for number in range(lights):
         programs, color = _light(number, model, color)
         parts += [*_shadows(number), *programs]
-    clip = [shading.clip[shading.clipped].xreplace({shading.color: c}) for c in color]
-    parts.append(_program("rgb", *((s, _by_surface(c, c, c)) for s, c in zip(rgb, clip, strict=True))))
-    outputs = (camera.surface, *(occlusion(n) for n in range(lights)), dark_square, *rgb)
+    clipped = [shading.clipped_value(c) for c in color]
+    parts.append(_each_by_surface(rgb, clipped, clipped, clipped))
+    outputs = (camera.surface, tuple(map(occlusion, range(lights))), dark_square, rgb)
     return chain(f"pixel_{field.name}_{model}", *parts, outputs=outputs)

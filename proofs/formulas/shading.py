@@ -16,6 +16,7 @@ from proofs.formulas.symbols import (
     shininess,
     specular,
     specular_base,
+    squared,
     towards,
     vector,
     view,
@@ -31,33 +32,27 @@ distance_squared, along_light = real("distance_squared along_light")
 light_direction = Program(
     "light_direction",
     (point, light, bumped),
-    (
-        (to_light, light - point),
-        (light_distance, sqrt(dot(to_light, to_light))),
-        (light_scale, 1 / light_distance),
-        (towards, to_light * light_scale),
-        (mu, dot(bumped, towards)),
-    ),
+    {
+        to_light: light - point,
+        light_distance: sqrt(squared(to_light)),
+        light_scale: 1 / light_distance,
+        towards: to_light * light_scale,
+        mu: dot(bumped, towards),
+    },
     (towards, mu),
 )
 """ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
 
-halfway_vector = chain(
-    "halfway_vector", light_direction, Program("halfway_sum", (towards, view), ((halfway, towards + view),))
-)
+halfway_vector = chain("halfway_vector", light_direction, {halfway: towards + view})
 """ω + v̂, not normalised."""
 
 blinn = chain(
     "blinn",
     halfway_vector,
-    Program(
-        "blinn_base",
-        (halfway, bumped),
-        (
-            (halfway_length, sqrt(dot(halfway, halfway))),
-            (specular_base, where(halfway_length > 0, Max(0, dot(bumped, halfway) / halfway_length), 0)),
-        ),
-    ),
+    {
+        halfway_length: sqrt(squared(halfway)),
+        specular_base: where(halfway_length > 0, Max(0, dot(bumped, halfway) / halfway_length), 0),
+    },
     outputs=(mu, specular_base),
 )
 """Blinn–Phong: the base of the highlight is max(0, N'·(ω + v̂)/|ω + v̂|), and 0 where ω = −v̂."""
@@ -65,18 +60,18 @@ blinn = chain(
 blinn_squared = Program(
     "blinn_squared",
     (point, light, bumped, view),
-    (
-        (to_light, light - point),
-        (distance_squared, dot(to_light, to_light)),
-        (light_distance, sqrt(distance_squared)),
-        (halfway, to_light + light_distance * view),
-        (halfway_squared, dot(halfway, halfway)),
-        (along_light, dot(bumped, to_light)),
-        (along_halfway, Max(0, dot(bumped, halfway))),
-        (light_scale, where(halfway_squared > 0, 1 / (light_distance * halfway_squared), 0)),
-        (mu, where(halfway_squared > 0, along_light * halfway_squared * light_scale, -dot(bumped, view))),
-        (specular_base, along_halfway**2 * light_distance * light_scale),
-    ),
+    {
+        to_light: light - point,
+        distance_squared: squared(to_light),
+        light_distance: sqrt(distance_squared),
+        halfway: to_light + light_distance * view,
+        halfway_squared: squared(halfway),
+        along_light: dot(bumped, to_light),
+        along_halfway: Max(0, dot(bumped, halfway)),
+        light_scale: where(halfway_squared > 0, 1 / (light_distance * halfway_squared), 0),
+        mu: where(halfway_squared > 0, along_light * halfway_squared * light_scale, -dot(bumped, view)),
+        specular_base: along_halfway**2 * light_distance * light_scale,
+    },
     (mu, specular_base),
 )
 """Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2), p not odd.
@@ -86,11 +81,7 @@ The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it
 phong = chain(
     "phong",
     light_direction,
-    Program(
-        "phong_base",
-        (towards, view, bumped, mu),
-        ((specular_base, Max(0, 2 * mu * dot(bumped, view) - dot(towards, view))),),
-    ),
+    {specular_base: Max(0, 2 * mu * dot(bumped, view) - dot(towards, view))},
     outputs=(mu, specular_base),
 )
 """Phong: the base is max(0, (2μN' − ω)·v̂)."""
@@ -123,7 +114,7 @@ LIGHT_MODELS: dict[str, LightModel] = by_name((
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""
 
-highlight = Program("highlight", (specular_base, shininess), ((specular, Pow(specular_base, shininess)),))
+highlight = Program("highlight", (specular_base, shininess), {specular: Pow(specular_base, shininess)})
 """The highlight is base^p, p > 0: not gated by the sign of μ, as in the seed."""
 
 color, ka, kd, ks, ambient = real("color ka kd ks ambient")
@@ -131,18 +122,17 @@ colors, lit = real("red green blue"), real("lit_red lit_green lit_blue")
 albedos, light_colors = real("albedo_red albedo_green albedo_blue"), real("light_red light_green light_blue")
 diffuse, shine, clipped = real("diffuse shine clipped")
 
-ambient_term = Program("ambient_term", (ka, ambient), ((color, ka * ambient),))
+ambient_term = Program("ambient_term", (ka, ambient), {color: ka * ambient})
 """k_a · ambient, per channel."""
 
 light_term = Program(
     "light_term",
-    (*colors, *light_colors, *albedos, kd, ks, mu, specular),
-    (
-        (diffuse, kd * Max(0, mu)),
-        (shine, ks * specular),
-        *((s, c + i * (a * diffuse + shine)) for s, c, i, a in zip(lit, colors, light_colors, albedos, strict=True)),
-    ),
-    lit,
+    (colors, light_colors, albedos, kd, ks, mu, specular),
+    {
+        diffuse: kd * Max(0, mu),
+        shine: ks * specular,
+        lit: [c + i * (a * diffuse + shine) for c, i, a in zip(colors, light_colors, albedos, strict=True)],
+    },
 )
 """A light adds colour · (k_d · albedo · max(0, μ) + k_s · base^p) per channel, unless it is occluded."""
 
@@ -152,7 +142,7 @@ def clipped_value(channel: Expr) -> Expr:
     return Min(1, Max(0, channel))
 
 
-clip = Program("clip", (color,), ((clipped, clipped_value(color)),))
+clip = Program("clip", (color,), {clipped: clipped_value(color)})
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(
@@ -161,11 +151,11 @@ floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(
 floor_albedo = Program(
     "floor_albedo",
     (floor_dark, floor_tint),
-    (
-        (floor_base, where(floor_dark > 0, Pow(20, -1) * 3, Pow(20, -1) * 17)),
-        (floor_red, floor_base * (1 - floor_tint)),
-        (floor_blue, floor_base),
-    ),
+    {
+        floor_base: where(floor_dark > 0, Pow(20, -1) * 3, Pow(20, -1) * 17),
+        floor_red: floor_base * (1 - floor_tint),
+        floor_blue: floor_base,
+    },
     (floor_red, floor_blue),
 )
 """The floor's albedo: 17/20 on light squares, 3/20 on dark ones; red and green are dimmed by the tint."""

@@ -3,7 +3,7 @@
 from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, vector, where
+from proofs.formulas.symbols import cross, dot, light, point, real, squared, vector, where
 
 center, body_radius = vector("center"), real("body_radius")
 segment, offset = vector("segment"), vector("offset")
@@ -15,14 +15,14 @@ square, dark = real("square dark")
 shadow = Program(
     "shadow",
     (point, light, center, body_radius),
-    (
-        (segment, light - point),
-        (offset, center - point),
-        (segment_squared, dot(segment, segment)),
-        (toward_center, dot(segment, offset)),
-        (shadow_discriminant, segment_squared * body_radius**2 - sum(c**2 for c in cross(segment, offset))),
-        (occluded, where(And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared), 1, 0)),
-    ),
+    {
+        segment: light - point,
+        offset: center - point,
+        segment_squared: squared(segment),
+        toward_center: dot(segment, offset),
+        shadow_discriminant: segment_squared * body_radius**2 - squared(cross(segment, offset)),
+        occluded: where(And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared), 1, 0),
+    },
 )
 """Whether a sphere stands between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
 
@@ -33,16 +33,11 @@ Domain: P and L outside the sphere."""
 checker = Program(
     "checker",
     (point[0], point[1]),
-    (
-        (square, floor(point[0]) + floor(point[1])),
-        (
-            dark,
-            where(
-                And(Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))),
-                1,
-                0,
-            ),
+    {
+        square: floor(point[0]) + floor(point[1]),
+        dark: where(
+            And(Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))), 1, 0
         ),
-    ),
+    },
 )
 """Whether the floor square is dark: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""

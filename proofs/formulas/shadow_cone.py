@@ -4,7 +4,7 @@ from sympy import Piecewise
 
 from proofs.engine.program import Program
 from proofs.formulas.shadow import body_radius, center
-from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, vector, where
+from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, squared, vector, where
 
 from_body, along = vector("from_body"), vector("along")
 at_light, half_slope, curvature = real("at_light half_slope curvature")
@@ -14,19 +14,19 @@ clearance, shortest = real("clearance shortest")
 shadow_clearance = Program(
     "shadow_clearance",
     (light, center, body_radius, ball_center, ball_radius),
-    (
-        (from_body, light - center),
-        (along, ball_center - light),
-        (at_light, dot(from_body, from_body) - body_radius**2),
-        (half_slope, dot(from_body, along) - body_radius * ball_radius),
-        (curvature, dot(along, along) - ball_radius**2),
-        (turning, Piecewise((0, half_slope >= 0), (1, half_slope + curvature <= 0), (-half_slope / curvature, True))),
-        (at_ball, at_light + 2 * half_slope + curvature),
-        (at_turning, at_light + turning * (2 * half_slope + turning * curvature)),
-        (at_an_end, where(at_ball < at_light, at_ball, at_light)),
-        (shortest, where(at_turning < at_an_end, at_turning, at_an_end)),
-        (clearance, shortest / (dot(from_body, from_body) + dot(along, along))),
-    ),
+    {
+        from_body: light - center,
+        along: ball_center - light,
+        at_light: squared(from_body) - body_radius**2,
+        half_slope: dot(from_body, along) - body_radius * ball_radius,
+        curvature: squared(along) - ball_radius**2,
+        turning: Piecewise((0, half_slope >= 0), (1, half_slope + curvature <= 0), (-half_slope / curvature, True)),
+        at_ball: at_light + 2 * half_slope + curvature,
+        at_turning: at_light + turning * (2 * half_slope + turning * curvature),
+        at_an_end: where(at_ball < at_light, at_ball, at_light),
+        shortest: where(at_turning < at_an_end, at_turning, at_an_end),
+        clearance: shortest / (squared(from_body) + squared(along)),
+    },
 )
 """Positive only if no segment from the light to a point of the ball meets the body: the least value, over the share t
 of the way, of |from_body + t · along|² − (body_radius + t · ball_radius)², over a scale of its terms, so that a guard

@@ -49,6 +49,11 @@ def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     return sum(others, first)
 
 
+def squared(a: Sequence[Expr]) -> Expr:
+    """Return the square of the length of a 3-tuple of expressions."""
+    return dot(a, a)
+
+
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> Vector:
     """Return the vector product of two 3-tuples of expressions."""
     return Vector((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))

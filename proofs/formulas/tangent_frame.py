@@ -13,13 +13,13 @@ seed_sin_phi = real("seed_sin_phi")
 
 _angles = (cos_theta, sin_theta, cos_phi, sin_phi)
 
-unit_normal = Program("unit_normal", _angles, ((normal, (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)),))
+unit_normal = Program("unit_normal", _angles, {normal: (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)})
 """N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 tangent_frame = Program(
     "tangent_frame",
     _angles,
-    ((e_theta, (-sin_theta, cos_theta, 0 * cos_theta)), (e_phi, (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi))),
+    {e_theta: (-sin_theta, cos_theta, 0 * cos_theta), e_phi: (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi)},
     (e_theta, e_phi),
 )
 """The stable form: e_θ = (−sin θ, cos θ, 0) = (∂N/∂θ)/sin φ, e_φ = (cos φ cos θ, cos φ sin θ, −sin φ) = ∂N/∂φ.
@@ -28,11 +28,11 @@ Theorem: tangent_frame."""
 seed_frame = Program(
     "seed_frame",
     normal,
-    (
-        (seed_sin_phi, sqrt(1 - normal[2] ** 2)),
-        (e_theta, (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0])),
-        (e_phi, (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi)),
-    ),
+    {
+        seed_sin_phi: sqrt(1 - normal[2] ** 2),
+        e_theta: (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0]),
+        e_phi: (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi),
+    },
     (e_theta, e_phi),
 )
 """The seed's form, from N: sin φ = √(1 − N_z²) cancels near the pole (F20). Domain: sin φ > 0."""

@@ -1,9 +1,9 @@
 """The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
 
-from sympy import Rational, cos, pi, sin
+from sympy import cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.algebraic_form import (
     base_of_u,
     base_of_v,
@@ -88,40 +88,38 @@ _times = Claim("product", *_on_circle(complex_product, (alpha, gamma), alpha + g
 _reciprocal = Claim(
     "reciprocal",
     equations(_parts, (1, 0)),
-    (equation(real_part**2 + imaginary_part**2, 1),),
+    equation(real_part**2 + imaginary_part**2, 1),
     complex_product.at({other_real: real_part, other_imaginary: -imaginary_part}),
 )
 _half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 
 theorem = Theorem(
-    id="algebraic_gradient",
-    title="The algebraic gradient is the trigonometric one",
-    statement=r"For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: "
-    r"$(-\cos\theta - i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, "
-    r"$\sin\pi k_u u$ for $k_u = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for "
-    r"$k_v = n$, and rings' factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.",
-    hypotheses=("$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",),
+    "algebraic_gradient",
+    "The algebraic gradient is the trigonometric one",
+    r"""For every whole $n \ge 0$, with $\pi u = (\theta+\pi)/2$ and $\pi v = \varphi$: $(-\cos\theta -
+    i\sin\theta)^n = (-1)^n(\cos n\theta + i\sin n\theta)$ has the parts $\cos\pi k_u u$, $\sin\pi k_u u$ for $k_u
+    = 2n$; and $(\cos\varphi+i\sin\varphi)^n$ has $\cos\pi k_v v$, $\sin\pi k_v v$ for $k_v = n$, and rings'
+    factors for $2k_v = n$. A negative wave number conjugates; $n = 0$ gives $1$ and $0$.""",
+    hypotheses="$k_u$ even, $k_v$ whole (rings: $2k_v$ whole)",
     claims=(_plain, _backwards, _in_u, _in_v, _rings_in_v, _square, _times, _reciprocal),
-    steps=(
-        Step(r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$", "induction, by the lines of complex_product"),
-        Step(r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$", "the sign is carried along"),
-        Step(r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$", "the powers of $c-is$"),
-        Step("$(c+is)(c-is) = c^2+s^2 = 1$", "so the conjugate's powers are those with a negative exponent"),
-        Step("squaring doubles the angle, a product adds the angles", "so any order of squarings and products does"),
-    ),
+    steps={
+        r"$(c+is)^0 = 1$; $(c+is)^{n+1} = (c+is)^n(c+is)$": "induction, by the lines of complex_product",
+        r"$\cos(n\theta+n\pi) = (-1)^n\cos n\theta$": "the sign is carried along",
+        r"$\cos(-n\alpha) = \cos n\alpha$, $\sin(-n\alpha) = -\sin n\alpha$": "the powers of $c-is$",
+        "$(c+is)(c-is) = c^2+s^2 = 1$": "so the conjugate's powers are those with a negative exponent",
+        "squaring doubles the angle, a product adds the angles": "so any order of squarings and products does",
+    },
     mutants=(
         variant("without the sign", _in_u, equation(real_part, cos(n * theta))),
         variant("k_u odd", _in_u, equation(real_part, _half[cos_u])),
         variant("rings with k_v", _rings_in_v, equation(real_part, _factors("rings", {k_v: n})[cos_v])),
         variant("a negative power does not conjugate", _backwards, states=_plain.states),
-        variant("squaring keeps the angle", _square, *_on_circle(complex_square, (alpha,), alpha)[0]),
+        variant("squaring keeps the angle", _square, _on_circle(complex_square, (alpha,), alpha)[0]),
     ),
-    side_conditions=(
-        SideCondition(
-            "the conjugate is the reciprocal on the unit circle, and not off it",
-            "reciprocal",
-            holds=[{real_part: Rational(3, 5), imaginary_part: Rational(4, 5)}],
-            fails=[{real_part: Rational(3, 5), imaginary_part: 1}, {real_part: 0, imaginary_part: 0}],
-        ),
+    side_conditions=SideCondition(
+        "the conjugate is the reciprocal on the unit circle, and not off it",
+        "reciprocal",
+        holds={real_part: "3/5", imaginary_part: "4/5"},
+        fails=({real_part: "3/5", imaginary_part: 1}, {real_part: 0, imaginary_part: 0}),
     ),
 )

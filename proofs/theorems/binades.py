@@ -1,29 +1,25 @@
 """Steps that float64 cannot take: where every slope is 0. Coq proves it of the printed difference, in Binades.v."""
 
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 
 theorem = Theorem(
-    id="binades",
-    title="The slope dies by binades",
-    statement=r"For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where "
-    r"$0 < \varepsilon < s/2$ (at $u = 2^k$: $\varepsilon \le s/4$), $\mathrm{fl}(u \pm \varepsilon) = u$, and the "
-    r"computed $h_u$ is exactly 0 for every height; in $v$ the same, up to $v = 1$. At the tie $\varepsilon = s/2$, "
-    r"for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where $m$ is even, and twice the slope of $h = u$ or "
-    r"$h = v$ where $m$ is odd. At the pole $v = 0$ the difference is that from 0 to $\varepsilon$, and at the seam "
-    r"$u = 0$ half of it, since $u - \varepsilon$ becomes exactly 1.",
+    "binades",
+    "The slope dies by binades",
+    r"""For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where $0 <
+    \varepsilon < s/2$ (at $u = 2^k$: $\varepsilon \le s/4$), $\mathrm{fl}(u \pm \varepsilon) = u$, and the
+    computed $h_u$ is exactly 0 for every height; in $v$ the same, up to $v = 1$. At the tie $\varepsilon = s/2$,
+    for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where $m$ is even, and twice the slope of $h = u$
+    or $h = v$ where $m$ is odd. At the pole $v = 0$ the difference is that from 0 to $\varepsilon$, and at the
+    seam $u = 0$ half of it, since $u - \varepsilon$ becomes exactly 1.""",
     hypotheses=(
         r"$\varepsilon$ is a float64 number; at the pole $\varepsilon \le 1$, at the seam $\varepsilon \le 2^{-54}$",
         r"at the seam $h(1, v) = h(0, v)$, and the rise does not underflow",
     ),
-    steps=(
-        Step(
-            r"$u = ms$, $2^{52} \le m < 2^{53}$: $u \pm \varepsilon = (m \pm t)s$, $t < \frac12$", "the binade's grid"
-        ),
-        Step(
-            r"the nearest whole number to $m \pm t$ is $m$", "below $2^k$ the grid is twice as fine: $2t \\le \\frac12$"
-        ),
-        Step("both heights are $h(u, v)$: their difference is 0", "rounded, halved and divided it stays 0"),
-        Step(r"$t = \frac12$: to the even neighbour, $m$ itself or $m \pm 1$", "ties go to even"),
-    ),
+    steps={
+        r"$u = ms$, $2^{52} \le m < 2^{53}$: $u \pm \varepsilon = (m \pm t)s$, $t < \frac12$": "the binade's grid",
+        r"the nearest whole number to $m \pm t$ is $m$": "below $2^k$ the grid is twice as fine: $2t \\le \\frac12$",
+        "both heights are $h(u, v)$: their difference is 0": "rounded, halved and divided it stays 0",
+        r"$t = \frac12$: to the even neighbour, $m$ itself or $m \pm 1$": "ties go to even",
+    },
     expected="measured",
 )

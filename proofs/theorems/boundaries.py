@@ -1,27 +1,26 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
-from sympy import Rational, Symbol
+from sympy import Symbol
 
 from proofs.engine.claim import Claim, Separation, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, towards
+from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, squared, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER
 
 _ridges = HEIGHT_FIELDS["ridges"]
-_any_gradient = Program("any_gradient", (h_u, h_v), (), (h_u, h_v))
+_any_gradient = Program("any_gradient", (h_u, h_v), {}, (h_u, h_v))
 LIGHTS = 5  # as many as a scene may have
 _chamber = (surface, *(occlusion(light) for light in range(LIGHTS)), dark_square)
 _unmoved = {
     model: Separation(
-        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, *bumped)
+        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, bumped)
     )
     for model in LIGHT_MODELS
 }
@@ -30,7 +29,7 @@ _by_difference = {
         f"{method.__name__}_{name}",
         pixel(field, lights=1, gradient_program=method(field)),
         (surface, occlusion(0), dark_square),
-        (k_u, k_v, epsilon, h_u, h_v, beta, *bumped),
+        (k_u, k_v, epsilon, h_u, h_v, beta, bumped),
     )
     for method in (forward, central, central4)
     for name, field in HEIGHT_FIELDS.items()
@@ -38,44 +37,44 @@ _by_difference = {
 _mu = Symbol("mu_0", real=True)
 
 theorem = Theorem(
-    id="bump_moves_no_boundary",
-    title="The bump moves no boundary",
-    statement=r"Which surface a pixel shows, which lights another body hides from it, and its checker square depend on "
-    r"none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.",
+    "bump_moves_no_boundary",
+    "The bump moves no boundary",
+    r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
+    none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""",
     hypotheses=(
-        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field",
+        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field"
     ),
     claims=(*_unmoved.values(), *_by_difference.values()),
-    steps=(
-        Step("write the pixel as a straight-line program", "the lines are those that the kernels print"),
-        Step("the names that the chamber reaches are closed under “is used by a line of”", "reading each line once"),
-        Step(r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$", "look"),
-    ),
+    steps={
+        "write the pixel as a straight-line program": "the lines are those that the kernels print",
+        "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",
+        r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$": "look",
+    },
     mutants=(
-        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=(_mu,), avoid=(beta,)),
-        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=(beta,)),
-        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=(epsilon,)),
+        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=_mu, avoid=beta),
+        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=beta),
+        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=epsilon),
     ),
 )
 
 _in_light = Claim(
     "in_light",
-    (dot(bumped, towards) > 0,),
-    (*tangent, dot(normal, towards) > 0, equation(dot(towards, towards), 1)),
+    dot(bumped, towards) > 0,
+    (tangent, dot(normal, towards) > 0, equation(squared(towards), 1)),
     perturbed,
     squares=beta * g,
 )
 
 attached_shadow = Theorem(
-    id="attached_shadow",
-    title="The bump moves no shadow",
-    statement=r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
-    claims=(_in_light,),
-    refuted_at={**at(3 * QUARTER), towards: (Rational(-12, 13), 0, Rational(5, 13))},
-    steps=(Step(r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$", r"$\beta g = (3/4, 0, 0)$"),),
+    "attached_shadow",
+    "The bump moves no shadow",
+    r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
+    claims=_in_light,
+    refuted_at={**at("3/4"), towards: ("-12/13", 0, "5/13")},
+    steps={r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$": r"$\beta g = (3/4, 0, 0)$"},
     mutants=(
-        variant("true at β = 0", _in_light, given=(*_in_light.given, equation(beta, 0))),
-        variant("true where β g·ω ≥ 0", _in_light, given=(*_in_light.given, beta * dot(g, towards) >= 0)),
+        variant("true at β = 0", _in_light, given=(_in_light.given, equation(beta, 0))),
+        variant("true where β g·ω ≥ 0", _in_light, given=(_in_light.given, beta * dot(g, towards) >= 0)),
     ),
-    uses=("unit_length",),
+    uses="unit_length",
 )

@@ -1,13 +1,13 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
-from sympy import Rational, S, cos, pi, sin, sqrt
+from sympy import S, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, dot, normal, real, sin_phi, sin_theta, u, v
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, squared, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.relations import HALF, equations
@@ -17,10 +17,10 @@ _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): po
 _by_turns = Program("by_turns", (turn, polar), tuple((s, e.xreplace(_of_angles)) for s, e in chart.definitions), (u, v))
 _half_turns = (turn > -1, turn <= 1)
 _range = Claim(
-    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (*_half_turns, polar >= 0, polar <= 1), _by_turns
+    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (_half_turns, polar >= 0, polar <= 1), _by_turns
 )
-_seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), (equation(turn, 1),), _by_turns)
-_inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), (turn < 1,), _by_turns)
+_seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), equation(turn, 1), _by_turns)
+_inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), turn < 1, _by_turns)
 
 
 _angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
@@ -40,13 +40,13 @@ _recovered = Claim(
         equation(_across**2, sin_phi**2),
         equation(_across, sin_phi),
         equation(normal[2], cos_phi),
-        *equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
+        equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
     unit_normal,
 )
 _from_chart = unit_normal.expand(normal).xreplace(dict(chart_inverse.definitions))
-_unit = Claim("unit", (equation(dot(_from_chart, _from_chart), 1),))
+_unit = Claim("unit", equation(squared(_from_chart), 1))
 _formula = Claim(
     "formula",
     equations(normal, [-sin(pi * v) * cos(2 * pi * u), -sin(pi * v) * sin(2 * pi * u), cos(pi * v)]),
@@ -54,21 +54,19 @@ _formula = Claim(
 )
 
 forward = Theorem(
-    id="chart",
-    title="The chart of sphere A",
-    statement=r"For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, 1]$; $u = "
-    r"(\theta+\pi)/2\pi$ where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the "
-    r"same cosines and sines of $\theta$ and $\varphi$, on the seam too.",
-    hypotheses=(
-        r"$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise: "
-        r"the meaning of atan2",
-    ),
+    "chart",
+    "The chart of sphere A",
+    r"""For $\theta \in (-\pi, \pi]$ and $\varphi \in [0, \pi]$: $u \in [0, 1)$ and $v \in [0, 1]$; $u =
+    (\theta+\pi)/2\pi$ where $\theta < \pi$, and $\theta = \pi$ gives $u = 0$, not 1. Back from $(u, v)$ come the
+    same cosines and sines of $\theta$ and $\varphi$, on the seam too.""",
+    hypotheses=r"""$\theta = \pi\,\mathrm{atan2pi}(\sin\theta, \cos\theta) \in (-\pi, \pi]$, $\varphi$ likewise:
+    the meaning of atan2""",
     claims=(_range, _inside, _seam, _round_trip, _on_the_seam),
-    steps=(
-        Step(r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0", "the case of the reduction"),
-        Step(r"$\cos(2\pi u-\pi) = \cos\theta$", "addition formulas"),
-        Step(r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$", r"as at $\theta = \pi$"),
-    ),
+    steps={
+        r"$0 < (1+\theta/\pi)/2 \le 1$, and 1 is replaced by 0": "the case of the reduction",
+        r"$\cos(2\pi u-\pi) = \cos\theta$": "addition formulas",
+        r"at $u = 0$: $(\cos\theta, \sin\theta) = (-1, 0)$": r"as at $\theta = \pi$",
+    },
     mutants=(
         variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
@@ -78,36 +76,29 @@ forward = Theorem(
             equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\theta < \pi$", "inside", holds=[{turn: Rational(12, 13), polar: 0}], fails=[{turn: 1, polar: 0}]
-        ),
+    side_conditions=SideCondition(
+        r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0}
     ),
 )
 
 inverse = Theorem(
-    id="chart_inverse",
-    title="The inverse of the chart",
-    statement=r"$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi "
-    r"> 0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$, "
-    r"$\sin\theta = N_y/\sin\varphi$.",
-    hypotheses=(r"$\sin\varphi > 0$ for the way back",),
+    "chart_inverse",
+    "The inverse of the chart",
+    r"""$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi >
+    0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$,
+    $\sin\theta = N_y/\sin\varphi$.""",
+    hypotheses=r"$\sin\varphi > 0$ for the way back",
     claims=(_formula, _unit, _recovered),
-    steps=(
-        Step(r"$\theta = 2\pi u-\pi$, $\varphi = \pi v$", "the chart, solved"),
-        Step(r"$N_x^2+N_y^2 = \sin^2\varphi$", r"$\cos^2\theta+\sin^2\theta = 1$"),
-        Step("the root and the quotients", r"$\sin\varphi > 0$"),
-    ),
+    steps={
+        r"$\theta = 2\pi u-\pi$, $\varphi = \pi v$": "the chart, solved",
+        r"$N_x^2+N_y^2 = \sin^2\varphi$": r"$\cos^2\theta+\sin^2\theta = 1$",
+        "the root and the quotients": r"$\sin\varphi > 0$",
+    },
     mutants=(
         variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
-        variant("whatever the sign of sin φ", _recovered, *_recovered.shows[1:2], given=on_circles),
+        variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\sin\varphi > 0$",
-            "recovered",
-            fails=[at_angle(Rational(3, 5), Rational(-4, 5))],
-            undefined=[at_angle(1, 0)],
-        ),
+    side_conditions=SideCondition(
+        r"$\sin\varphi > 0$", "recovered", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)
     ),
 )

@@ -1,17 +1,17 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from sympy import Abs, Rational, S, pi, sin
+from sympy import Abs, S, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, both_ways, named, ridges, rings, sine
+from proofs.theorems.relations import HALF, both_ways, named, ridges, rings, sine
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
@@ -27,10 +27,10 @@ _bends = tuple(part for bend in (bend_plus, bend_minus) for part in (bend <= lar
 _first = Claim(
     "first_order",
     (
-        *both_ways(largest * (epsilon**2 + v**2) / 2, (v + epsilon) * (h_v - slope)),
-        *both_ways(largest * (epsilon**2 + v**2) / (2 * (epsilon + v)), h_v - slope),
+        both_ways(largest * (epsilon**2 + v**2) / 2, (v + epsilon) * (h_v - slope)),
+        both_ways(largest * (epsilon**2 + v**2) / (2 * (epsilon + v)), h_v - slope),
     ),
-    (*pole_clamps, *_bends),
+    (pole_clamps, _bends),
     of_heights(
         {
             h_v_plus: here + epsilon * slope + bend_plus * epsilon**2 / 2,
@@ -42,38 +42,38 @@ _first = Claim(
 )
 _sharp = Claim(
     "first_order_sharp",
-    (equation(h_v, (epsilon**2 + v**2) / (2 * (epsilon + v))),),
+    equation(h_v, (epsilon**2 + v**2) / (2 * (epsilon + v))),
     pole_clamps,
     of_heights({h_v_plus: epsilon**2 / 2, h_v_minus: -(v**2) / 2}),
 )
 _parabola = HeightField("parabola", v**2 / 2)
 _at_zero = Claim(
-    "at_the_pole_itself", (equation(h_v - _parabola.gradient()[1], (epsilon - v) / 2),), pole_clamps, at_pole(_parabola)
+    "at_the_pole_itself", equation(h_v - _parabola.gradient()[1], (epsilon - v) / 2), pole_clamps, at_pole(_parabola)
 )
 
 first_order = Theorem(
-    id="clamped_difference",
-    source="DLMF",
-    title="The difference clamped at the pole",
-    statement=r"For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and "
-    r"$|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller "
-    r"factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.",
+    "clamped_difference",
+    "The difference clamped at the pole",
+    r"""For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and
+    $|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller
+    factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and "
-        r"$h(0) = h - v h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$",
+        r"""Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and $h(0) = h - v
+        h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$""",
     ),
     claims=(_clamp, _first, _sharp, _at_zero),
-    steps=(
-        Step(r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$", "the lines' own cases, decided"),
-        Step(r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$", "the two remainders, added"),
-        Step("equality", "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$"),
-    ),
+    source="DLMF",
+    steps={
+        r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$": "the lines' own cases, decided",
+        r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$": "the two remainders, added",
+        "equality": "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$",
+    },
     mutants=(
         variant(
             "ε² − v², as if the two remainders cancelled",
             _first,
-            *both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope),
+            both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope),
         ),
         variant(
             "w²/2 attains the bound off the pole",
@@ -84,9 +84,9 @@ first_order = Theorem(
     ),
     side_conditions=(
         SideCondition(
-            r"$v < \varepsilon$", "clamp", holds=[{v: EIGHTH, epsilon: EIGHTH}], fails=[{v: QUARTER, epsilon: EIGHTH}]
+            r"$v < \varepsilon$", "clamp", holds={v: "1/8", epsilon: "1/8"}, fails={v: "1/4", epsilon: "1/8"}
         ),
-        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails=[{v: HALF, epsilon: 3 * QUARTER}]),
+        SideCondition(r"$v + \varepsilon \le 1$", "clamp", fails={v: "1/2", epsilon: "3/4"}),
     ),
 )
 
@@ -103,9 +103,9 @@ _first_ridge = Claim(
         equation(ridges.expression, _odd_ridge),
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
-    squares=(named(sin(pi * k_u * u)) * named(sin(pi * k_v * v)),),
-    cited=(sine_of_half_turn(k_v * v),),
-    ranges=((v, (0, 1)), (k_v, (0, 3))),
+    squares=named(sin(pi * k_u * u)) * named(sin(pi * k_v * v)),
+    cited=sine_of_half_turn(k_v * v),
+    ranges={v: (0, 1), k_v: (0, 3)},
 )
 _end = v + epsilon
 _room = clamped_bound[truncation].xreplace({third_derivative: S.One})
@@ -117,58 +117,56 @@ _second = Claim(
         equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
         _rise >= 0,
         *(_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)),
-        *both_ways(largest * _room, h_v - slope),
+        both_ways(largest * _room, h_v - slope),
     ),
-    (*pole_clamps, *_bends),
+    (pole_clamps, _bends),
     of_heights({h_v_plus: _end * _middle + bend_plus * _end**3 / 24, h_v_minus: S.Zero}),
-    squares=(_end,),
+    squares=_end,
     ranges=ranges,
 )
 _off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})  # type: ignore[index]
 _cubic = HeightField("cubic", v**3 / 6)
 _attained = Claim(
-    "second_order_sharp", (equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room),), pole_clamps
+    "second_order_sharp", equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room), pole_clamps
 )
 
 second_order = Theorem(
-    id="clamped_difference_of_odd",
-    title="Where the field is odd, the clamp costs no order",
-    statement=r"If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then "
-    r"$|D_\varepsilon h - h_v| \le \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and "
-    r"rings are odd; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges "
-    r"$v+\varepsilon \le 1/k_v$: no hump may end inside the step. $w^3/6$ attains the bound.",
+    "clamped_difference_of_odd",
+    "Where the field is odd, the clamp costs no order",
+    r"""If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then $|D_\varepsilon h - h_v| \le
+    \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and rings are odd; on $[0,
+    1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges $v+\varepsilon \le 1/k_v$: no
+    hump may end inside the step. $w^3/6$ attains the bound.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, "
-        r"$|a| \le \sup|h_{vvv}|$",
-        r"$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up to "
-        r"$\pi k_v$",
-        r"the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + "
-        r"\tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$",
+        r"""$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3
+        a$, $|a| \le \sup|h_{vvv}|$""",
+        r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up
+        to $\pi k_v$""",
+        r"""the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + \tfrac12(s^2/4
+        - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
-    steps=(
-        Step(r"$h(0) = 0$ and $h_{vv}(0) = 0$", "$h$ is odd"),
-        Step("the clamped difference divides by $v+\\varepsilon$", "its lines", uses=("clamped_difference",)),
-        Step(r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$", r"the two theorems; $v \le s/2$"),
-        Step(r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$", "expansion"),
-        Step(r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$", "expansion"),
-    ),
+    steps={
+        r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
+        "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),
+        r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$": r"the two theorems; $v \le s/2$",
+        r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$": "expansion",
+        r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$": "expansion",
+    },
     mutants=(
-        variant("the unclamped bound ε²/6", _second, *both_ways(largest * epsilon**2 / 6, h_v - slope)),
+        variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
         variant("h(0) = 0 is not needed", _second, lines=_off_zero),
-        Mutant("1 − v² is odd too", Claim("odd", (equation((1 - v**2).subs(v, -v), v**2 - 1),))),
+        variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
         variant(
             "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            "ridges up to its first crease, $k_v v \\le 1$",
-            "first_ridge",
-            holds=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: QUARTER}],
-            fails=[{u: Rational(1, 3), k_u: 1, k_v: 4, v: 3 * EIGHTH}],
-        ),
+    side_conditions=SideCondition(
+        "ridges up to its first crease, $k_v v \\le 1$",
+        "first_ridge",
+        holds={u: "1/3", k_u: 1, k_v: 4, v: "1/4"},
+        fails={u: "1/3", k_u: 1, k_v: 4, v: "3/8"},
     ),
 )
 
@@ -180,19 +178,19 @@ def _at_zero_of(h):
 
 
 _steps = (epsilon > 0, epsilon <= 1)
-_costs = Claim("costs_an_order", (Abs(_at_zero_of(v - v**3)) >= epsilon,), _steps)
+_costs = Claim("costs_an_order", Abs(_at_zero_of(v - v**3)) >= epsilon, _steps)
 
 always_first_order = Theorem(
-    id="seed_clamp",
-    title="The seed's clamp always costs an order",
-    statement=r"At the pole the one-sided difference is of first order for every field: at $v = 0$ that of "
-    r"$h = v - v^3$ errs by $\varepsilon$ at least.",
-    hypotheses=(r"$0 < \varepsilon \le 1$",),
-    claims=(_costs,),
-    refuted_at={epsilon: HALF},
-    steps=(Step(r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$", "$h$ is odd"),),
+    "seed_clamp",
+    "The seed's clamp always costs an order",
+    r"""At the pole the one-sided difference is of first order for every field: at $v = 0$ that of $h = v - v^3$
+    errs by $\varepsilon$ at least.""",
+    hypotheses=r"$0 < \varepsilon \le 1$",
+    claims=_costs,
+    refuted_at={epsilon: "1/2"},
+    steps={r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$": "$h$ is odd"},
     mutants=(
-        Mutant("of v − v³ it is −ε²", Claim("odd", (equation(_at_zero_of(v - v**3), -(epsilon**2)),), _steps)),
-        Mutant("of v + v², not odd, it is ε", Claim("not_odd", (equation(_at_zero_of(v + v**2), epsilon),), _steps)),
+        variant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),
+        variant("of v + v², not odd, it is ε", Claim("not_odd", equation(_at_zero_of(v + v**2), epsilon), _steps)),
     ),
 )

@@ -3,7 +3,7 @@
 from sympy import Abs, Max, Pow, Rational
 
 from proofs.engine.claim import Rounded
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.certified import COSINE, NORMAL, SHARE
 from proofs.formulas.shading import (
@@ -18,7 +18,7 @@ from proofs.formulas.shading import (
     light_term,
     lit,
 )
-from proofs.formulas.symbols import beta, bumped, dot, light, mu, normal, point, specular
+from proofs.formulas.symbols import beta, bumped, light, mu, normal, point, specular, squared
 
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
@@ -29,9 +29,9 @@ _shares = tuple(
 )
 
 theorem = Theorem(
-    id="colour_accuracy",
-    title="What float64 loses between the gradient and the colour",
-    statement=rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
+    "colour_accuracy",
+    "What float64 loses between the gradient and the colour",
+    rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; a "
     rf"light's share leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
@@ -45,18 +45,18 @@ theorem = Theorem(
             perturbed,
             tuple((component, NORMAL * _UNIT) for component in bumped),
             (
-                dot(_m, _m) >= 1,
-                dot(_m, _m) <= Pow(2, 900),
-                *((beta * component) ** 2 <= dot(_m, _m) for component in g),
+                squared(_m) >= 1,
+                squared(_m) <= Pow(2, 900),
+                *((beta * component) ** 2 <= squared(_m) for component in g),
             ),
         ),
         Rounded(
             "cosine",
             light_direction,
-            ((mu, COSINE * _UNIT),),
+            {mu: COSINE * _UNIT},
             (
-                dot(_to_light, _to_light) >= Pow(2, -40),
-                dot(_to_light, _to_light) <= Pow(2, 900),
+                squared(_to_light) >= Pow(2, -40),
+                squared(_to_light) <= Pow(2, 900),
                 *(Abs(component) <= 1 + Pow(2, -40) for component in bumped),
             ),
         ),
@@ -64,7 +64,7 @@ theorem = Theorem(
             Rounded(
                 f"share_{name}",
                 light_term,
-                ((channel, SHARE * _UNIT * share + Pow(10, -30)),),
+                {channel: SHARE * _UNIT * share + Pow(10, -30)},
                 (
                     *(weight >= 0 for weight in (before, color, albedo, kd, ks, specular)),
                     *(weight <= Pow(2, 20) for weight in (color, albedo)),
@@ -74,15 +74,12 @@ theorem = Theorem(
                 ("red", "green", "blue"), lit, _shares, colors, light_colors, albedos, strict=True
             )
         ),
-        Rounded("clip", clip, ((clipped, Rational(0)),)),
+        Rounded("clip", clip, {clipped: Rational(0)}),
     ),
-    steps=(
-        Step(r"$N + \beta g$ is off by $\tfrac94\mu$ of its length", "two roundings a component"),
-        Step(
-            "its square by 11, its length by 7, the quotient by 12 of them",
-            "three products, two sums, a root, a quotient",
-        ),
-        Step("the share", "nothing cancels in a sum of what is not negative"),
-    ),
+    steps={
+        r"$N + \beta g$ is off by $\tfrac94\mu$ of its length": "two roundings a component",
+        "its square by 11, its length by 7, the quotient by 12 of them": "three products, two sums, a root, a quotient",
+        "the share": "nothing cancels in a sum of what is not negative",
+    },
     expected="measured",
 )

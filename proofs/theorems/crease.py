@@ -1,10 +1,10 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Derivative, Rational, S, Symbol, cos, pi, sin, sqrt
+from sympy import Abs, Derivative, S, Symbol, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.step_bounds import (
     crease_rms,
@@ -23,7 +23,7 @@ from proofs.formulas.step_bounds import (
 )
 from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
+from proofs.theorems.relations import HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
@@ -38,67 +38,63 @@ straddled = cos(rate * epsilon) * sin(rate * delta) / epsilon
 slope = ridges.gradient()[0].subs(half).subs(u, delta)
 slope_after = rate * cos(rate * delta)  # where sin πkδ > 0, as a claim below says; before the crease, its negative
 
-_value = Claim("value", (equation(across, straddled),), (*straddles, *reach), cited=signs, ranges=ranges)
+_value = Claim("value", equation(across, straddled), (straddles, reach), cited=signs, ranges=ranges)
 difference, after = real("difference after")
-_beside = Program("beside", (k_u, delta, epsilon), ((difference, straddled), (after, slope_after)))
+_beside = Program("beside", (k_u, delta, epsilon), {difference: straddled, after: slope_after})
 _centre = Claim(
-    "at_the_crease",
-    (*zero(difference), equation(difference - after, -rate)),
-    (epsilon > 0,),
-    _beside.at({delta: S.Zero}),
+    "at_the_crease", (zero(difference), equation(difference - after, -rate)), epsilon > 0, _beside.at({delta: S.Zero})
 )
-_period = Claim("every_crease", (equation(Abs(sin(pi * m + delta)), Abs(sin(delta))),), zero(sin(pi * m)))
+_period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
 _slopes = tuple(
-    Claim(f"slope_{name}", (equation(slope, side * slope_after),), (side * sin(rate * delta) > 0,), ranges=ranges)
+    Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
 )
 
 theorem = Theorem(
-    id="straddling",
-    title="A difference that straddles a crease",
-    statement=r"At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and "
-    r"$\varepsilon + |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, "
-    r"whereas the slope is $\pm\pi k\cos\pi k\delta$ on either side. At the crease $D_\varepsilon h$ is 0, for "
-    r"every $\varepsilon$, and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.",
+    "straddling",
+    "A difference that straddles a crease",
+    r"""At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and $\varepsilon +
+    |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, whereas the slope
+    is $\pm\pi k\cos\pi k\delta$ on either side. At the crease $D_\varepsilon h$ is 0, for every $\varepsilon$,
+    and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
         r"ridges in $u$, where $|\sin\pi k_v v| = 1$; elsewhere that factor multiplies both sides",
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
-    claims=(_value, _centre, _period, *_slopes),
-    steps=(
-        Step(r"$|\sin(\pi m + x)| = |\sin x|$", r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike"),
-        Step(
-            r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$",
-            r"$0 \le \varepsilon \pm \delta \le 1/k$: the signs of the sines",
+    claims=(_value, _centre, _period, _slopes),
+    steps={
+        r"$|\sin(\pi m + x)| = |\sin x|$": r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike",
+        r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$": (
+            r"$0 \le \varepsilon \pm \delta \le 1/k$: the signs of the sines"
         ),
-        Step(r"$\sin(a+b) + \sin(a-b) = 2\sin a\cos b$", "the addition formulas"),
-        Step(r"$\pm\pi k\cos\pi k\delta$", "the gradient of ridges, with the sign decided"),
-    ),
+        r"$\sin(a+b) + \sin(a-b) = 2\sin a\cos b$": "the addition formulas",
+        r"$\pm\pi k\cos\pi k\delta$": "the gradient of ridges, with the sign decided",
+    },
     mutants=(
         variant("sine and cosine swapped", _value, equation(across, sin(rate * epsilon) * cos(rate * delta) / epsilon)),
         variant(
             "ε + |δ| ≤ 2/k",
             _value,
-            given=(*straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
+            given=(straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
             cited=(),
-            at={k_u: 1, epsilon: 5 * QUARTER, delta: QUARTER},
+            at={k_u: 1, epsilon: "5/4", delta: "1/4"},
         ),
         variant("one slope on both sides", _slopes[1], equation(slope, slope_after)),
-        variant("|sin(πm + x)| for any m", _period, given=(m > 0,)),
+        variant("|sin(πm + x)| for any m", _period, given=m > 0),
     ),
     side_conditions=(
         SideCondition(
             r"$|\delta| < \varepsilon$: the crease lies strictly between the samples",
             "value",
-            holds=[{k_u: 1, epsilon: EIGHTH, delta: EIGHTH}],
-            fails=[{k_u: 1, epsilon: EIGHTH, delta: QUARTER}],
+            holds={k_u: 1, epsilon: "1/8", delta: "1/8"},
+            fails={k_u: 1, epsilon: "1/8", delta: "1/4"},
         ),
         SideCondition(
             r"$\varepsilon + |\delta| \le 1/k$: only one crease does",
             "value",
-            holds=[{k_u: 1, epsilon: 3 * QUARTER, delta: QUARTER}],
-            fails=[{k_u: 1, epsilon: 7 * EIGHTH, delta: QUARTER}],
+            holds={k_u: 1, epsilon: "3/4", delta: "1/4"},
+            fails={k_u: 1, epsilon: "7/8", delta: "1/4"},
         ),
     ),
 )
@@ -106,23 +102,23 @@ theorem = Theorem(
 omega = real("omega")
 _gap = Abs(without(pi, _centre.shows[1].rhs).xreplace({k_u: omega}))  # at the crease, with ω for πk
 _steps = (omega > 0, epsilon > 0)
-_descends = Claim("descends", (truncation_bound[truncation].xreplace({third_derivative: omega**3}) >= _gap,), _steps)
+_descends = Claim("descends", truncation_bound[truncation].xreplace({third_derivative: omega**3}) >= _gap, _steps)
 
 supremum = Theorem(
-    id="seed_truncation_slope",
-    title="The seed's descent of the truncation slope, at a crease",
-    statement=r"The error of the central difference of ridges is at most $\frac{\varepsilon^2}{6}\omega^3$, "
-    r"$\omega = \pi k$, as for a sine: its supremum falls with $\varepsilon$.",
-    hypotheses=(r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",),
-    claims=(_descends,),
-    refuted_at={omega: 1, epsilon: HALF},
-    steps=(
-        Step(r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$", "equal heights on either side"),
-        Step(r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$", "arithmetic"),
-    ),
+    "seed_truncation_slope",
+    "The seed's descent of the truncation slope, at a crease",
+    r"""The error of the central difference of ridges is at most $\frac{\varepsilon^2}{6}\omega^3$, $\omega = \pi
+    k$, as for a sine: its supremum falls with $\varepsilon$.""",
+    hypotheses=r"$\omega > 0$, $\varepsilon > 0$; beside a crease, against the slope after it",
+    claims=_descends,
+    refuted_at={omega: 1, epsilon: "1/2"},
+    steps={
+        r"at the crease $D_\varepsilon h = 0$, the slope after it is $\omega$": "equal heights on either side",
+        r"the error is $\omega = 1$, the bound $1/24$ at $\varepsilon = 1/2$": "arithmetic",
+    },
     mutants=(
         variant("it is ω, whatever ε", _descends, equation(_gap, omega)),
-        variant("true where (ωε)² ≥ 6", _descends, given=(*_steps, omega**2 * epsilon**2 >= 6)),
+        variant("true where (ωε)² ≥ 6", _descends, given=(_steps, omega**2 * epsilon**2 >= 6)),
     ),
 )
 
@@ -137,10 +133,10 @@ _names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
 _near_tent = Claim(
     "tent",
     (
-        *nonnegative(1 - _cos_y, 1 - _cos_x),
-        *positive(rate, x),
+        nonnegative(1 - _cos_y, 1 - _cos_x),
+        positive(rate, x),
         equation(x * _rest, x * (1 - _cos_y) - (y - _cos_x * _sin_y)),
-        *nonnegative(
+        nonnegative(
             x - y,
             x**2 - y**2,
             x**3 / 6 - (y - _sin_y),
@@ -157,7 +153,7 @@ _near_tent = Claim(
     squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
     ranges=ranges,
-    example=((epsilon, Rational(13, 30)), (delta, Rational(13, 30)), (k_u, 1), (_sin_y, Rational(24, 25))),
+    example={epsilon: "13/30", delta: "13/30", k_u: 1, _sin_y: "24/25"},
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
@@ -170,14 +166,14 @@ _means = Claim(
     "mean_of_a_square",
     (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
     (k_v > 0, equation(sin(pi * k_v), 0)),
-    ranges=((k_v, (1, 9)),),
+    ranges={k_v: (1, 9)},
 )
 
 
 def _mean_square(name, k, number, constant=None):
     """Return the claim that the tents at so many creases have the mean square constant²."""
     constant = constant or crease_rms[root_mean_square].xreplace({frequency: k, creases: number})
-    total = number * (pi * k) ** 2 * 2 * _area * Rational(1, 2)
+    total = number * (pi * k) ** 2 * 2 * _area * HALF
     shows = (
         pi * k > 0,
         *nonnegative(number * epsilon, total, constant),
@@ -186,64 +182,53 @@ def _mean_square(name, k, number, constant=None):
         constant >= sqrt(total),
         equation(sqrt(total), constant),
     )
-    return Claim(name, shows, (k >= 1, epsilon > 0), squares=(Symbol("pi", real=True) * k,))
+    return Claim(name, shows, (k >= 1, epsilon > 0), squares=Symbol("pi", real=True) * k)
 
 
 _in_u = _mean_square("in_u", k_u, k_u)
 _in_v = _mean_square("in_v", k_v, k_v - 1)
 
 rms = Theorem(
-    id="crease_error_area",
-    title="The error beside the creases falls like √ε",
-    statement=(
-        Clause(
-            r"Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is "
-            r"$\pi k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.",
-            (_near_tent,),
+    "crease_error_area",
+    "The error beside the creases falls like √ε",
+    {
+        r"""Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is $\pi
+        k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": _near_tent,
+        r"""$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by
+        $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
+        at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
+        k_v\sqrt{(k_v-1)\varepsilon/3}$.""": (_tents, _means, _in_u, _in_v),
+        r"""So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which
+        also bounds the error elsewhere.""": (
+            "that a primitive gives an area, that the tents are disjoint and how many there are"
         ),
-        Clause(
-            r"$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by "
-            r"$\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas "
-            r"at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi "
-            r"k_v\sqrt{(k_v-1)\varepsilon/3}$.",
-            (_tents, _means, _in_u, _in_v),
-        ),
-        Clause(
-            r"So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which "
-            "also bounds the error elsewhere.",
-            argued="that a primitive gives an area, that the tents are disjoint and how many there are",
-        ),
-    ),
+    },
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
         r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
     ),
-    steps=(
-        Step(
-            r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$",
+    steps={
+        r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$": (
             "value and slope, over $\\pi k$",
-            uses=("straddling",),
+            "straddling",
         ),
-        Step(
-            r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$",
-            r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$",
+        r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$": (
+            r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$"
         ),
-        Step(r"away from the creases the error is below $\pi k\,x^2/6$", "smooth there", uses=("truncation_bound",)),
-        Step(r"at the poles below $\pi k\,x^2/4$", "odd there", uses=("clamped_difference_of_odd",)),
-        Step(r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$", "differentiate the primitive"),
-        Step(r"the mean of $\sin^2\pi k v$ is $\tfrac12$", r"differentiate the primitive; $\sin\pi k = 0$"),
-    ),
+        r"away from the creases the error is below $\pi k\,x^2/6$": ("smooth there", "truncation_bound"),
+        r"at the poles below $\pi k\,x^2/4$": ("odd there", "clamped_difference_of_odd"),
+        r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$": "differentiate the primitive",
+        r"the mean of $\sin^2\pi k v$ is $\tfrac12$": r"differentiate the primitive; $\sin\pi k = 0$",
+    },
     mutants=(
-        Mutant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
-        Mutant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
-        variant("the mean of sin² is ½ for any k", _means, given=(k_v > 0,)),
+        variant("√(k_v ε/3) in h_v", _mean_square("in_v", k_v, k_v - 1, pi * k_v * sqrt(k_v * epsilon / 3))),
+        variant("∝ ε, not √ε", _mean_square("in_u", k_u, k_u, pi * k_u * epsilon * sqrt(k_u / 3))),
+        variant("the mean of sin² is ½ for any k", _means, given=k_v > 0),
         variant("no tent: the error is below (πk)³ε²/6", _near_tent, x**2 / 6 >= _cos_y - straddled / rate, squares=()),
     ),
     side_conditions=(
-        SideCondition("$k_v$ whole", "mean_of_a_square", holds=[{v: 0, k_v: 3}], fails=[{v: 0, k_v: 5 * QUARTER}]),
-        SideCondition(
-            r"$k_v \ge 1$", "in_v", holds=[{k_v: 1, epsilon: EIGHTH}], undefined=[{k_v: HALF, epsilon: EIGHTH}]
-        ),
+        SideCondition("$k_v$ whole", "mean_of_a_square", holds={v: 0, k_v: 3}, fails={v: 0, k_v: "5/4"}),
+        SideCondition(r"$k_v \ge 1$", "in_v", holds={k_v: 1, epsilon: "1/8"}, undefined={k_v: "1/2", epsilon: "1/8"}),
     ),
 )

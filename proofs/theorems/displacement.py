@@ -1,13 +1,13 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Derivative, Pow, Rational, pi, sin
+from sympy import Derivative, Pow, pi, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, theta
+from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, squared, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
 from proofs.theorems.relations import equations, positive, without, zero
@@ -27,7 +27,7 @@ def _in_angles(program, names):
 
 
 _scaled = (1 + beta * h) * sin(phi) * _in_angles(displaced_normal, displaced)
-_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (*_here, sin(phi) > 0))
+_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (_here, sin(phi) > 0))
 _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
@@ -45,51 +45,44 @@ _blinn = blinn_normal.expand(displaced, until=(*normal, *e_theta, *e_phi, h_thet
 _first_order = Claim(
     "first_order",
     (
-        *equations(lift * _blinn - displaced, -(beta**2) * h * _slopes),
-        equation(dot(_slopes, _slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
-        *equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
+        equations(lift * _blinn - displaced, -(beta**2) * h * _slopes),
+        equation(squared(_slopes), (h_theta / sin_phi) ** 2 + h_phi**2),
+        equations(cross(displaced, _blinn), -(beta**2) * h * cross(normal, _slopes)),
     ),
     _off_the_poles,
     displaced_normal,
 )
 
 displaced_theorem = Theorem(
-    id="displaced_normal",
-    title="The displaced surface's normal, and Blinn's",
-    statement=r"The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = "
-    r"(1+\beta h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta + "
-    r"\tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times B "
-    r"= -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.",
+    "displaced_normal",
+    "The displaced surface's normal, and Blinn's",
+    r"""The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = (1+\beta
+    h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta +
+    \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times
+    B = -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.""",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
     claims=(_product, _chart_scale, _outward, _first_order),
-    steps=(
-        Step(
-            r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise",
-            "product rule",
+    steps={
+        r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise": (
+            "product rule"
         ),
-        Step(
-            "their product, component by component",
-            r"the circle equations of $\theta$ and $\varphi$",
-            uses=("tangent_frame",),
-        ),
-        Step(r"$h_\theta = h_u/2\pi$, $h_\varphi = h_v/\pi$", r"$u = (\theta+\pi)/2\pi$, $v = \varphi/\pi$"),
-        Step(r"$(1+\beta h)B - D = -\beta^2 h G$", "expansion"),
-    ),
+        "their product, component by component": (r"the circle equations of $\theta$ and $\varphi$", "tangent_frame"),
+        r"$h_\theta = h_u/2\pi$, $h_\varphi = h_v/\pi$": r"$u = (\theta+\pi)/2\pi$, $v = \varphi/\pi$",
+        r"$(1+\beta h)B - D = -\beta^2 h G$": "expansion",
+    },
     mutants=(
-        variant("inwards: ∂θ × ∂φ", _product, *equations(cross(_along(theta), _along(phi)), _scaled)),
+        variant("inwards: ∂θ × ∂φ", _product, equations(cross(_along(theta), _along(phi)), _scaled)),
         variant(
             "without the metric factor sin φ",
             _product,
-            *equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
+            equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
-        variant("Blinn's is the displaced normal", _first_order, *equations(cross(displaced, _blinn), (0, 0, 0))),
+        variant("Blinn's is the displaced normal", _first_order, equations(cross(displaced, _blinn), (0, 0, 0))),
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\sin\varphi > 0$", "first_order", undefined=[{**at_angle(1, 0), h: 1, h_u: 1, h_v: 1, beta: 1}]
-        ),
-        SideCondition(r"$1+\beta h > 0$", "outward", fails=[{**at_angle(0, 1), h: -1, h_u: 1, h_v: 1, beta: 1}]),
+        SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), h: 1, h_u: 1, h_v: 1, beta: 1}),
+        SideCondition(r"$1+\beta h > 0$", "outward", fails={**at_angle(0, 1), h: -1, h_u: 1, h_v: 1, beta: 1}),
     ),
 )
 
@@ -99,43 +92,42 @@ _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
 _only_where_flat = Claim(
     "only_where_flat",
     (
-        *positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
-        *zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
+        positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
+        zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
     ),
-    (*raised, *equations(cross(m, displaced), (0, 0, 0))),
+    (raised, equations(cross(m, displaced), (0, 0, 0))),
     _both,
 )
-_where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, *zero(beta * h_u, beta * h_v)), _both)
+_where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, zero(beta * h_u, beta * h_v)), _both)
 _angle = Claim(
     "angle",
     (
         equation(dot(m, displaced), lift - beta**2 * _metric),
-        equation(dot(m, m), 1 + beta**2 * (h_u**2 + h_v**2)),
-        equation(dot(displaced, displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
+        equation(squared(m), 1 + beta**2 * (h_u**2 + h_v**2)),
+        equation(squared(displaced), lift**2 + beta**2 * ((h_u / (2 * pi * sin_phi)) ** 2 + (h_v / pi) ** 2)),
     ),
     _off_the_poles,
     _both,
 )
-_like_blinn = Claim("like_blinn", (equation(dot(m, displaced), 1 + beta**2 * _metric),), _off_the_poles, _both)
+_like_blinn = Claim("like_blinn", equation(dot(m, displaced), 1 + beta**2 * _metric), _off_the_poles, _both)
 
 difference_theorem = Theorem(
-    id="bump_is_not_displacement",
-    title="The bumped normal is not the displaced surface's",
-    statement=r"If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's "
-    r"normal $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta "
-    r"h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 = (1+\beta "
-    r"h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.",
+    "bump_is_not_displacement",
+    "The bumped normal is not the displaced surface's",
+    r"""If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's normal
+    $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta
+    h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 =
+    (1+\beta h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.""",
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
     claims=(_only_where_flat, _where_flat, _angle),
-    steps=(
-        Step(
-            r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$",
-            "the frame's components",
+    steps={
+        r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$": (
+            "the frame's components"
         ),
-        Step(r"so $\beta h_u = \beta h_v = 0$", "both factors are positive"),
-        Step(r"$\beta g = 0$: $D = (1+\beta h)M$", "$D$ is the displaced surface's normal", ("displaced_normal",)),
-        Step("the scalar products", "the frame is orthonormal"),
-    ),
+        r"so $\beta h_u = \beta h_v = 0$": "both factors are positive",
+        r"$\beta g = 0$: $D = (1+\beta h)M$": ("$D$ is the displaced surface's normal", "displaced_normal"),
+        "the scalar products": "the frame is orthonormal",
+    },
     mutants=(
         variant(
             "parallel only if h_u = h_v = 0, whatever β",
@@ -143,7 +135,7 @@ difference_theorem = Theorem(
             equation(h_u, 0),
             at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
         ),
-        Mutant("the opposite sign, as Blinn's", _like_blinn),
+        variant("the opposite sign, as Blinn's", _like_blinn),
         variant(
             "without the metric",
             _angle,
@@ -158,22 +150,21 @@ _parallel = Claim(
 )
 
 seed_theorem = Theorem(
-    id="seed_bump_as_displacement",
-    title="The bumped normal as the displaced surface's",
-    statement=r"$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular "
-    r"$N\cdot(M\times D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).",
-    claims=(_parallel,),
-    refuted_at={**at_angle(Rational(3, 5), Rational(4, 5)), beta: 1, h_u: 1, h_v: 1},
-    steps=(
-        Step(
-            r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$",
-            r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient",
-        ),
-    ),
+    "seed_bump_as_displacement",
+    "The bumped normal as the displaced surface's",
+    r"""$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular $N\cdot(M\times
+    D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).""",
+    claims=_parallel,
+    refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
+    steps={
+        r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
+            r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"
+        )
+    },
     mutants=(
-        variant("true where β = 0", _parallel, given=(*_parallel.given, equation(beta, 0))),
+        variant("true where β = 0", _parallel, given=(_parallel.given, equation(beta, 0))),
         variant(
-            "on the same line (not the same way) where h_u = 0", _parallel, given=(*_parallel.given, equation(h_u, 0))
+            "on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, equation(h_u, 0))
         ),
     ),
 )

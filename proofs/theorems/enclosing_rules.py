@@ -3,20 +3,20 @@
 from sympy import Abs, Pow
 
 from proofs.engine.claim import Encloses
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real, x, y
 
 x_error, y_error, x_exact = real("x_error y_error x_exact")
 
 theorem = Theorem(
-    id="enclosing_rules",
-    title="The rules of the enclosing machine",
-    statement=r"A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in "
-    r"float64. By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of "
-    r"the whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if "
-    r"the counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, "
-    r"one after the other, by $2^{-20}$.",
+    "enclosing_rules",
+    "The rules of the enclosing machine",
+    r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
+    By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
+    whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if the
+    counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them,
+    one after the other, by $2^{-20}$.""",
     hypotheses=(
         "nothing overflows; of a product and of a whole number the counts are at most $2^{60}$",
         r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
@@ -30,17 +30,14 @@ theorem = Theorem(
             (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
         ),
         Encloses("root", RULES["enclosed_root"], (x >= 0, x_exact >= 0)),
-        Encloses("floor", RULES["enclosed_floor"], (x_error <= Pow(2, 60),)),
-        Encloses("nearest", RULES["enclosed_nearest"], (x_error <= Pow(2, 60),)),
+        Encloses("floor", RULES["enclosed_floor"], x_error <= Pow(2, 60)),
+        Encloses("nearest", RULES["enclosed_nearest"], x_error <= Pow(2, 60)),
         Encloses("selection", RULES["enclosed_selection"]),
     ),
-    steps=(
-        Step("what is inherited", r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like"),
-        Step(
-            "a result's own rounding is at most one",
-            r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
-        ),
-        Step("the count's own roundings", r"at most eight factors $1 - 2^{-53}$"),
-    ),
+    steps={
+        "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
+        "a result's own rounding is at most one": r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
+        "the count's own roundings": r"at most eight factors $1 - 2^{-53}$",
+    },
     expected="measured",
 )

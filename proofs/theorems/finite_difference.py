@@ -1,16 +1,14 @@
 """The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
 
-from sympy import Expr, Rational, Symbol, cos, pi, sin
+from sympy import Expr, Symbol, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from proofs.theorems.relations import EIGHTH, HALF, rings, sine
-
-name = "central_difference_of_sine"
+from proofs.theorems.relations import HALF, rings, sine
 
 
 def difference(field: HeightField, output: Symbol) -> Expr:
@@ -30,7 +28,7 @@ def _times_sinc(name, field, output, frequency, given):
         equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
     )
     (k,) = frequency.free_symbols
-    return Claim(name, shows, (*given, k > 0), ranges=INSIDE)
+    return Claim(name, shows, (given, k > 0), ranges=INSIDE)
 
 
 _u = _times_sinc("sine_in_u", sine, h_u, k_u, nothing_wraps)
@@ -44,34 +42,32 @@ _clamp = Claim(
 )
 _cosine = Claim(
     "cosine",
-    (
-        equation(
-            (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
-            -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
-        ),
+    equation(
+        (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
+        -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
     ),
     (epsilon > 0, k_u > 0),
 )
 _angle = pi * k_u * epsilon
 
 theorem = Theorem(
-    id=name,
-    title="The central difference of a sine",
-    statement=r"For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times "
-    r"$\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in $v$; "
-    r"rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.",
+    "central_difference_of_sine",
+    "The central difference of a sine",
+    r"""For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times
+    $\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in
+    $v$; rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.""",
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
     ),
     claims=(_clamp, _u, _v, _rings, _cosine),
-    steps=(
-        Step(r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$", "the lines' own cases, decided"),
-        Step(r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$", "the addition formulas"),
-        Step("divide by $2\\varepsilon$", "$\\varepsilon > 0$"),
-    ),
+    steps={
+        r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$": "the lines' own cases, decided",
+        r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$": "the addition formulas",
+        "divide by $2\\varepsilon$": "$\\varepsilon > 0$",
+    },
     mutants=(
-        Mutant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
+        variant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
         variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
         variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),
@@ -80,9 +76,9 @@ theorem = Theorem(
         SideCondition(
             r"$\varepsilon \le v \le 1-\varepsilon$",
             "no_clamp",
-            holds=[{v: EIGHTH, epsilon: EIGHTH}],
-            fails=[{v: EIGHTH, epsilon: Rational(1, 7)}],
+            holds={v: "1/8", epsilon: "1/8"},
+            fails={v: "1/8", epsilon: "1/7"},
         ),
-        SideCondition(r"$\varepsilon > 0$", "cosine", undefined=[{u: Rational(1, 3), epsilon: 0, k_u: 8}]),
+        SideCondition(r"$\varepsilon > 0$", "cosine", undefined={u: "1/3", epsilon: 0, k_u: 8}),
     ),
 )

@@ -1,10 +1,10 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Derivative, Expr, Rational, cos, sin
+from sympy import Derivative, Expr, cos, sin
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a
 from proofs.formulas.symbols import (
     cos_phi,
@@ -18,6 +18,7 @@ from proofs.formulas.symbols import (
     rho,
     sin_phi,
     sin_theta,
+    squared,
     theta,
     x,
     y,
@@ -39,11 +40,11 @@ def at_angle(c: Expr | int, s: Expr | int) -> dict:
 _n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))
 _along_phi = Claim("e_phi", equations(_phi, [Derivative(n, phi) for n in _n]))
 _along_theta = Claim("e_theta", equations(sin(phi) * _theta, [Derivative(n, theta) for n in _n]))
-_along = _along_phi.but(name="derivatives", shows=(*_along_phi.shows, *_along_theta.shows))
+_along = _along_phi.but(name="derivatives", shows=(_along_phi.shows, _along_theta.shows))
 _unit = Claim(
     "orthonormal",
     (
-        *(equation(dot(a, a), 1) for a in (e_theta, e_phi, normal)),
+        *(equation(squared(a), 1) for a in (e_theta, e_phi, normal)),
         *(equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))),
     ),
     on_circles,
@@ -52,52 +53,49 @@ _unit = Claim(
 _right_handed = Claim("right_handed", equations(cross(e_phi, e_theta), normal), on_circles[:1], frame)
 
 theorem = Theorem(
-    id="tangent_frame",
-    title="The tangent frame",
-    statement=r"$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$; "
-    r"$(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.",
-    hypotheses=(r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",),
+    "tangent_frame",
+    "The tangent frame",
+    r"""$e_\varphi = \partial N/\partial\varphi$ and $\sin\varphi\, e_\theta = \partial N/\partial\theta$;
+    $(e_\varphi, e_\theta, N)$ is orthonormal and $e_\varphi \times e_\theta = N$.""",
+    hypotheses=r"$\cos^2 + \sin^2 = 1$ for each of $\theta$ and $\varphi$",
     claims=(_along, _unit, _right_handed),
-    steps=(
-        Step(r"$\partial N/\partial\varphi$ is $e_\varphi$ line by line", "differentiation"),
-        Step(r"$\partial N/\partial\theta$ is $\sin\varphi\, e_\theta$ line by line", "differentiation"),
-        Step("the six scalar products", "each is a combination of the two circle equations"),
-        Step(r"$e_\varphi \times e_\theta = N$", "each component is a combination of the two circle equations"),
-    ),
+    steps={
+        r"$\partial N/\partial\varphi$ is $e_\varphi$ line by line": "differentiation",
+        r"$\partial N/\partial\theta$ is $\sin\varphi\, e_\theta$ line by line": "differentiation",
+        "the six scalar products": "each is a combination of the two circle equations",
+        r"$e_\varphi \times e_\theta = N$": "each component is a combination of the two circle equations",
+    },
     mutants=(
-        variant("e_θ × e_φ = N (F3)", _right_handed, *equations(cross(e_theta, e_phi), normal)),
-        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, *equations(_theta, [Derivative(n, theta) for n in _n])),
+        variant("e_θ × e_φ = N (F3)", _right_handed, equations(cross(e_theta, e_phi), normal)),
+        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, equations(_theta, [Derivative(n, theta) for n in _n])),
         variant("e_φ ⟂ N without θ's circle", _unit, equation(dot(e_phi, normal), 0), given=on_circles[1:]),
     ),
 )
 
 seed_orientation = Theorem(
-    id="seed_orientation",
-    title="The seed's orientation of the frame",
-    statement=r"$e_\theta \times e_\varphi = N$.",
-    claims=(_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),),
-    refuted_at=at_angle(Rational(3, 5), Rational(4, 5)),
-    steps=(Step(r"at one point $e_\theta \times e_\varphi = -N$", "arithmetic"),),
+    "seed_orientation",
+    "The seed's orientation of the frame",
+    r"$e_\theta \times e_\varphi = N$.",
+    claims=_right_handed.but(name="left_handed", shows=equations(cross(e_theta, e_phi), normal)),
+    refuted_at=at_angle("3/5", "4/5"),
+    steps={r"at one point $e_\theta \times e_\varphi = -N$": "arithmetic"},
     mutants=(
-        Mutant("e_φ × e_θ = N", _right_handed),
-        variant("e_θ × e_φ = −N", _right_handed, *equations(cross(e_theta, e_phi), -normal)),
+        variant("e_φ × e_θ = N", _right_handed),
+        variant("e_θ × e_φ = −N", _right_handed, equations(cross(e_theta, e_phi), -normal)),
     ),
 )
 
 _north = (sin_phi > 0,)
 _seed = Claim(
     "seed_frame",
-    (
-        equation(seed_frame[seed_sin_phi], sin_phi),
-        *equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi)),
-    ),
-    (on_circles[1], *_north),
+    (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi))),
+    (on_circles[1], _north),
     frame,
 )
 _angles = Claim(
     "angles",
     (
-        *positive(rho, t_a),
+        positive(rho, t_a),
         equation(radius * sin_phi, t_a * rho),
         equation(radius * cos_phi, eye * (1 - t_a)),
         equation(radius * sin_phi * cos_theta, t_a * x),
@@ -111,38 +109,31 @@ _angles = Claim(
 )
 
 stable = Theorem(
-    id="stable_frame",
-    title="The frame without cancellation",
-    statement=r"Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with "
-    r"$\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where "
-    r"$\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.",
+    "stable_frame",
+    "The frame without cancellation",
+    r"""Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with
+    $\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where
+    $\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.""",
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "the ray hits A"),
     claims=(_angles, _seed),
-    steps=(
-        Step(r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$", "both from the conjugate form of $t$"),
-        Step(r"$\cos^2+\sin^2 = 1$ for both angles", "the point is on the sphere", uses=("hit_of_a",)),
-        Step(r"$\sqrt{1-N_z^2} = \sin\varphi$", r"$|N| = 1$ and $\sin\varphi > 0$", uses=("tangent_frame",)),
-    ),
+    steps={
+        r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$": "both from the conjugate form of $t$",
+        r"$\cos^2+\sin^2 = 1$ for both angles": ("the point is on the sphere", "hit_of_a"),
+        r"$\sqrt{1-N_z^2} = \sin\varphi$": (r"$|N| = 1$ and $\sin\varphi > 0$", "tangent_frame"),
+    },
     mutants=(
         variant("R cos φ = e t", _angles, equation(radius * cos_phi, eye * t_a)),
         variant("sin φ = ρ/R", _angles, equation(radius * sin_phi, rho)),
         variant("x and y swapped", _angles, equation(radius * sin_phi * cos_theta, t_a * y)),
-        variant(
-            "√(1 − N_z²) = sin φ, whatever its sign", _seed, *_seed.shows[:1], given=on_circles, squares=(sin_phi,)
-        ),
+        variant("√(1 − N_z²) = sin φ, whatever its sign", _seed, _seed.shows[:1], given=on_circles, squares=sin_phi),
     ),
     side_conditions=(
-        SideCondition(
-            r"$\sin\varphi > 0$",
-            "seed_frame",
-            fails=[at_angle(Rational(3, 5), Rational(-4, 5))],
-            undefined=[at_angle(1, 0)],
-        ),
+        SideCondition(r"$\sin\varphi > 0$", "seed_frame", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)),
         SideCondition(
             r"$\rho \ge 10^{-150}e$",
             "angles",
-            holds=[{x: 2 * POLE, y: 0, eye: 2, radius: 1}],
-            fails=[{x: POLE, y: 0, eye: 2, radius: 1}],
+            holds={x: 2 * POLE, y: 0, eye: 2, radius: 1},
+            fails={x: POLE, y: 0, eye: 2, radius: 1},
         ),
     ),
 )

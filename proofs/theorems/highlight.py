@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from sympy import Abs, Expr, Max, Rational, sqrt
+from sympy import Abs, Expr, Max, sqrt
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.pixel import instance
 from proofs.formulas.shading import (
     along_halfway,
@@ -22,28 +22,28 @@ from proofs.formulas.shading import (
     light_scale,
     phong,
 )
-from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, towards, vector, view
+from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, squared, towards, vector, view
 from proofs.theorems.relations import both_ways, equations, positive
 
 apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
-_gap = (equation(apart**2, dot(n - m, n - m)),)
+_gap = (equation(apart**2, squared(n - m)),)
 x, z = real("x z")
 
 
 _scalar = Claim(
     "along_a_direction",
-    (apart**2 - dot(n - m, omega) ** 2 >= 0, *both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, *_gap, equation(dot(omega, omega), 1)),
+    (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
+    (apart >= 0, _gap, equation(squared(omega), 1)),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
 _clamps = Claim(
     "clamps",
     (
-        *both_ways(Abs(x - z), Max(0, x) - Max(0, z)),
-        *both_ways(Abs(x - z), _upper.subs(color, x) - _upper.subs(color, z)),
+        both_ways(Abs(x - z), Max(0, x) - Max(0, z)),
+        both_ways(Abs(x - z), _upper.subs(color, x) - _upper.subs(color, z)),
     ),
 )
 
@@ -61,7 +61,7 @@ def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
     return unclamped(program).xreplace(seen)
 
 
-_units = tuple(equation(dot(p, p), 1) for p in (n, m, omega))
+_units = tuple(equation(squared(p), 1) for p in (n, m, omega))
 _cosines = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
@@ -74,12 +74,12 @@ def gram(a: Expr, b: Expr, c: Expr) -> Expr:
 _reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
 _swung = _reflected[0] - _reflected[1]
 _a, _b, _c = real("a b c")
-_gram = Claim("gram", (equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)),), _units)
+_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _units)
 _swing = Claim(
     "mirror",
     (
-        equation(dot(_swung, _swung), 4 * _gram_part),
-        equation(dot(n - m, n - m), 2 - 2 * _cosines[2]),
+        equation(squared(_swung), 4 * _gram_part),
+        equation(squared(n - m), 2 - 2 * _cosines[2]),
         *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
     ),
     _units[:2],
@@ -93,15 +93,15 @@ _twice = Claim(
         equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
         equation(apart**2, 2 - 2 * _c),
     ),
-    squares=(1 - _c,),
+    squares=1 - _c,
 )
 _blinn = Claim(
     "blinn",
     (
         equation(seen_from(n, blinn) * halfway_length, dot(n, halfway)),
-        equation(dot(halfway, halfway) / halfway_length**2, 1),
+        equation(squared(halfway) / halfway_length**2, 1),
     ),
-    (halfway_length > 0, equation(halfway_length**2, dot(halfway, halfway))),
+    (halfway_length > 0, equation(halfway_length**2, squared(halfway))),
 )
 
 count, power, of_x, of_z, quotient = real("count power of_x of_z quotient")  # pⁿ: xᵖ, zᵖ, (xᵖ − zᵖ)/(x − z)
@@ -128,7 +128,7 @@ _signs = Claim(
 )
 _power = Claim(
     "power",
-    (power >= quotient, *both_ways(power * (x - z), of_x - of_z)),
+    (power >= quotient, both_ways(power * (x - z), of_x - of_z)),
     (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
@@ -136,69 +136,71 @@ _dropped = tuple((s, start, x * quotient if s == quotient else following) for s,
 _parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 
 theorem = Theorem(
-    id="specular_lipschitz",
-    title="The highlight is Lipschitz in the normal",
-    statement=(
-        Clause(
-            r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.",
-            (_scalar, _clamps, _blinn, _gram, _swing, _twice),
+    "specular_lipschitz",
+    "The highlight is Lipschitz in the normal",
+    {
+        r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.": (
+            _scalar,
+            _clamps,
+            _blinn,
+            _gram,
+            _swing,
+            _twice,
         ),
-        Clause(
-            "The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which keeps "
-            r"them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.",
-            (_powers, _signs, _power),
+        r"""The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which
+        keeps them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.""": (
+            _powers,
+            _signs,
+            _power,
         ),
-        Clause(
-            r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).",
-            argued="an induction over inequalities, which the kernel has no rule for",
+        r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).": (
+            "an induction over inequalities, which the kernel has no rule for"
         ),
-    ),
+    },
     hypotheses=(
         r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
         "unit vectors",
         r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
     ),
-    steps=(
-        Step(r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$", "Lagrange's identity"),
-        Step(r"$\max(0, \cdot)$ and the clip do not increase a distance", "by cases"),
-        Step(r"$R = 2(n\cdot\omega)n - \omega$ turns by at most $2|\Delta n|$", "the Gram determinant is a square"),
-        Step(r"$x^p - z^p = (x-z)\,S_p$, $p - S_p = (1-x)A_p + (1-z)B_p$", "induction on $p$"),
-        Step("$S_p, A_p, B_p \\ge 0$", "so they start, and each is a sum of products of such; induction on $p$"),
-    ),
+    steps={
+        r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$": "Lagrange's identity",
+        r"$\max(0, \cdot)$ and the clip do not increase a distance": "by cases",
+        r"$R = 2(n\cdot\omega)n - \omega$ turns by at most $2|\Delta n|$": "the Gram determinant is a square",
+        r"$x^p - z^p = (x-z)\,S_p$, $p - S_p = (1-x)A_p + (1-z)B_p$": "induction on $p$",
+        "$S_p, A_p, B_p \\ge 0$": "so they start, and each is a sum of products of such; induction on $p$",
+    },
     mutants=(
         variant("Phong's base is 1-Lipschitz", _twice, apart >= turned),
         variant("the reflection without its factor 2", _swing, equation(_swing.shows[0].lhs, _gram_part)),
-        variant("p − 1 in place of p", _power, *both_ways((power - 1) * (x - z), of_x - of_z)),
+        variant("p − 1 in place of p", _power, both_ways((power - 1) * (x - z), of_x - of_z)),
         variant("x^p − z^p with the quotient's last term dropped", _powers, states=_dropped),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\omega$ has length 1",
-            "along_a_direction",
-            holds=[_parallel | {omega: (1, 0, 0)}],
-            fails=[_parallel | {omega: (2, 0, 0)}],
-        ),
+    side_conditions=SideCondition(
+        r"$\omega$ has length 1",
+        "along_a_direction",
+        holds=_parallel | {omega: (1, 0, 0)},
+        fails=_parallel | {omega: (2, 0, 0)},
     ),
 )
 
 bound = real("bound")
-_root = Claim("root", (bound * x >= sqrt(x),), (x >= 0, x <= 1, bound >= 1))
+_root = Claim("root", bound * x >= sqrt(x), (x >= 0, x <= 1, bound >= 1))
 
 below_one = Theorem(
-    id="highlight_below_one",
-    title="A shininess below 1",
-    statement=r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
-    hypotheses=("$L \\ge 1$",),
-    claims=(_root,),
-    refuted_at={x: Rational(1, 4096), bound: 32},
-    steps=(Step(r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$", "and $x = 1/4L^2$ for any other $L$"),),
+    "highlight_below_one",
+    "A shininess below 1",
+    r"For every $p > 0$ the power $x^p$ is Lipschitz on $[0, 1]$ (at $p = 1/2$: $\sqrt x \le L x$).",
+    hypotheses="$L \\ge 1$",
+    claims=_root,
+    refuted_at={x: "1/4096", bound: 32},
+    steps={r"$L = 32$: $\sqrt x = 1/64 > 32/4096 = 1/128$": "and $x = 1/4L^2$ for any other $L$"},
     mutants=(
-        variant("true where x ≥ 1/L²", _root, given=(*_root.given, bound * sqrt(x) >= 1)),
-        Mutant(
+        variant("true where x ≥ 1/L²", _root, given=(_root.given, bound * sqrt(x) >= 1)),
+        variant(
             "false for every L, at x = 1/4L²",
             Claim(
                 "any_bound",
-                (*positive(bound, z), sqrt(z**2) > bound * z**2),
+                (positive(bound, z), sqrt(z**2) > bound * z**2),
                 (bound >= 1, z >= 0, equation(2 * bound * z, 1)),
             ),
         ),
@@ -210,11 +212,11 @@ _plain = instance(blinn, "plain")
 _both = chain("both", blinn_squared, _plain)
 _mu, _base, _length = real("mu_plain specular_base_plain halfway_length_plain")
 _plain_halfway = Vector(real(f"{s.name}_plain") for s in halfway)
-_k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), (light_distance > 0,), _both)
-_cosine = Claim("cosine", (equation(mu, _mu),), (halfway_squared > 0,), _both)
+_k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), light_distance > 0, _both)
+_cosine = Claim("cosine", equation(mu, _mu), halfway_squared > 0, _both)
 _base_squared = Claim(
     "base",
-    (equation(blinn_squared[specular_base], _base**2),),
+    equation(blinn_squared[specular_base], _base**2),
     (
         equation(light_scale * light_distance * halfway_squared, 1),
         equation(light_distance**2 * _length**2, halfway_squared),
@@ -222,22 +224,22 @@ _base_squared = Claim(
     ),
 )
 
-squared = Theorem(
-    id="squared_highlight",
-    title="The highlight from one root and one division",
-    statement=r"With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and "
-    r"the square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.",
+from_one_root = Theorem(
+    "squared_highlight",
+    "The highlight from one root and one division",
+    r"""With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the
+    square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.""",
     hypotheses=(
         "$L \\ne P$",
         r"$\omega \ne -\hat v$",
-        r"with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$, "
-        r"taken from $k = |d|H$ by hand",
+        r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
+        taken from $k = |d|H$ by hand""",
     ),
     claims=(_k, _cosine, _base_squared),
-    steps=(
-        Step(r"$k = |d|(\omega + \hat v)$", "so its direction is the halfway vector's"),
-        Step(r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$", "nor does its sign, as $|d| > 0$"),
-    ),
+    steps={
+        r"$k = |d|(\omega + \hat v)$": "so its direction is the halfway vector's",
+        r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$": "nor does its sign, as $|d| > 0$",
+    },
     mutants=(
         variant("k without |d|", _k, equation(halfway[0], _plain_halfway[0])),
         variant("the base, not its square", _base_squared, equation(blinn_squared[specular_base], _base)),

@@ -6,7 +6,7 @@ from sympy import Expr, Rational, sqrt
 
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import Program, chain, evaluated
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas import camera, symbols
 from proofs.formulas.camera import (
     POLE,
@@ -28,7 +28,6 @@ from proofs.formulas.symbols import (
     ball_center,
     ball_on,
     ball_radius,
-    dot,
     eye,
     lengths_of_a,
     normal,
@@ -36,6 +35,7 @@ from proofs.formulas.symbols import (
     radius,
     real,
     rho,
+    squared,
     where,
     x,
     y,
@@ -49,7 +49,7 @@ _NUMBERS = {hit: t for hit, (_, t) in _APART.items()}
 
 def off_the_axis(x_at: Expr) -> dict:
     """Return the inputs of a ray through (x, 0), e = 5/4 and R = 3/4: the silhouette is at x = 15/16."""
-    return {x: x_at, y: 0, eye: 5 * QUARTER, radius: 3 * QUARTER}
+    return {x: x_at, y: 0, eye: "5/4", radius: "3/4"}
 
 
 @evaluated
@@ -97,30 +97,30 @@ _near_a = Claim(
         (rho**2 + eye**2) * t - eye**2 + root_a >= 0,
         t >= t_a,
     ),
-    (*ray_meets_a, equation(distance_squared(along(t), _origin), radius**2)),
+    (ray_meets_a, equation(distance_squared(along(t), _origin), radius**2)),
     hit_of_a,
 )
 _misses_a = Claim(
     "misses",
     (distance_squared(along(t), _origin) > radius**2, equation(hits_a, 0)),
-    (*eye_outside_a, discriminant_a < 0),
+    (eye_outside_a, discriminant_a < 0),
     hit_of_a,
-    squares=((rho**2 + eye**2) * t - eye**2,),
+    squares=(rho**2 + eye**2) * t - eye**2,
 )
 
 theorem_a = Theorem(
-    id="hit_of_a",
-    title="The near hit with sphere A",
-    statement=r"If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least "
-    r"root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.",
+    "hit_of_a",
+    "The near hit with sphere A",
+    r"""If $e > R$ and $d = (e^2-R^2)(\rho_s^2-\rho^2) \ge 0$, then $t = (e^2-R^2)/(e^2+\sqrt d)$ is the least
+    root of $|P(t)|^2 = R^2$, and $t > 0$; if $d < 0$ there is none.""",
     hypotheses=(r"$e > R > 0$", r"$\rho$ is not below $10^{-150} e$"),
     claims=(_solves_a, _near_a, _misses_a),
-    steps=(
-        Step(r"$|P(t)|^2 - R^2 = (\rho^2+e^2)t^2 - 2e^2 t + e^2 - R^2$", "expansion"),
-        Step(r"$(\rho^2+e^2)\,t = e^2 - \sqrt d$", "the conjugate"),
-        Step("any other root is not less", r"$((\rho^2+e^2)t - e^2)^2 = d$ leaves $\pm\sqrt d$"),
-        Step(r"$d < 0$: no hit", "a square plus something positive"),
-    ),
+    steps={
+        r"$|P(t)|^2 - R^2 = (\rho^2+e^2)t^2 - 2e^2 t + e^2 - R^2$": "expansion",
+        r"$(\rho^2+e^2)\,t = e^2 - \sqrt d$": "the conjugate",
+        "any other root is not less": r"$((\rho^2+e^2)t - e^2)^2 = d$ leaves $\pm\sqrt d$",
+        r"$d < 0$: no hit": "a square plus something positive",
+    },
     mutants=(
         variant(
             "d without e² − R²", _solves_a, equation(distance_squared(along(t_a / tangent_squared), _origin), radius**2)
@@ -132,11 +132,13 @@ theorem_a = Theorem(
         SideCondition(
             r"$\rho \le \rho_s$",
             "solves",
-            holds=[off_the_axis(3 * QUARTER)],
-            fails=[{x: Rational(15, 16), y: 0, eye: 5 * QUARTER, radius: Rational(3, 5)}],
+            holds=off_the_axis("3/4"),
+            fails={x: "15/16", y: 0, eye: "5/4", radius: "3/5"},
         ),
         SideCondition(
-            "$e > R$", "solves", undefined=[{x: 0, y: HALF, eye: 1, radius: 1}, {x: 0, y: HALF, eye: HALF, radius: 1}]
+            "$e > R$",
+            "solves",
+            undefined=({x: 0, y: "1/2", eye: 1, radius: 1}, {x: 0, y: "1/2", eye: "1/2", radius: 1}),
         ),
     ),
 )
@@ -158,11 +160,11 @@ _solves_b = Claim(
     _sees_b,
     hit_of_b,
 )
-_length = dot(ray_direction, ray_direction)
+_length = squared(ray_direction)
 _near_b = Claim(
     "near",
     (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
-    (eye > 0, *_sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (eye > 0, _sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
 )
 _behind_b = Claim(
@@ -178,12 +180,12 @@ _outward_b = Claim(
     "outward",
     (
         ray_length_squared > 0,
-        *equations(radius_vector, _from_the_center),
+        equations(radius_vector, _from_the_center),
         equation(radius_length, ball_radius),
-        *equations(ball_radius * normal, _from_the_center),
-        *equations(point, along(t_b)),
+        equations(ball_radius * normal, _from_the_center),
+        equations(point, along(t_b)),
     ),
-    (*_sees_b, ball_radius > 0),
+    (_sees_b, ball_radius > 0),
     _whole,
 )
 _seed_c = sum(c**2 for c in ball_center) - ball_radius**2
@@ -199,48 +201,45 @@ _quadratic = Claim(
 )
 
 theorem_b = Theorem(
-    id="hit_of_b",
-    title="The near hit with sphere B",
-    statement=r"With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, "
-    r"$d \ge 0$ and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; "
-    r"if $b \le 0$, every root is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.",
-    hypotheses=("$c > 0$: the eye is outside B",),
+    "hit_of_b",
+    "The near hit with sphere B",
+    r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
+    and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
+    is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""",
+    hypotheses="$c > 0$: the eye is outside B",
     claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
-    steps=(
-        Step(r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$", "expansion"),
-        Step(r"$d = |D|^2R_2^2-|D\times(E-C)|^2$", "Lagrange's identity"),
-        Step(r"$|D|^2\,t = b-\sqrt d$", "the conjugate"),
-        Step(r"$K\times D = |D|^2(E-C)+bD$", "a triple product"),
-        Step(r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$", "a sum of a square and non-negative terms"),
-    ),
+    steps={
+        r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$": "expansion",
+        r"$d = |D|^2R_2^2-|D\times(E-C)|^2$": "Lagrange's identity",
+        r"$|D|^2\,t = b-\sqrt d$": "the conjugate",
+        r"$K\times D = |D|^2(E-C)+bD$": "a triple product",
+        r"$b \le 0$, $t \ge 0$: then $|D|^2t^2-2bt+c > 0$": "a sum of a square and non-negative terms",
+    },
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
-        variant("the inward normal", _outward_b, *equations(-ball_radius * normal, _from_the_center)),
-        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, *_behind_b.given[2:])),
+        variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
+        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, _behind_b.given[2:])),
     ),
-    side_conditions=(
-        SideCondition(
-            "$c > 0$: the eye is outside B",
-            "solves",
-            fails=[_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)],
-        ),
+    side_conditions=SideCondition(
+        "$c > 0$: the eye is outside B",
+        "solves",
+        fails=(_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)),
     ),
 )
 _default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
 
 seed_quadratic = Theorem(
-    id="seed_quadratic_of_b",
-    title="The seed's quadratic for sphere B",
-    statement=r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
-    claims=(Claim("constant", (equation(_seed_c, _c),)),),
+    "seed_quadratic_of_b",
+    "The seed's quadratic for sphere B",
+    r"The constant term of sphere B's quadratic is $|C|^2-R_2^2$.",
+    claims=Claim("constant", equation(_seed_c, _c)),
     refuted_at=_default,
-    steps=(Step(r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$", "arithmetic"),),
+    steps={r"in the default scene $|C|^2-R_2^2 = 2.0876$ and $|E-C|^2-R_2^2 = 7.6876$": "arithmetic"},
     mutants=(
-        Mutant("the constant is |E − C|² − R₂²", _quadratic),
-        Mutant(
-            "the two agree where e = 2 C_z",
-            Claim("agree", (equation(_seed_c, _c),), (equation(eye, 2 * ball_center[2]),)),
+        variant("the constant is |E − C|² − R₂²", _quadratic),
+        variant(
+            "the two agree where e = 2 C_z", Claim("agree", equation(_seed_c, _c), equation(eye, 2 * ball_center[2]))
         ),
     ),
 )
@@ -258,35 +257,33 @@ _before = Claim(
     "before",
     (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)),
     (b > 35 * QUARTER, d > 0),
-    ranges=((b, (9, 12)), (d, (0, 100))),
+    ranges={b: (9, 12), d: (0, 100)},
 )
 _behind = Claim(
     "behind",
     (radius >= eye * (1 - t), eye * t >= eye - radius),
-    (radius > 0, equation(dot(along(t), along(t)), radius**2)),
+    (radius > 0, equation(squared(along(t)), radius**2)),
     squares=(x * t, y * t),
 )
 
 hidden = Theorem(
-    id="seed_covers_the_view",
-    title="With the seed's quadratic B is everywhere",
-    statement="In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with "
-    r"$|x|, |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e "
-    r"= \frac34$. So B covers the view and A is never drawn.",
-    hypotheses=(r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",),
+    "seed_covers_the_view",
+    "With the seed's quadratic B is everywhere",
+    r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
+    |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
+    \frac34$. So B covers the view and A is never drawn.""",
+    hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
     claims=(_covers, _before, _behind),
-    steps=(
-        Step(r"$b = 10.8+(x+y)/2 > 35/4$", "the vertex, as for the true quadratic", ("hit_of_b",)),
-        Step(r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$", r"$|D|^2 = x^2+y^2+16 \le 24$"),
-        Step(r"$c/(b+\sqrt d) < c/b < 1/4$", "$d > 0$"),
-        Step(r"$e(1-t) \le R$ on A", "no point of A is higher than $R$"),
-    ),
+    steps={
+        r"$b = 10.8+(x+y)/2 > 35/4$": ("the vertex, as for the true quadratic", "hit_of_b"),
+        r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$": r"$|D|^2 = x^2+y^2+16 \le 24$",
+        r"$c/(b+\sqrt d) < c/b < 1/4$": "$d > 0$",
+        r"$e(1-t) \le R$ on A": "no point of A is higher than $R$",
+    },
     mutants=(
         variant("with the true c too", _covers, _b**2 - _squared * _true_c > 0),
         variant("the root is beyond 1/4", _before, _root > QUARTER),
         variant("A's points have t ≥ 1", _behind, t >= 1, squares=()),
     ),
-    side_conditions=(
-        SideCondition(r"$|x|, |y| \le 2$", "covers", holds=[{x: -2, y: Rational(-19, 10)}], fails=[{x: -3, y: -3}]),
-    ),
+    side_conditions=SideCondition(r"$|x|, |y| \le 2$", "covers", holds={x: -2, y: "-19/10"}, fails={x: -3, y: -3}),
 )

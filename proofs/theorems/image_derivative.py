@@ -3,7 +3,7 @@
 from sympy import Derivative, Max, Pow
 
 from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.image_derivative import (
     base_by_beta,
@@ -44,9 +44,9 @@ def _closed(model):
 
 
 _along = dict(zip(bumped, bumped + s * bumped_by_beta, strict=True))
-_mu = Claim("mu", (equation(Derivative(light_direction[mu].xreplace(_along), s), mu_derivative[mu_by_beta]),), zero(s))
+_mu = Claim("mu", equation(Derivative(light_direction[mu].xreplace(_along), s), mu_derivative[mu_by_beta]), zero(s))
 _blinn, _phong = (
-    Claim(model, (equation(Derivative(unclamped(program).xreplace(_along), s), _closed(model)),), given)
+    Claim(model, equation(Derivative(unclamped(program).xreplace(_along), s), _closed(model)), given)
     for model, program, given in (("blinn", blinn, (halfway_length > 0, *zero(s))), ("phong", phong, zero(s)))
 )
 
@@ -60,7 +60,7 @@ def _term(name, given, lit_side, shiny):
     closed = closed.xreplace({power: raised / specular_base})
     sides = equations((Max(0, mu), Max(0, specular_base)), (mu * lit_side, specular_base * shiny))
     power_rule = equation(raised_by_beta * specular_base, shininess * raised * base_by_beta)
-    return Claim(name, (*sides, equation(Derivative(share, s), closed)), (*given, *zero(s), *[power_rule] * shiny))
+    return Claim(name, (sides, equation(Derivative(share, s), closed)), (given, zero(s), *[power_rule] * shiny))
 
 
 _sides = tuple(
@@ -71,14 +71,14 @@ _sides = tuple(
 _power = Induction(
     "power_rule",
     n,
-    (equation(by_s * x, power * of_x * slope),),
+    equation(by_s * x, power * of_x * slope),
     ((of_x, 1, x * of_x), (by_s, 0, by_s * x + of_x * slope), (power, 0, power + 1)),
 )
 _kept = clip_derivative[clipped]
 _clip = (
     Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
-    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), (color > 1,)),
-    Claim("below", zero(Max(0, color), _kept), (color < 0,)),
+    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), color > 1),
+    Claim("below", zero(Max(0, color), _kept), color < 0),
 )
 
 
@@ -89,37 +89,27 @@ def _grazing(cosine):
 
 
 theorem = Theorem(
-    id="image_derivative",
-    title="The image's derivative in β",
-    statement=(
-        Clause(
-            r"Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and "
-            r"$\text{base}' = \partial_\beta N'\cdot H/|H|$ (Blinn) or "
-            r"$2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$ (Phong).",
-            (_mu, _blinn, _phong),
-        ),
-        Clause(
-            r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.", (_power,)
-        ),
-        Clause(
-            r"So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative "
-            r"$i\,(a k_d\,\mu'[\mu > 0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;",
-            _sides,
-        ),
-        Clause("the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.", _clip),
-    ),
+    "image_derivative",
+    "The image's derivative in β",
+    {
+        r"""Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and $\text{base}'
+        = \partial_\beta N'\cdot H/|H|$ (Blinn) or $2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$
+        (Phong).""": (_mu, _blinn, _phong),
+        r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.": _power,
+        r"""So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative $i\,(a k_d\,\mu'[\mu >
+        0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;""": _sides,
+        "the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.": _clip,
+    },
     hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),
-    steps=(
-        Step(r"$\partial_\beta N'$", "in closed form", uses=("normal_by_beta",)),
-        Step("each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$", "the chain rule"),
-        Step(r"$(x^{p})'\,x = p\,x^p x'$", "induction on $p$ by the product rule"),
-    ),
+    steps={
+        r"$\partial_\beta N'$": ("in closed form", "normal_by_beta"),
+        "each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$": "the chain rule",
+        r"$(x^{p})'\,x = p\,x^p x'$": "induction on $p$ by the product rule",
+    },
     mutants=(
         variant("Phong without its factor 2", _phong, equation(2 * _phong.shows[0].lhs, _closed("phong"))),
         variant("the highlight's factor p + 1", _power, equation(by_s * x, (power + 1) * of_x * slope)),
-        variant("the lit side's slope where μ < 0", _sides[2], *_sides[0].shows[2:]),
+        variant("the lit side's slope where μ < 0", _sides[2], _sides[0].shows[2:]),
     ),
-    side_conditions=(
-        SideCondition(r"$\mu \ne 0$", "lit_shiny", holds=[_grazing(1)], fails=[_grazing(0), _grazing(-1)]),
-    ),
+    side_conditions=SideCondition(r"$\mu \ne 0$", "lit_shiny", holds=_grazing(1), fails=(_grazing(0), _grazing(-1))),
 )

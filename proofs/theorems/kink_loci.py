@@ -4,7 +4,7 @@ from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation, greater
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import (
@@ -67,7 +67,7 @@ _creases = tuple(
         f"crease_{c}",
         zero(crease, h),
         (k > 0, whole(m)),
-        chain("crease", Program("factor", (u, v, k_u, k_v), ((crease, factor),)), height(ridges)).at({c: m / k}),
+        chain("crease", Program("factor", (u, v, k_u, k_v), {crease: factor}), height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 )
@@ -79,53 +79,43 @@ _elsewhere = tuple(
         (
             equation(h, side * sine.expression),
             h > 0,
-            *equations([Derivative(ridges.expression, c) for c in (u, v)], (h_u, h_v)),
-            *equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
+            equations([Derivative(ridges.expression, c) for c in (u, v)], (h_u, h_v)),
+            equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
         ),
-        (side * sine.expression > 0,),
+        side * sine.expression > 0,
         chain("ridges", height(ridges), gradient(ridges)),
     )
     for name, side in SIDES
 )
 
 theorem = Theorem(
-    id="kink_loci",
-    title="The creases are rays and circles",
-    statement=(
-        Clause(
-            r"Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point $\rho(\cos\theta, "
-            r"\sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a parallel a circle.",
-            (_projection,),
-        ),
-        Clause(r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;", _creases),
-        Clause(
-            r"everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, "
-            r"$p = \sin\pi k_u u\,\sin\pi k_v v$: no other crease.",
-            _elsewhere,
-        ),
-    ),
+    "kink_loci",
+    "The creases are rays and circles",
+    {
+        r"""Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point
+        $\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a
+        parallel a circle.""": _projection,
+        r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;": _creases,
+        r"""everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, $p = \sin\pi k_u
+        u\,\sin\pi k_v v$: no other crease.""": _elsewhere,
+    },
     hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
-    uses=("stable_frame",),
-    steps=(
-        Step(r"$t = 1 - (R/e)\cos\varphi > 0$", "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$"),
-        Step(r"$(x, y) = \rho(\cos\theta, \sin\theta)$", "the other two, divided by $t$"),
-        Step(r"$\sin\pi m = 0$", "the crease factors"),
-        Step("there ridges has no derivative, unless the other factor is 0", "by its slopes", ("ridges_on_creases",)),
-        Step(r"$|p| = \pm p$ where $p \ne 0$", "by the sign of $p$, which is the same all around"),
-    ),
+    uses="stable_frame",
+    steps={
+        r"$t = 1 - (R/e)\cos\varphi > 0$": "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$",
+        r"$(x, y) = \rho(\cos\theta, \sin\theta)$": "the other two, divided by $t$",
+        r"$\sin\pi m = 0$": "the crease factors",
+        "there ridges has no derivative, unless the other factor is 0": ("by its slopes", "ridges_on_creases"),
+        r"$|p| = \pm p$ where $p \ne 0$": "by the sign of $p$, which is the same all around",
+    },
     mutants=(
         variant("ρ with e + R cos φ", _projection, _other_sign),
         variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
         variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
-        variant("the slope of p, whatever its sign", _elsewhere[1], *_elsewhere[0].shows[4:5]),
+        variant("the slope of p, whatever its sign", _elsewhere[1], _elsewhere[0].shows[4:5]),
     ),
-    side_conditions=(
-        SideCondition(
-            "$e > R$",
-            "projection",
-            fails=[{**_on_the_axis, radius: 2, t: -1}],
-            undefined=[{**_on_the_axis, radius: 1, t: 0}],
-        ),
+    side_conditions=SideCondition(
+        "$e > R$", "projection", fails={**_on_the_axis, radius: 2, t: -1}, undefined={**_on_the_axis, radius: 1, t: 0}
     ),
 )
 
@@ -139,7 +129,7 @@ _falling = Claim(
     (a >= 0, b - a > 0, 1 - b >= 0),
     cited=tuple(map(sine_inside_half_turn, _halves)),
 )
-_nearer = Claim("nearer", (eye * _near > radius,), (eye > 0, _near > _far, eye * _far >= radius))
+_nearer = Claim("nearer", eye * _near > radius, (eye > 0, _near > _far, eye * _far >= radius))
 _default = Claim(
     "count",
     (cos(pi / 4) > QUARTER, greater(QUARTER, cos(pi / 2)), cos(pi / 2) > cos(3 * pi / 4), cos(3 * pi / 4) > cos(pi)),
@@ -147,33 +137,27 @@ _default = Claim(
 _poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
 
 parallels = Theorem(
-    id="visible_parallels",
-    title="How many creased parallels are seen",
-    statement=(
-        Clause(r"From pole to pole the cosine falls: $\cos\pi a > \cos\pi b$ for $0 \le a < b \le 1$.", (_falling,)),
-        Clause(
-            r"So if the parallel $v = b$ is seen, $\cos\pi b \ge R/e$, so is each nearer the pole: of "
-            "$v = m/k_v$ the first ones, up to some $m$.",
-            (_nearer,),
-        ),
-        Clause("$m = 0$ is the pole, a point.", (_poles,)),
-        Clause(
-            r"In the default scene, $k_v = 4$ and $R/e = \frac14$, one circle is seen: "
-            r"$\cos\frac\pi4 > \frac14 > \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$.",
-            (_default,),
-        ),
-    ),
+    "visible_parallels",
+    "How many creased parallels are seen",
+    {
+        r"From pole to pole the cosine falls: $\cos\pi a > \cos\pi b$ for $0 \le a < b \le 1$.": _falling,
+        r"""So if the parallel $v = b$ is seen, $\cos\pi b \ge R/e$, so is each nearer the pole: of $v = m/k_v$
+        the first ones, up to some $m$.""": _nearer,
+        "$m = 0$ is the pole, a point.": _poles,
+        r"""In the default scene, $k_v = 4$ and $R/e = \frac14$, one circle is seen: $\cos\frac\pi4 > \frac14 >
+        \cos\frac\pi2 > \cos\frac{3\pi}4 > \cos\pi$.""": _default,
+    },
     hypotheses=(
         "$e > R > 0$",
         r"a parallel is seen, where no other body hides it, exactly if $\cos\varphi \ge R/e$ (on the rim if equal)",
         r"$\sin\pi x > 0$ for $0 < x < 1$ (cited)",
     ),
-    steps=(
-        Step(r"the parallel $\varphi = \pi m/k_v$ is a circle", r"$v = \varphi/\pi$", ("kink_loci",)),
-        Step(r"it is seen where $\cos\varphi \ge R/e$", "the near hit", ("visible_iff",)),
-        Step(r"$\cos\pi a-\cos\pi b = 2\sin\pi\frac{a+b}2\sin\pi\frac{b-a}2 > 0$", "both sines are positive"),
-        Step(r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$", "the exact values"),
-    ),
+    steps={
+        r"the parallel $\varphi = \pi m/k_v$ is a circle": (r"$v = \varphi/\pi$", "kink_loci"),
+        r"it is seen where $\cos\varphi \ge R/e$": ("the near hit", "visible_iff"),
+        r"$\cos\pi a-\cos\pi b = 2\sin\pi\frac{a+b}2\sin\pi\frac{b-a}2 > 0$": "both sines are positive",
+        r"$\frac{\sqrt2}2 > \frac14 > 0 > -\frac{\sqrt2}2 > -1$": "the exact values",
+    },
     mutants=(
         variant("two circles", _default, cos(pi / 2) > QUARTER),
         variant("the cosine rises", _falling, _far > _near),

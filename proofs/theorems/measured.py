@@ -5,60 +5,61 @@ The measurements are in verify/checkers/measurements."""
 from sympy import Abs, Basic, Expr, Max, Or, Pow, Symbol, pi
 
 from proofs.engine.claim import Rounded, equation
-from proofs.engine.theorem import Step, Theorem
+from proofs.engine.theorem import Theorem
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
 
 products = Theorem(
-    id="crease_products",
-    title="A rounded product puts points on a crease",
-    statement=r"Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the "
-    r"rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on the "
-    r"crease. With the product exact it takes none.",
+    "crease_products",
+    "A rounded product puts points on a crease",
+    r"""Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the
+    rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on
+    the crease. With the product exact it takes none.""",
     hypotheses=("every $k$ and $m$, exhaustively", "the heights are those of the kernel that draws"),
     expected="measured",
 )
 
 contrast = Theorem(
-    id="crease_contrast",
-    title="The error at the creases, against the rest",
-    statement=r"In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag "
-    "is set is about four orders of magnitude above that elsewhere on A, not one.",
-    hypotheses=("four orders to the nearest whole order",),
+    "crease_contrast",
+    "The error at the creases, against the rest",
+    r"""In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag is set is
+    about four orders of magnitude above that elsewhere on A, not one.""",
+    hypotheses="four orders to the nearest whole order",
     expected="measured",
 )
 
 dark = Theorem(
-    id="dark_difference",
-    title="The difference canvas stays dark",
-    statement=r"In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is below half an 8-bit level "
-    r"at $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.",
-    hypotheses=("linear light",),
+    "dark_difference",
+    "The difference canvas stays dark",
+    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is below half an 8-bit level at
+    $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
+    hypotheses="linear light",
     expected="measured",
 )
 
 pole = Theorem(
-    id="pole_accuracy",
-    title="The printed frame and chart toward the pole",
-    statement=r"In float64 the vector $g$ of the default field, by the seed's $\sin\varphi = \sqrt{1-N_z^2}$ and "
-    r"$v = \arccos(N_z)/\pi$, is off by more than $10^{-7}$ near $\sin\varphi = 10^{-4}$, by more than $10^{-3}$ near "
-    r"$6\cdot10^{-7}$ without the fallback, and by more than 20 with it; from $\rho$ and $t$ by less than $10^{-12}$.",
-    hypotheses=("the largest of 200 points near each latitude, against 50 digits; the seed's forms with libm",),
+    "pole_accuracy",
+    "The printed frame and chart toward the pole",
+    r"""In float64 the vector $g$ of the default field, by the seed's $\sin\varphi = \sqrt{1-N_z^2}$ and $v =
+    \arccos(N_z)/\pi$, is off by more than $10^{-7}$ near $\sin\varphi = 10^{-4}$, by more than $10^{-3}$ near
+    $6\cdot10^{-7}$ without the fallback, and by more than 20 with it; from $\rho$ and $t$ by less than
+    $10^{-12}$.""",
+    hypotheses="the largest of 200 points near each latitude, against 50 digits; the seed's forms with libm",
     expected="measured",
 )
 
 
 pixels = Theorem(
-    id="pixel_accuracy",
-    title="A pixel against the reference",
-    statement="Every channel of a pixel is within the bound that its picture carries of its exact value, for every "
-    "field, both models and other exponents.",
+    "pixel_accuracy",
+    "A pixel against the reference",
+    """Every channel of a pixel is within the bound that its picture carries of its exact value, for every field,
+    both models and other exponents.""",
     hypotheses=(
-        "$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges, nearest "
-        "to the pole, the seam, the creases, the terminator and grazing light",
-        "pixels that are open, and those whose side of a crease balls leave open, as those of the column $x = 0$, are "
-        "counted apart",
+        """$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges,
+        nearest to the pole, the seam, the creases, the terminator and grazing light""",
+        """pixels that are open, and those whose side of a crease balls leave open, as those of the column $x =
+        0$, are counted apart""",
     ),
     expected="measured",
 )
@@ -78,9 +79,9 @@ def _slopes_in_float64(field: str, bounds: tuple[tuple[Symbol, Expr], ...]) -> R
 
 
 gradients = Theorem(
-    id="gradient_accuracy",
-    title="The general form of the exact gradient against the reference",
-    statement=rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the "
+    "gradient_accuracy",
+    "The general form of the exact gradient against the reference",
+    rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the "
     r"exact gradient at the float64 $(u, v)$: $k = k_u$ for $h_u$, $k_v$ for $h_v$, for rings $2k_v$, of sizes up to "
     r"$2^{20}$.",
     hypotheses=(r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$", "nothing overflows"),
@@ -89,21 +90,19 @@ gradients = Theorem(
         _slopes_in_float64("ridges", ((h_u, k_u), (h_v, k_v))),
         _slopes_in_float64("rings", ((h_v, 2 * k_v),)),
     ),
-    steps=(
-        Step(r"$k_u u = p + e$ exactly", "Dekker's product"),
-        Step(
-            r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$", "exact reduction; two polynomials; quadrant"
-        ),
-        Step(r"$\pi$ is off by $1.11\mu$; three products", "each rounds once"),
-        Step(r"ridges: the side of a crease is never wrong", "no rounding changes the reduced argument's sign"),
-    ),
+    steps={
+        r"$k_u u = p + e$ exactly": "Dekker's product",
+        r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$": "exact reduction; two polynomials; quadrant",
+        r"$\pi$ is off by $1.11\mu$; three products": "each rounds once",
+        r"ridges: the side of a crease is never wrong": "no rounding changes the reduced argument's sign",
+    },
     expected="measured",
 )
 
 algebraic_gradients = Theorem(
-    id="algebraic_gradient_accuracy",
-    title="What the algebraic form of the gradient can be off",
-    statement=rf"With $\mu = 2^{{-53}}$, the algebraic form is within ${ALGEBRAIC_GRADIENT}(1+k)\mu\,\pi k$ of the "
+    "algebraic_gradient_accuracy",
+    "What the algebraic form of the gradient can be off",
+    rf"With $\mu = 2^{{-53}}$, the algebraic form is within ${ALGEBRAIC_GRADIENT}(1+k)\mu\,\pi k$ of the "
     r"exact gradient at the float64 image point, $k = \max(|k_u|,|k_v|) \le 64$, for rings $2|k_v|$.",
     hypotheses=(
         r"$1-(\rho/\rho_s)^2 \ge 0.1$; $R/e$ from $10^{-6}$ to $1-10^{-9}$; off the pole, and nothing underflows",
@@ -111,17 +110,16 @@ algebraic_gradients = Theorem(
         rf"${ALGEBRAIC_GRADIENT}(1+k)\mu$, so that the side of every crease is "
         "certain; nearer than that the form may take the other one's slope",
     ),
-    steps=(
-        Step(
-            r"$\cos\theta$, $\sin\theta$ are off by $4.1\mu$ of themselves, $\cos\varphi + i\sin\varphi$ by $44\mu$",
-            r"A's lines on intervals, over every box of $R/e$ and $\rho/\rho_s$",
+    steps={
+        r"$\cos\theta$, $\sin\theta$ are off by $4.1\mu$ of themselves, $\cos\varphi + i\sin\varphi$ by $44\mu$": (
+            r"A's lines on intervals, over every box of $R/e$ and $\rho/\rho_s$"
         ),
-        Step(
-            r"the powers $\tfrac12|k_u|$ and $|k_v|$, and their product with $\pi k$, four roundings",
+        r"the powers $\tfrac12|k_u|$ and $|k_v|$, and their product with $\pi k$, four roundings": (
             r"$(1+\mu)^4A_uA_v-1$, for every pair of wave numbers",
-            uses=("rounded_powers", "algebraic_gradient"),
+            "rounded_powers",
+            "algebraic_gradient",
         ),
-    ),
+    },
     expected="certified",
 )
 
@@ -129,60 +127,55 @@ _truncation = ("truncation_bound", "clamped_difference_of_odd", "crease_error_ar
 _rounding = ("roundoff_bound", "elementary_functions")
 
 differences = Theorem(
-    id="difference_bounds",
-    title="The U-curve lies below its bounds",
-    statement=r"For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded "
-    r"arguments and that of the rounded evaluation of the float64 central difference are each at most their proved "
-    "bounds.",
-    hypotheses=(
-        "forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the seam for "
-        "even, odd and fractional $k_u$",
-    ),
-    steps=(
-        Step(
-            "truncation: the exact quotient less the slope",
-            r"three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$ "
-            r"$J/2\varepsilon$ more",
-            uses=_truncation,
+    "difference_bounds",
+    "The U-curve lies below its bounds",
+    r"""For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded arguments
+    and that of the rounded evaluation of the float64 central difference are each at most their proved bounds.""",
+    hypotheses="""forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the
+    seam for even, odd and fractional $k_u$""",
+    steps={
+        "truncation: the exact quotient less the slope": (
+            r"""three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$
+            $J/2\varepsilon$ more""",
+            _truncation,
         ),
-        Step(
-            "arguments and evaluation: what remains",
+        "arguments and evaluation: what remains": (
             r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ follows from the certified sine",
-            uses=_rounding,
+            _rounding,
         ),
-    ),
+    },
     expected="measured",
 )
 
 _orders = ("truncation_bound", "clamped_difference", "clamped_difference_of_odd", "crease_error_area")
 
 slopes = Theorem(
-    id="difference_slopes",
-    title="The orders of the difference, fitted",
-    statement=r"Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at "
-    r"$v = \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS "
-    r"error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.",
-    hypotheses=("the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",),
-    steps=(Step("2; at the pole 1, where odd 2; ½", "as proved", uses=_orders),),
+    "difference_slopes",
+    "The orders of the difference, fitted",
+    r"""Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at $v =
+    \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS
+    error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.""",
+    hypotheses="the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
+    steps={"2; at the pole 1, where odd 2; ½": ("as proved", _orders)},
     expected="measured",
 )
 
 
 functions = Theorem(
-    id="elementary_functions",
-    title="The elementary functions of the kernels",
-    statement=r"In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, "
-    r"$\cos\pi x$ by {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and "
-    r"{cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by "
-    r"{log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.".format(
+    "elementary_functions",
+    "The elementary functions of the kernels",
+    r"""In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, $\cos\pi x$ by
+    {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and
+    {cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by
+    {log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.""".format(
         **{name: float(ulps) for name, ulps in CERTIFIED.items()}
     ),
     hypotheses=(
         "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
-        r"the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of a "
-        r"product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants",
-        r"$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le 10^6$ "
-        r"for $x^p \ge e^{-708}$, and what is smaller is 0",
+        r"""the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding
+        of a product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants""",
+        r"""$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le
+        10^6$ for $x^p \ge e^{-708}$, and what is smaller is 0""",
     ),
     expected="certified",
 )

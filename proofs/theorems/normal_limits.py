@@ -1,23 +1,23 @@
 """How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
 
-from sympy import Abs, Rational, sqrt
+from sympy import Abs, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
-from proofs.formulas.symbols import beta, cross, dot, normal, real, towards
+from proofs.formulas.symbols import beta, cross, dot, normal, real, squared, towards
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import QUARTER, between, equations, nonnegative, positive
+from proofs.theorems.relations import between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
-_g_squared, cosine = dot(g, g), dot(normal, bumped)
+_g_squared, cosine = squared(g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = between(-Rational(2, 3), Rational(2, 3), *normal[:2])  # samples keep N_z off zero
+_clear = between("-2/3", "2/3", *normal[:2])  # samples keep N_z off zero
 
 
 _angle = Claim(
     "angle",
-    (equation(m_length * cosine, 1), cosine > 0, equation(dot(_turned, _turned), beta**2 * _g_squared * cosine**2)),
+    (equation(m_length * cosine, 1), cosine > 0, equation(squared(_turned), beta**2 * _g_squared * cosine**2)),
     tangent,
     perturbed,
     borrowed=_length,
@@ -25,28 +25,24 @@ _angle = Claim(
 )
 
 angle = Theorem(
-    id="angle_of_the_bump",
-    title="The angle between N and N'",
-    statement=r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and "
-    r"$|N\times N'|^2 = \beta^2|g|^2\,(N\cdot N')^2$.",
+    "angle_of_the_bump",
+    "The angle between N and N'",
+    r"""The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and $|N\times N'|^2 =
+    \beta^2|g|^2\,(N\cdot N')^2$.""",
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    claims=(_angle,),
-    steps=(
-        Step(r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$", r"$|N| = 1$, $N\cdot g = 0$"),
-        Step(
-            r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$", "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$"
-        ),
-        Step(r"the tangent is $|\beta||g|$, the angle less than $\pi/2$", "the cosine is positive"),
-    ),
+    claims=_angle,
+    steps={
+        r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$": r"$|N| = 1$, $N\cdot g = 0$",
+        r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$": "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$",
+        r"the tangent is $|\beta||g|$, the angle less than $\pi/2$": "the cosine is positive",
+    },
     mutants=(
-        variant("the sine is |β||g|", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared)),
-        variant("the tangent is |β||g|²", _angle, equation(dot(_turned, _turned), beta**2 * _g_squared**2 * cosine**2)),
+        variant("the sine is |β||g|", _angle, equation(squared(_turned), beta**2 * _g_squared)),
+        variant("the tangent is |β||g|²", _angle, equation(squared(_turned), beta**2 * _g_squared**2 * cosine**2)),
         variant("at least 45°", _angle, 2 * cosine**2 <= 1),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$N\cdot g = 0$", "angle", holds=[at(7)], fails=[at(1, (0, 0, 1))], undefined=[at(-1, (0, 0, 1))]
-        ),
+    side_conditions=SideCondition(
+        r"$N\cdot g = 0$", "angle", holds=at(7), fails=at(1, (0, 0, 1)), undefined=at(-1, (0, 0, 1))
     ),
 )
 
@@ -56,19 +52,19 @@ _moved = bumped - normal
 _small = Claim(
     "small_beta",
     (
-        equation(m_length * dot(_moved, _moved), 2 * (m_length - 1)),
-        beta**2 * _g_squared - dot(_moved, _moved) >= 0,
+        equation(m_length * squared(_moved), 2 * (m_length - 1)),
+        beta**2 * _g_squared - squared(_moved) >= 0,
         equation(w**2, beta**2 * _g_squared),
         w >= 0,
-        w >= sqrt(dot(_moved, _moved)),
+        w >= sqrt(squared(_moved)),
     ),
-    (*tangent, _w),
+    (tangent, _w),
     perturbed,
     borrowed=_length,
     ranges=_clear,
 )
-_still = Claim("zero_beta", equations(bumped, normal), (*tangent, equation(beta, 0)), perturbed, ranges=_clear)
-_flat = Claim("zero_height", equations(bumped, normal), (*tangent, *equations(g, (0, 0, 0))), perturbed, ranges=_clear)
+_still = Claim("zero_beta", equations(bumped, normal), (tangent, equation(beta, 0)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (tangent, equations(g, (0, 0, 0))), perturbed, ranges=_clear)
 
 
 def _large(name, side):
@@ -78,17 +74,17 @@ def _large(name, side):
     return Claim(
         name,
         (
-            *positive(sqrt(_g_squared), w),
+            positive(sqrt(_g_squared), w),
             equation(w**2, beta**2 * _g_squared),
             equation(m_length**2, 1 + w**2),
             m_length >= w,
             equation(m_length * dot(bumped, direction), w),
-            equation(m_length * dot(gap, gap), 2 * (m_length - w)),
-            equation(m_length * (m_length + w) * dot(gap, gap), 2),
-            at_least(1, w**2 * dot(gap, gap)),
-            at_least(1, w * sqrt(dot(gap, gap))),
+            equation(m_length * squared(gap), 2 * (m_length - w)),
+            equation(m_length * (m_length + w) * squared(gap), 2),
+            at_least(1, w**2 * squared(gap)),
+            at_least(1, w * sqrt(squared(gap))),
         ),
-        (*tangent, side * beta > 0, _g_squared > 0, _w),
+        (tangent, side * beta > 0, _g_squared > 0, _w),
         perturbed,
         borrowed=_length,
         ranges=_clear,
@@ -99,37 +95,32 @@ _up, _down = _large("large_beta", 1), _large("large_negative_beta", -1)
 _gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 
 limits = Theorem(
-    id="normal_limits",
-    title="The bumped normal for small and large β",
-    statement=(
-        Clause(r"$|N'-N| \le |\beta||g|$;", (_small,)),
-        Clause(
-            r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.",
-            (_up, _down),
-        ),
-        Clause(r"$N' = N$ at $\beta = 0$, and where $g = 0$.", (_still, _flat)),
-    ),
+    "normal_limits",
+    "The bumped normal for small and large β",
+    {
+        r"$|N'-N| \le |\beta||g|$;": _small,
+        r"for $\beta \ne 0$, $g \ne 0$, $|N' - \operatorname{sign}(\beta)\,g/|g|| \le 1/(|\beta||g|)$.": (_up, _down),
+        r"$N' = N$ at $\beta = 0$, and where $g = 0$.": (_still, _flat),
+    },
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    steps=(
-        Step(r"$|N'-N|^2 = 2-2/|M|$", "$N\\cdot N' = 1/|M|$"),
-        Step(r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$", r"$|M| \ge 1$"),
-        Step(r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$", r"$|M|^2-w^2 = 1$"),
-        Step(r"it is at most $1/w^2$", r"$|M| \ge w$"),
-        Step("$M = N$ where $g = 0$ or $\\beta = 0$", r"$|N| = 1$"),
-    ),
+    steps={
+        r"$|N'-N|^2 = 2-2/|M|$": "$N\\cdot N' = 1/|M|$",
+        r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$": r"$|M| \ge 1$",
+        r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$": r"$|M|^2-w^2 = 1$",
+        r"it is at most $1/w^2$": r"$|M| \ge w$",
+        "$M = N$ where $g = 0$ or $\\beta = 0$": r"$|N| = 1$",
+    },
     mutants=(
-        variant("half as far", _small, w >= 2 * sqrt(dot(_moved, _moved))),
+        variant("half as far", _small, w >= 2 * sqrt(squared(_moved))),
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
         variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\beta \ne 0$, $g \ne 0$",
-            "large_beta",
-            holds=[{**at(3 * QUARTER), w: 3 * QUARTER}],
-            fails=[{**at(0), w: 0}],
-            undefined=[{**at(1, (0, 0, 0)), w: 0}],
-        ),
+    side_conditions=SideCondition(
+        r"$\beta \ne 0$, $g \ne 0$",
+        "large_beta",
+        holds={**at("3/4"), w: "3/4"},
+        fails={**at(0), w: 0},
+        undefined={**at(1, (0, 0, 0)), w: 0},
     ),
 )
 
@@ -139,47 +130,45 @@ _within = Claim(
     "shadow_line",
     (
         equation(w**2, beta**2 * _g_squared),
-        *nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
+        nonnegative(w, _g_squared - dot(g, towards) ** 2, w**2 - (_swing) ** 2, w + _swing),
         _cosine > 0,
         equation(m_length * dot(bumped, towards), _cosine),
         dot(bumped, towards) > 0,
     ),
-    (*tangent, _w, equation(dot(towards, towards), 1), dot(normal, towards) > w),
+    (tangent, _w, equation(squared(towards), 1), dot(normal, towards) > w),
     perturbed,
     squares=cross(g, towards),
     borrowed=_length,
     ranges=_clear,
 )
-_light = {towards: (Rational(-3, 5), 0, Rational(4, 5))}
+_light = {towards: ("-3/5", 0, "4/5")}
 
 shadow_line = Theorem(
-    id="shadow_line_moves_within",
-    title="How far the bump can move an attached shadow",
-    statement=r"Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only "
-    r"where $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.",
+    "shadow_line_moves_within",
+    "How far the bump can move an attached shadow",
+    r"""Where $N\cdot\omega > |\beta||g|$, also $N'\cdot\omega > 0$: the attached shadow's line moves only where
+    $|N\cdot\omega| \le |\beta||g|$, and not at all at $\beta = 0$.""",
     hypotheses=(r"$|N| = |\omega| = 1$", r"$N\cdot g = 0$"),
-    claims=(_within,),
-    steps=(
-        Step(r"$(g\cdot\omega)^2 \le |g|^2$", "Lagrange's identity"),
-        Step(r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$", "expansion"),
-        Step("for the other side, the same with $-\\omega$", "nothing else changes"),
-    ),
+    claims=_within,
+    steps={
+        r"$(g\cdot\omega)^2 \le |g|^2$": "Lagrange's identity",
+        r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$": "expansion",
+        "for the other side, the same with $-\\omega$": "nothing else changes",
+    },
     mutants=(
         variant(
             "N·ω > ½|β||g| suffices",
             _within,
-            *_within.shows[-1:],
-            given=(*_within.given[:-1], dot(normal, towards) > w / 2),
-            at={**at(1), towards: (Rational(-4, 5), 0, Rational(3, 5)), w: 1},
+            _within.shows[-1:],
+            given=(_within.given[:-1], dot(normal, towards) > w / 2),
+            at={**at(1), towards: ("-4/5", 0, "3/5"), w: 1},
         ),
         variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$N\cdot\omega > |\beta||g|$",
-            "shadow_line",
-            holds=[{**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}],
-            fails=[{**at(Rational(4, 3)), **_light, w: Rational(4, 3)}, {**at(0), towards: (1, 0, 0), w: 0}],
-        ),
+    side_conditions=SideCondition(
+        r"$N\cdot\omega > |\beta||g|$",
+        "shadow_line",
+        holds=({**at(1), **_light, w: 1}, {**at(0), **_light, w: 0}),
+        fails=({**at("4/3"), **_light, w: "4/3"}, {**at(0), towards: (1, 0, 0), w: 0}),
     ),
 )

@@ -1,9 +1,9 @@
 """The shadow test: which signs say that a sphere stands between two points, and when none can."""
 
-from sympy import Rational, sqrt
+from sympy import sqrt
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
@@ -17,13 +17,13 @@ from proofs.formulas.shadow import (
     toward_center,
 )
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
-from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, vector
+from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, squared, vector
 from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import HALF, nonnegative, positive
 
 s = real("s")
 _between = point + s * segment
-_excess = dot(offset, offset) - body_radius**2
+_excess = squared(offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",
     (
@@ -40,7 +40,7 @@ _quadratic = Claim(
     squares=segment,
 )
 _conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
-_program = Claim("program", (equation(occluded, 1),), _conditions, shadow)
+_program = Claim("program", equation(occluded, 1), _conditions, shadow)
 _a, _b, _c, _d = real("a b c d")
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
 _first = (_b - sqrt(_d)) / _a
@@ -49,88 +49,77 @@ _if = Claim(
     (
         _a > 0,
         equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
-        *positive(_b + sqrt(_d), _b - sqrt(_d)),
+        positive(_b + sqrt(_d), _b - sqrt(_d)),
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
-        *positive(_a - _b + sqrt(_d), 1 / _a, _first),
+        positive(_a - _b + sqrt(_d), 1 / _a, _first),
         greater(1, _first),
         equation(_a * _first**2 - 2 * _b * _first + _c, 0),
     ),
-    (*_positive_at_p, _d >= 0, _b > 0, _b < _a),
+    (_positive_at_p, _d >= 0, _b > 0, _b < _a),
 )
 _only_if = Claim(
     "only_if",
-    (*positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
-    (*_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
-    squares=(_a * s - _b,),
+    (positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
+    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    squares=_a * s - _b,
 )
 _of_b = Claim(
     "of_b",
-    (
-        equation(
-            discriminant_b,
-            toward_b**2
-            - dot(ray_direction, ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
-        ),
+    equation(
+        discriminant_b,
+        toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
     ),
     (),
     hit_of_b,
 )
 _of_shadow = Claim("of_shadow", _quadratic.shows[2:3], (), shadow)
-_wrong_side = toward_b**2 - dot(ray_direction, ray_direction) * (
-    distance_squared((0, 0, 0), ball_center) - ball_radius**2
-)
+_wrong_side = toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, 0), ball_center) - ball_radius**2)
 
 lagrange = Theorem(
-    id="lagrange_identity",
-    title="Both discriminants without cancellation",
-    statement=r"$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, "
-    r"$w = C - E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.",
+    "lagrange_identity",
+    "Both discriminants without cancellation",
+    r"""$|a|^2r^2 - |a\times w|^2 = (a\cdot w)^2 - |a|^2(|w|^2-r^2)$: for sphere B with $a = (x, y, -e)$, $w = C -
+    E$, $r = R_2$; for a shadow with $a = L - P$, $w = C - P$.""",
     claims=(_of_b, _of_shadow),
-    steps=(Step(r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$", "Lagrange's identity, by expansion"),),
+    steps={r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$": "Lagrange's identity, by expansion"},
     mutants=(
         variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
         variant(
             "+ |a × w|²",
             _of_shadow,
-            equation(shadow_discriminant, toward_center**2 - segment_squared * (dot(offset, offset) + body_radius**2)),
+            equation(shadow_discriminant, toward_center**2 - segment_squared * (squared(offset) + body_radius**2)),
         ),
     ),
 )
 
 theorem = Theorem(
-    id="occlusion_by_signs",
-    title="The shadow test by signs",
-    statement="Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in "
-    r"$(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.",
-    hypotheses=("$|C-P| > r$ and $|C-L| > r$",),
+    "occlusion_by_signs",
+    "The shadow test by signs",
+    r"""Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in
+    $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.""",
+    hypotheses="$|C-P| > r$ and $|C-L| > r$",
     claims=(_quadratic, _program, _if, _only_if),
-    steps=(
-        Step(
-            r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$",
+    steps={
+        r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$": (
             "expansion; positive at $s = 0$ and $s = 1$",
-            ("lagrange_identity",),
+            "lagrange_identity",
         ),
-        Step(
-            r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$",
-            r"$d < (a\cdot w)^2$ and $d < (|a|^2-a\cdot w)^2$",
-        ),
-        Step(r"only if: a root has $(|a|^2s - a\cdot w)^2 = d \ge 0$", "the square completed"),
-        Step(
-            "and the vertex lies between the ends", "a convex parabola, positive at both ends, with a root between them"
-        ),
-    ),
+        r"if: $s = (a\cdot w-\sqrt d)/|a|^2$ is a root in $(0, 1)$": r"$d < (a\cdot w)^2$ and $d < (|a|^2-a\cdot w)^2$",
+        r"only if: a root has $(|a|^2s - a\cdot w)^2 = d \ge 0$": "the square completed",
+        "and the vertex lies between the ends": "a convex parabola, positive at both ends, with a root between them",
+    },
     mutants=(
         variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
-        variant("without the vertex after P", _if, _first > 0, given=(*_if.given[:-2], _a > 0, _b < _a)),
-        variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: HALF}),
+        variant("without the vertex after P", _if, _first > 0, given=(_if.given[:-2], _a > 0, _b < _a)),
+        variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: "1/2"}),
     ),
     side_conditions=(
-        SideCondition("$|C-P| > r$", "if", fails=[{_a: 4, _b: 2, _c: 0, _d: 4}]),
+        SideCondition("$|C-P| > r$", "if", fails={_a: 4, _b: 2, _c: 0, _d: 4}),
         SideCondition(
             "$|C-L| > r$",
             "only_if",
-            holds=[{_a: 4, _b: 3, _c: 2, _d: 1, s: HALF}],
-            fails=[{_a: 4, _b: 4, _c: 3, _d: 4, s: HALF}],
+            holds={_a: 4, _b: 3, _c: 2, _d: 1, s: "1/2"},
+            fails={_a: 4, _b: 4, _c: 3, _d: 4, s: "1/2"},
         ),
     ),
 )
@@ -142,20 +131,20 @@ _met = axis + aside
 _cone = Claim(
     "cone",
     (
-        equation(distance**2 * wander**2 - product**2, dot(cross(axis, aside), cross(axis, aside))),
-        *nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
-        equation(dot(_met, _met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
+        equation(distance**2 * wander**2 - product**2, squared(cross(axis, aside))),
+        nonnegative(distance**2 * wander**2 - product**2, distance * wander, distance * wander + product),
+        equation(squared(_met), (distance - wander) ** 2 + 2 * (distance * wander + product)),
         distance - wander > body_radius,
         (distance - wander) ** 2 > body_radius**2,
-        dot(_met, _met) > body_radius**2,
+        squared(_met) > body_radius**2,
     ),
     (
         body_radius > 0,
         wander >= 0,
         reach >= wander,
         distance > body_radius + reach,
-        equation(distance**2, dot(axis, axis)),
-        equation(wander**2, dot(aside, aside)),
+        equation(distance**2, squared(axis)),
+        equation(wander**2, squared(aside)),
         equation(product, dot(axis, aside)),
     ),
     squares=cross(axis, aside),
@@ -163,22 +152,22 @@ _cone = Claim(
 _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
     "within",
-    ((share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),),
-    (ball_radius**2 >= dot(_to_ball, _to_ball),),
-    squares=(share,),
+    (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),
+    ball_radius**2 >= squared(_to_ball),
+    squares=share,
 )
 _on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)
 _clearance = Claim(
     "quadratic",
-    (equation(dot(_on_axis, _on_axis) - (body_radius + share * ball_radius) ** 2, _value),),
+    equation(squared(_on_axis) - (body_radius + share * ball_radius) ** 2, _value),
     (),
     shadow_clearance.keep(at_light, half_slope, curvature, name="along_the_axis"),
 )
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
 _least = tuple(
-    Claim(name, (_parabola >= bound,), given)
+    Claim(name, _parabola >= bound, given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
         ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
@@ -187,7 +176,7 @@ _least = tuple(
 )
 _chord = Claim(
     "bends_down",
-    (_parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),),
+    _parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),
     (share >= 0, share <= 1, _bend <= 0),
 )
 
@@ -199,47 +188,39 @@ def _points(apart):
 
 
 cone = Theorem(
-    id="shadow_out_of_reach",
-    title="A body that clears the cone of light casts no shadow",
-    statement=(
-        Clause(
-            "The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within $ts$ "
-            "of $L + t(C-L)$.",
-            (_within,),
+    "shadow_out_of_reach",
+    "A body that clears the cone of light casts no shadow",
+    {
+        """The segments from a light $L$ to a ball (centre $C$, radius $s$) pass at share $t$ of the way within
+        $ts$ of $L + t(C-L)$.""": _within,
+        r"""If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius $r$
+        about $c$.""": _cone,
+        r"The squares' difference is a quadratic in $t$, least at an end or where it turns.": (
+            _clearance,
+            _least,
+            _chord,
         ),
-        Clause(
-            r"If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius "
-            r"$r$ about $c$.",
-            (_cone,),
-        ),
-        Clause(
-            r"The squares' difference is a quadratic in $t$, least at an end or where it turns.",
-            (_clearance, *_least, _chord),
-        ),
-    ),
-    hypotheses=("$r, s > 0$",),
-    steps=(
-        Step(r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$", "Lagrange's identity"),
-        Step(r"$|X| - |w| > r + ts - |w| \ge r$", r"$|w| \le ts$"),
-        Step(
-            r"$|X(t)|^2 - (r+ts)^2 = f_0 + 2f_1 t + f_2 t^2$",
-            "expansion; its least value on $[0,1]$ by the sign of $f_2$",
-        ),
-    ),
+    },
+    hypotheses="$r, s > 0$",
+    steps={
+        r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$": "Lagrange's identity",
+        r"$|X| - |w| > r + ts - |w| \ge r$": r"$|w| \le ts$",
+        r"$|X(t)|^2 - (r+ts)^2 = f_0 + 2f_1 t + f_2 t^2$": "expansion; its least value on $[0,1]$ by the sign of $f_2$",
+    },
     mutants=(
         variant(
             "without the ball's reach",
             _cone,
-            *_cone.shows[-1:],
-            given=(*_cone.given[:3], distance > body_radius, *_cone.given[4:]),
+            _cone.shows[-1:],
+            given=(_cone.given[:3], distance > body_radius, _cone.given[4:]),
             at=_points(3 * HALF),
         ),
         variant("the ends are enough", _least[1], _parabola >= _low),
         variant(
             "a ball of radius s all the way",
             _clearance,
-            equation(dot(_on_axis, _on_axis) - (body_radius + ball_radius) ** 2, _value),
+            equation(squared(_on_axis) - (body_radius + ball_radius) ** 2, _value),
         ),
     ),
-    side_conditions=(SideCondition("$|X| > r + ts$", "cone", holds=[_points(Rational(5, 2))], fails=[_points(2)]),),
+    side_conditions=SideCondition("$|X| > r + ts$", "cone", holds=_points(5 * HALF), fails=_points(2)),
 )

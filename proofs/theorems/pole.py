@@ -4,20 +4,20 @@ from sympy import S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import (
     Vector,
     cos_phi,
     cos_theta,
-    dot,
     k_u,
     k_v,
     phi,
     real,
     sin_phi,
     sin_theta,
+    squared,
     theta,
     u,
     v,
@@ -38,7 +38,7 @@ _sine, _rings = at_pole(sine), at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
-    (*equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(dot(g, g), (pi * k_v * sin(_turned)) ** 2)),
+    (equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(squared(g), (pi * k_v * sin(_turned)) ** 2)),
     lines=_sine,
 )
 _vanishes = tuple(
@@ -47,7 +47,7 @@ _vanishes = tuple(
 )
 _differs = Claim(
     "sine_differs",
-    (_length.shows[-1], *positive((k_v * sin(_turned)) ** 2, dot(g, g))),
+    (_length.shows[-1], positive((k_v * sin(_turned)) ** 2, squared(g))),
     (k_v**2 > 0, sin(_turned) ** 2 > 0),
     _sine,
 )
@@ -55,9 +55,9 @@ _across = [g_i - _rings.expand(g_i).xreplace({theta: theta + pi}) for g_i in g]
 _opposite = Claim(
     "rings",
     (
-        *equations(g, 2 * pi * k_v * _meridian_direction),
-        equation(dot(g, g), (2 * pi * k_v) ** 2),
-        equation(dot(_across, _across), (4 * pi * k_v) ** 2),
+        equations(g, 2 * pi * k_v * _meridian_direction),
+        equation(squared(g), (2 * pi * k_v) ** 2),
+        equation(squared(_across), (4 * pi * k_v) ** 2),
     ),
     lines=_rings,
 )
@@ -78,11 +78,11 @@ _smooth = Induction(
 _along = Vector((-sin(theta), cos(theta))), Vector((cos(theta), sin(theta)))
 _surface = real("surface_x surface_y")
 _tangential = Program(
-    "tangential", (theta, k_u), ((_surface, k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]),)
+    "tangential", (theta, k_u), {_surface: k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]}
 )
 _limit = Claim(
     "surface_gradient",
-    (equation(dot(_surface, _surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),),
+    equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
     lines=_tangential,
 )
 _same_limit = tuple(
@@ -91,60 +91,42 @@ _same_limit = tuple(
 )
 
 theorem = Theorem(
-    id="pole",
-    source="DLMF",
-    title="The gradient at the pole",
-    statement=(
-        Clause(
-            r"At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta, 0)$, "
-            r"of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0 where "
-            r"$\sin\pi k_u u \ne 0$, so that two meridians have two limits.",
-            (_length, *_vanishes, _differs),
-        ),
-        Clause(
-            r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.", (_opposite,)
-        ),
-        Clause(
-            r"Sine's surface gradient tends to $k_v$ times a vector of squared length "
-            r"$k_u^2/4 + (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or "
-            r"$k_u = \pm 2$, where it is $(0, \mp 1, 0)$.",
-            (_limit, *_same_limit),
-        ),
-        Clause(
-            r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.", (_smooth,)
-        ),
-    ),
+    "pole",
+    "The gradient at the pole",
+    {
+        r"""At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta,
+        0)$, of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0
+        where $\sin\pi k_u u \ne 0$, so that two meridians have two limits.""": (_length, _vanishes, _differs),
+        r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.": _opposite,
+        r"""Sine's surface gradient tends to $k_v$ times a vector of squared length $k_u^2/4 +
+        (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or $k_u = \pm
+        2$, where it is $(0, \mp 1, 0)$.""": (_limit, _same_limit),
+        r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
+    },
     hypotheses=(
         r"along a meridian $g$ is continuous in $v$: its limit is its value at $v = 0$",
         r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
         r"$\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
     ),
-    steps=(
-        Step(
-            r"$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), "
-            r"$e_\varphi \to (\cos\theta, \sin\theta, 0)$",
-            "the lines at $v = 0$, $\\varphi = 0$",
+    source="DLMF",
+    steps={
+        r"""$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), $e_\varphi \to (\cos\theta,
+        \sin\theta, 0)$""": "the lines at $v = 0$, $\\varphi = 0$",
+        "two meridians, two limits": (
+            r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$"
         ),
-        Step(
-            "two meridians, two limits",
-            r"$u = 0$ and one where $\sin\pi k_u u \ne 0$; for rings, $\theta$ and $\theta + \pi$",
+        r"$(h_\theta/\sin\varphi)\,e_\theta + h_\varphi e_\varphi$ at $\varphi \to 0$": (
+            "its squared length, and its value for $k_u = \\pm 2$"
         ),
-        Step(
-            r"$(h_\theta/\sin\varphi)\,e_\theta + h_\varphi e_\varphi$ at $\varphi \to 0$",
-            "its squared length, and its value for $k_u = \\pm 2$",
-        ),
-        Step(
-            r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$",
-            r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
-        ),
-    ),
+        r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$": r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
+    },
     mutants=(
         variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
-        variant("rings' has one", _opposite, *zero(*_across)),
+        variant("rings' has one", _opposite, zero(*_across)),
         variant(
             "the true gradient has one for k_u = 1",
             _limit,
-            *equations([_tangential.expand(s).xreplace({theta: S.Zero}) for s in _surface], _surface),
+            equations([_tangential.expand(s).xreplace({theta: S.Zero}) for s in _surface], _surface),
             lines=_tangential.at({k_u: S.One}),
         ),
         variant("h = y U for k_u = 2", _smooth, equation(_two, sin(phi) * sin(theta) * chebyshev)),
@@ -152,19 +134,17 @@ theorem = Theorem(
 )
 
 _in_y = without(pi, _length.shows[1].rhs)
-_same = Claim("one_limit", (equation(_in_y, _in_y.xreplace({theta: -pi})),))
+_same = Claim("one_limit", equation(_in_y, _in_y.xreplace({theta: -pi})))
 
 smooth_everywhere = Theorem(
-    id="sine_is_smooth_everywhere",
-    title="Sine is smooth everywhere",
-    statement=r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
-    claims=(_same,),
+    "sine_is_smooth_everywhere",
+    "Sine is smooth everywhere",
+    r"For sine, $g$ tends to the same vector along every meridian as $v \to 0$.",
+    claims=_same,
     refuted_at={k_u: 2, k_v: 1, theta: pi / 2},
-    steps=(
-        Step(r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$", "arithmetic"),
-    ),
+    steps={r"$k_u = 2$, $k_v = 1$: $(0, -\pi, 0)$ on $\theta = \pi/2$, and $0$ on $\theta = -\pi$": "arithmetic"},
     mutants=(
         variant("true for k_v = 0", _same, given=zero(k_v)),
-        Mutant("true of the surface gradient, k_u = 2", _same_limit[1]),
+        variant("true of the surface gradient, k_u = 2", _same_limit[1]),
     ),
 )

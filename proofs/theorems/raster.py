@@ -4,7 +4,7 @@ from sympy import Rational
 
 from proofs.engine.claim import Claim, equation, number
 from proofs.engine.program import chain
-from proofs.engine.theorem import Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
 from proofs.formulas.symbols import (
     column,
@@ -43,72 +43,62 @@ _on_the_raster = tuple(
 _linear = Claim(
     "linear",
     (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
-    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, *lengths_of_a, eye > radius),
+    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a, eye > radius),
     parallel_radius,
     squares=(sin_phi, 1 - cos_phi),
 )
 _bound = Rational(44, 10000)
 _far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))
 _needed = (FALLBACK * Rational(4, 3)) ** 2
-_only_near = Claim("only_near", (_needed > rho**2,), (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
-_no_pixel = tuple(c.but(name=c.name + "_far", shows=(_radius_squared > _needed,)) for c in _on_the_raster)
+_only_near = Claim("only_near", _needed > rho**2, (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
+_no_pixel = tuple(c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster)
 _half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
 _in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))
-_beside = Claim("beside", (_needed > _half_squared * _in_halves,), (*_whole, (n - 107) * (n - 110) <= 0))
+_beside = Claim("beside", _needed > _half_squared * _in_halves, (_whole, (n - 107) * (n - 110) <= 0))
 
 theorem = Theorem(
-    id="pixels_off_the_pole",
-    title="No pixel comes near the pole",
-    statement=r"In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has "
-    r"$\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below "
-    r"$10^{-4}$ is never taken.",
+    "pixels_off_the_pole",
+    "No pixel comes near the pole",
+    r"""In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has
+    $\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below $10^{-4}$ is
+    never taken.""",
     hypotheses=("$e = 4$, $R = 1$, $256^2$ pixels", "column $m$ and row $n$ are whole numbers"),
-    claims=(*_on_the_raster, _linear, _far),
-    steps=(
-        Step(r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$", "the pixel's centre"),
-        Step(
-            r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$",
-            r"whole numbers: $m \le 127$ or $m \ge 128$, $n \le 108$ or $n \ge 109$",
+    claims=(_on_the_raster, _linear, _far),
+    steps={
+        r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$": "the pixel's centre",
+        r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$": (
+            r"whole numbers: $m \le 127$ or $m \ge 128$, $n \le 108$ or $n \ge 109$"
         ),
-        Step(
-            r"$\rho = eR\sin\varphi/(e-R\cos\varphi)$ and $\cos\varphi \le 1$", "a parallel is a circle", ("kink_loci",)
-        ),
-        Step(r"$\tfrac34\sqrt{34/15}/256 > 0.0044$", "squared"),
-    ),
+        r"$\rho = eR\sin\varphi/(e-R\cos\varphi)$ and $\cos\varphi \le 1$": ("a parallel is a circle", "kink_loci"),
+        r"$\tfrac34\sqrt{34/15}/256 > 0.0044$": "squared",
+    },
     mutants=(
         variant("ρ ≥ 2/256", _on_the_raster[0], _radius_squared >= Rational(4, 256**2), at={m: 127, n: 108}),
         variant("sin φ ≥ ρ/R", _linear, radius * sin_phi >= rho),
         variant(
-            "sin φ > 0.0045",
-            _far,
-            sin_phi > Rational(45, 10000),
-            at={sin_phi: Rational(4412, 10**6), rho: Rational(5882, 10**6)},
+            "sin φ > 0.0045", _far, sin_phi > Rational(45, 10000), at={sin_phi: "4412/1000000", rho: "5882/1000000"}
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            "column and row are whole numbers",
-            "raster_above",
-            holds=[{m: 127, n: 108}],
-            fails=[{m: Rational(255, 2), n: 108}, {m: 127, n: Rational(217, 2)}],
-        ),
+    side_conditions=SideCondition(
+        "column and row are whole numbers",
+        "raster_above",
+        holds={m: 127, n: 108},
+        fails=({m: "255/2", n: 108}, {m: 127, n: "217/2"}),
     ),
 )
 
 seed_theorem = Theorem(
-    id="seed_pole_rows",
-    title="The seed's rows at the pole",
-    statement=r"In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < 10^{-4}$, which needs "
-    r"$\rho < \tfrac43 10^{-4}$.",
-    hypotheses=("$e = 4$, $R = 1$",),
-    claims=(_beside,),
+    "seed_pole_rows",
+    "The seed's rows at the pole",
+    r"""In the two rows of $256^2$ beside the axis the fallback is taken: $\sin\varphi < 10^{-4}$, which needs
+    $\rho < \tfrac43 10^{-4}$.""",
+    hypotheses="$e = 4$, $R = 1$",
+    claims=_beside,
     refuted_at={m: 127, n: 108},
-    steps=(
-        Step(r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$", "arithmetic; $m = 127$, $n = 108$"),
-    ),
+    steps={r"at the pixel nearest the axis $\rho = \sqrt{34/15}/256 > 0.0058$": "arithmetic; $m = 127$, $n = 108$"},
     mutants=(
-        Mutant("ρ ≥ √(34/15)/256 at every pixel, n ≤ 108", _on_the_raster[0]),
-        Mutant("no pixel is that near the axis, n ≥ 109", _no_pixel[1]),
-        Mutant("sin φ < 10⁻⁴ needs ρ < 4/3·10⁻⁴", _only_near),
+        variant("ρ ≥ √(34/15)/256 at every pixel, n ≤ 108", _on_the_raster[0]),
+        variant("no pixel is that near the axis, n ≥ 109", _no_pixel[1]),
+        variant("sin φ < 10⁻⁴ needs ρ < 4/3·10⁻⁴", _only_near),
     ),
 )

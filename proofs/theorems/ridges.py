@@ -3,10 +3,10 @@
 from sympy import Abs, pi, sin
 
 from proofs.engine.claim import CitedLemma, Claim, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, named, ridges, sine, without, zero
+from proofs.theorems.relations import HALF, named, ridges, sine, without, zero
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
@@ -24,8 +24,8 @@ _crossed = Claim(
         (_sines[0] ** 2 + _sines[1] ** 2) ** 2 >= 4 * _crossing**2,
         (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sines[0] ** 2 + _sines[1] ** 2,
     ),
-    (k_u > 0, k_v > 0, *_whole),
-    squares=(named(_sines[0]) ** 2 - named(_sines[1]) ** 2,),
+    (k_u > 0, k_v > 0, _whole),
+    squares=named(_sines[0]) ** 2 - named(_sines[1]) ** 2,
     cited=_small,
 )
 _a, _b, _h, _steepest, _distance, _small_enough = real("a b h steepest distance small_enough")
@@ -39,7 +39,7 @@ _flat = Claim(
         _distance >= 0,
         4 * _small_enough**2 >= _steepest**2 * _distance,
     ),
-    squares=(_h,),
+    squares=_h,
 )
 
 
@@ -62,7 +62,7 @@ def _either_side(name, along, k, step, across):
         (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
         squares=(named(across), named(across) * named(sin(angle))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
-        ranges=((step, (0, QUARTER)), (k, (QUARTER, 3))),
+        ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )
 
 
@@ -84,78 +84,68 @@ def _at(whole_u, whole_v):
 
 
 crossings = Theorem(
-    id="ridges_at_crossings",
-    title="Ridges is differentiable where its creases cross",
-    statement=(
-        Clause(
-            r"At $(a, b)$ from a crossing $u = m/k_u$, $v = n/k_v$ of creases inside the chart, "
-            r"$0 \le h \le \pi^2(k_u^2a^2 + k_v^2b^2)/2 \le \tfrac12K(a^2+b^2)$,",
-            (_crossed,),
+    "ridges_at_crossings",
+    "Ridges is differentiable where its creases cross",
+    {
+        r"""At $(a, b)$ from a crossing $u = m/k_u$, $v = n/k_v$ of creases inside the chart, $0 \le h \le
+        \pi^2(k_u^2a^2 + k_v^2b^2)/2 \le \tfrac12K(a^2+b^2)$,""": _crossed,
+        r"so $h \le \epsilon\sqrt{a^2+b^2}$ wherever $K\sqrt{a^2+b^2} \le 2\epsilon$: the derivative there is 0.": (
+            _flat
         ),
-        Clause(
-            r"so $h \le \epsilon\sqrt{a^2+b^2}$ wherever $K\sqrt{a^2+b^2} \le 2\epsilon$: the derivative there is 0.",
-            (_flat,),
-        ),
-    ),
+    },
     hypotheses=("$m$, $n$ whole; $k_u, k_v > 0$", r"$K = \pi^2\max(k_u, k_v)^2$", r"$\sin^2 x \le x^2$ is cited"),
-    steps=(
-        Step(r"$h^2 = (\sin\pi k_u a\,\sin\pi k_v b)^2$", "the addition formulas, $\\sin\\pi m = \\sin\\pi n = 0$"),
-        Step(r"$2h \le \sin^2\pi k_u a + \sin^2\pi k_v b$", r"$2|pq| \le p^2+q^2$"),
-        Step(r"$\le \pi^2(k_u^2a^2+k_v^2b^2)$, so $h = o(\sqrt{a^2+b^2})$", r"$\sin^2x \le x^2$"),
-    ),
+    steps={
+        r"$h^2 = (\sin\pi k_u a\,\sin\pi k_v b)^2$": "the addition formulas, $\\sin\\pi m = \\sin\\pi n = 0$",
+        r"$2h \le \sin^2\pi k_u a + \sin^2\pi k_v b$": r"$2|pq| \le p^2+q^2$",
+        r"$\le \pi^2(k_u^2a^2+k_v^2b^2)$, so $h = o(\sqrt{a^2+b^2})$": r"$\sin^2x \le x^2$",
+    },
     mutants=(
         variant("half the bound", _flat, _a**2 + _b**2 >= 4 * _h),
-        variant("on one crease only", _crossed, *_crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
+        variant("on one crease only", _crossed, _crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
         variant("the sum for the product", _crossed, equation(_crossing**2, (_sines[0] + _sines[1]) ** 2)),
     ),
-    side_conditions=(SideCondition("$m$, $n$ whole", "crossing", holds=[_at(1, 1)], fails=[_at(1, HALF)]),),
+    side_conditions=SideCondition("$m$, $n$ whole", "crossing", holds=_at(1, 1), fails=_at(1, HALF)),
 )
 
 on_creases = Theorem(
-    id="ridges_on_creases",
-    title="Ridges is not differentiable elsewhere on its creases",
-    statement=(
-        Clause(
-            r"At $s$ on either side of a crease $u = m/k_u$, $0 < s \le 1/k_u$: $h(m/k_u \pm s, v) = "
-            r"\sin x\,|\sin\pi k_v v|$, $x = \pi k_u s$, and $A(1-x^2/6) \le h/s \le A$ with the slope "
-            r"$A = \pi k_u|\sin\pi k_v v|$; the same on $v = n/k_v$.",
-            (_on_u, _on_v),
-        ),
-        Clause(
-            r"Where $A \ne 0$, the quotients $\pm h/s$ to the right and to the left are more than $A$ apart for every "
-            r"$x \le 1$: there is no derivative.",
-            (_differ,),
-        ),
-    ),
+    "ridges_on_creases",
+    "Ridges is not differentiable elsewhere on its creases",
+    {
+        r"""At $s$ on either side of a crease $u = m/k_u$, $0 < s \le 1/k_u$: $h(m/k_u \pm s, v) = \sin
+        x\,|\sin\pi k_v v|$, $x = \pi k_u s$, and $A(1-x^2/6) \le h/s \le A$ with the slope $A = \pi k_u|\sin\pi
+        k_v v|$; the same on $v = n/k_v$.""": (_on_u, _on_v),
+        r"""Where $A \ne 0$, the quotients $\pm h/s$ to the right and to the left are more than $A$ apart for
+        every $x \le 1$: there is no derivative.""": _differ,
+    },
     hypotheses=("$m$ whole; $k_u > 0$", r"$\sin x \ge 0$ on $[0, \pi]$ and $x - x^3/6 \le \sin x \le x$ (cited)"),
-    steps=(
-        Step(r"$h^2 = \sin^2x\,\sin^2\pi k_v v$ on both sides", r"the addition formulas, $\sin\pi m = 0$"),
-        Step(r"$A(1-x^2/6) \le h/s \le A$", "the cited bounds, times $|\\sin\\pi k_v v|/s$"),
-        Step("the two quotients have opposite signs and do not tend to 0", r"$A \ne 0$"),
-    ),
+    steps={
+        r"$h^2 = \sin^2x\,\sin^2\pi k_v v$ on both sides": r"the addition formulas, $\sin\pi m = 0$",
+        r"$A(1-x^2/6) \le h/s \le A$": "the cited bounds, times $|\\sin\\pi k_v v|/s$",
+        "the two quotients have opposite signs and do not tend to 0": r"$A \ne 0$",
+    },
     mutants=(
         variant("the sides differ in height", _on_u, _beyond[0] ** 2 > _beyond[1] ** 2),
-        variant("whatever m is", _on_u, *_on_u.shows[:1], given=_on_u.given[:-1]),
-        variant("differ at a crossing too", _differ, given=(_slope >= 0, *_differ.given[1:]), at=_level),
+        variant("whatever m is", _on_u, _on_u.shows[:1], given=_on_u.given[:-1]),
+        variant("differ at a crossing too", _differ, given=(_slope >= 0, _differ.given[1:]), at=_level),
     ),
-    side_conditions=(
-        SideCondition(r"$A \ne 0$", "differ", holds=[{_right: 1, _left: -1, _slope: 1, _angle: 0}], fails=[_level]),
+    side_conditions=SideCondition(
+        r"$A \ne 0$", "differ", holds={_right: 1, _left: -1, _slope: 1, _angle: 0}, fails=_level
     ),
 )
 
 _u_slope = without(pi, sine.gradient()[0])  # in half-turns
-_one_slope = Claim("one_slope", (equation(Abs(_u_slope), -Abs(_u_slope)),), zero(sin(pi * k_u * u)))
+_one_slope = Claim("one_slope", equation(Abs(_u_slope), -Abs(_u_slope)), zero(sin(pi * k_u * u)))
 
 differentiable = Theorem(
-    id="ridges_differentiable",
-    title="Ridges is differentiable",
-    statement=r"On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with "
-    r"$p = \sin\pi k_u u\,\sin\pi k_v v$, are the same.",
-    claims=(_one_slope,),
-    refuted_at={u: QUARTER, v: EIGHTH, k_u: 8, k_v: 4},
-    steps=(Step(r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$", "arithmetic"),),
+    "ridges_differentiable",
+    "Ridges is differentiable",
+    r"""On a crease $k_u u = m$ the slopes of ridges to the right and to the left, $+|p_u|$ and $-|p_u|$ with $p =
+    \sin\pi k_u u\,\sin\pi k_v v$, are the same.""",
+    claims=_one_slope,
+    refuted_at={u: "1/4", v: "1/8", k_u: 8, k_v: 4},
+    steps={r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$": "arithmetic"},
     mutants=(
-        variant("true at a crossing", _one_slope, given=(*_one_slope.given, equation(sin(pi * k_v * v), 0))),
-        variant("true where k_u = 0", _one_slope, given=(*_one_slope.given, equation(k_u, 0))),
+        variant("true at a crossing", _one_slope, given=(_one_slope.given, equation(sin(pi * k_v * v), 0))),
+        variant("true where k_u = 0", _one_slope, given=(_one_slope.given, equation(k_u, 0))),
     ),
 )

@@ -1,9 +1,7 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
-from sympy import Rational
-
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Clause, Step, Theorem, variant
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.algebraic_form import (
     complex_product,
     complex_square,
@@ -16,7 +14,7 @@ from proofs.formulas.algebraic_form import (
 )
 from proofs.formulas.step_bounds import excess, unit
 from proofs.formulas.symbols import real
-from proofs.theorems.relations import EIGHTH, QUARTER, between, both_ways, nonnegative
+from proofs.theorems.relations import QUARTER, between, both_ways, nonnegative
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
@@ -31,28 +29,28 @@ _terms = (
 )
 _kappa = equation(excess, (1 + unit) ** 3 - 1)
 _unit = (unit >= 0, unit <= QUARTER)
-_small = between(-EIGHTH, EIGHTH, unit, first, second, third, fourth, excess)
+_small = between("-1/8", "1/8", unit, first, second, third, fourth, excess)
 
 _three = Claim(
     "three_roundings_of_one",
     (
-        *nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
-        *both_ways((1 + unit) ** 3 - 1, growth - 1),
+        nonnegative((1 + unit) ** 2 - (1 + first) * (1 + second), (1 + first) * (1 + second) - (1 - unit) ** 2),
+        both_ways((1 + unit) ** 3 - 1, growth - 1),
     ),
-    (*_unit, *both_ways(unit, first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
+    (_unit, both_ways(unit, first, second, third), equation(growth, (1 + first) * (1 + second) * (1 + third))),
     ranges=_small,
 )
 _square = Claim(
     "square",
     (
         equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
-        *nonnegative(excess**2 - first**2, excess**2 - second**2),
+        nonnegative(excess**2 - first**2, excess**2 - second**2),
         excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
     (
         equation(off_first, first * complex_square.expand(product_real)),
         equation(off_second, second * complex_square.expand(product_imaginary)),
-        *both_ways(excess, first, second),
+        both_ways(excess, first, second),
     ),
     squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
     ranges=_small,
@@ -62,7 +60,7 @@ _product = Claim(
     "product",
     (
         equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
-        *nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
+        nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
         2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
         2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
         excess**2 >= 2 * _twice**2,
@@ -73,9 +71,9 @@ _product = Claim(
         _kappa,
         equation(off_first, first * _terms[0] - second * _terms[1]),
         equation(off_second, third * _terms[2] + fourth * _terms[3]),
-        *both_ways(_twice, first, second, third, fourth),
+        both_ways(_twice, first, second, third, fourth),
     ),
-    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], *_terms),
+    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], _terms),
     ranges=_small,
 )
 _power = Claim(
@@ -89,7 +87,7 @@ _power = Claim(
         (1 + excess) * most * most_other - 1 >= off,
     ),
     (
-        *nonnegative(excess, size, other_size, off_first, off_second),
+        nonnegative(excess, size, other_size, off_first, off_second),
         most - 1 >= off_first,
         most_other - 1 >= off_second,
         1 + off_first >= size,
@@ -98,62 +96,52 @@ _power = Claim(
         own + off_first * other_size + off_second >= off,
     ),
     ranges=(
-        *between(QUARTER, 1, excess, size, other_size, off_first, off_second),
-        *between(0, EIGHTH, own, off),
+        *between("1/4", 1, excess, size, other_size, off_first, off_second),
+        *between(0, "1/8", own, off),
         *between(2, 3, most, most_other),
     ),
 )
 _factors = Claim(
     "factors",
     (
-        *both_ways(most_other, other_value),
-        *both_ways((most - 1) * most_other, (value - exact) * other_value),
-        *both_ways(most_other - 1, exact * (other_value - other_exact)),
-        *both_ways(most * most_other - 1, value * other_value - exact * other_exact),
+        both_ways(most_other, other_value),
+        both_ways((most - 1) * most_other, (value - exact) * other_value),
+        both_ways(most_other - 1, exact * (other_value - other_exact)),
+        both_ways(most * most_other - 1, value * other_value - exact * other_exact),
     ),
     (
-        *both_ways(1, exact, other_exact),
-        *both_ways(most - 1, value - exact),
-        *both_ways(most_other - 1, other_value - other_exact),
+        both_ways(1, exact, other_exact),
+        both_ways(most - 1, value - exact),
+        both_ways(most_other - 1, other_value - other_exact),
     ),
     ranges=(*between(-1, 1, exact, other_exact, value, other_value), *between(1, 2, most, most_other)),
 )
 
 theorem = Theorem(
-    id="rounded_powers",
-    title="What a power by repeated squaring loses",
-    statement=(
-        Clause(
-            r"In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or product "
-            r"of complex numbers is off by at most $\kappa$ of its size.",
-            (_three, _square, _product),
+    "rounded_powers",
+    "What a power by repeated squaring loses",
+    {
+        r"""In the standard model, with unit roundoff $\mu$ and $\kappa = (1+\mu)^3-1$, a rounded square or
+        product of complex numbers is off by at most $\kappa$ of its size.""": (_three, _square, _product),
+        r"""Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is
+        within $(1+\kappa)AB-1$ of $ab$.""": _power,
+        r"""So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to
+        one within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.""": (
+            "an induction over every order of the products, which the kernel has no rule for; Coq has one"
         ),
-        Clause(
-            r"Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is within "
-            r"$(1+\kappa)AB-1$ of $ab$.",
-            (_power,),
-        ),
-        Clause(
-            r"So squarings and products, in whatever order, take a number within $\delta$ of $\cos t + i\sin t$ to one "
-            r"within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt + i\sin nt$.",
-            argued="an induction over every order of the products, which the kernel has no rule for; Coq has one",
-        ),
-        Clause(r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.", (_factors,)),
-    ),
+        r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.": _factors,
+    },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu \le \tfrac14$; nothing underflows",
         "the triangle's inequality, and that the size of a product is the product of the sizes",
     ),
-    steps=(
-        Step(
-            r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$",
-            r"$|a| = 1$, $|\hat b| \le B$",
+    steps={
+        r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$": (
+            r"$|a| = 1$, $|\hat b| \le B$"
         ),
-        Step(
-            r"$\kappa|\hat a||\hat b| \le \kappa AB$, so $(1+\kappa)AB-1$ in all", "the product's own rounding, added"
-        ),
-        Step(r"$A_n = (1+\delta)^n(1+\kappa)^{n-1}$ has $(1+\kappa)A_mA_n = A_{m+n}$", "induction over the products"),
-    ),
+        r"$\kappa|\hat a||\hat b| \le \kappa AB$, so $(1+\kappa)AB-1$ in all": "the product's own rounding, added",
+        r"$A_n = (1+\delta)^n(1+\kappa)^{n-1}$ has $(1+\kappa)A_mA_n = A_{m+n}$": "induction over the products",
+    },
     mutants=(
         variant(
             "a product costs one rounding",
@@ -161,8 +149,8 @@ theorem = Theorem(
             unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
                 (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
-                (first, second, third, fourth): (Rational(17, 64), 0, 0, 0),
-                (unit, excess, off_first, off_second): (EIGHTH, Rational(217, 512), Rational(17, 64), 0),
+                (first, second, third, fourth): ("17/64", 0, 0, 0),
+                (unit, excess, off_first, off_second): ("1/8", "217/512", "17/64", 0),
             },
         ),
         variant(
@@ -175,6 +163,6 @@ theorem = Theorem(
                 (own, off): (4, 7),
             },
         ),
-        variant("the larger error alone", _factors, *both_ways(most - 1, value * other_value - exact * other_exact)),
+        variant("the larger error alone", _factors, both_ways(most - 1, value * other_value - exact * other_exact)),
     ),
 )

@@ -3,7 +3,7 @@
 from sympy import Rational
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Clause, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.step_bounds import (
@@ -23,7 +23,7 @@ from proofs.formulas.step_bounds import (
     unit,
 )
 from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import EIGHTH, HALF, QUARTER, between, both_ways, nonnegative, positive
+from proofs.theorems.relations import between, both_ways, nonnegative, positive
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
@@ -35,18 +35,18 @@ _both = (1 + first) * (1 + second)
 _two = Claim(
     "two_roundings",
     both_ways(two_roundings[excess], growth - 1),
-    (*_unit, *_factors[:4], equation(growth, _both)),
-    ranges=((unit, (0, QUARTER)), (first, (-QUARTER, QUARTER))),
+    (_unit, _factors[:4], equation(growth, _both)),
+    ranges={unit: (0, "1/4"), first: ("-1/4", "1/4")},
 )
 _three = Claim(
     "three_roundings",
     (
-        *nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
-        *both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
-        *both_ways(three_roundings[excess], growth - 1),
+        nonnegative((1 + unit) ** 2 - _both, _both - (1 - unit) ** 2),
+        both_ways((1 - unit) * three_roundings[excess], (1 - unit) * (growth - 1)),
+        both_ways(three_roundings[excess], growth - 1),
     ),
-    (*_unit, *_factors, equation(growth * (1 + third), _both)),
-    ranges=between(-EIGHTH, EIGHTH, unit, first, second, third),
+    (_unit, _factors, equation(growth * (1 + third), _both)),
+    ranges=between("-1/8", "1/8", unit, first, second, third),
 )
 
 
@@ -58,19 +58,19 @@ def _rounded(name, output, samples, over, given):
     return Claim(
         name,
         (
-            *both_ways(2 * _each, off),
-            *both_ways(2 * _each * (1 + excess), off * growth),
-            *both_ways(steepest * excess, mean * (growth - 1)),
+            both_ways(2 * _each, off),
+            both_ways(2 * _each * (1 + excess), off * growth),
+            both_ways(steepest * excess, mean * (growth - 1)),
             equation(over * (output * growth - mean), off * growth + over * mean * (growth - 1)),
-            *both_ways(over * bound, over * (output * growth - mean)),
-            *both_ways(bound, output * growth - mean),
+            both_ways(over * bound, over * (output * growth - mean)),
+            both_ways(bound, output * growth - mean),
         ),
-        (*given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
+        (given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
-            *between(-QUARTER, QUARTER, off_plus, off_minus, mean),
+            *between("-1/4", "1/4", off_plus, off_minus, mean),
             *between(0, 3, evaluation, argument, excess, steepest),
-            *between(0, HALF, epsilon, v),
+            *between(0, "1/2", epsilon, v),
         ),
     )
 
@@ -88,69 +88,55 @@ def _at(error):
 
 
 theorem = Theorem(
-    id="roundoff_bound",
-    source="DLMF",
-    title="The rounding error of the central difference",
-    statement=(
-        Clause(
-            r"With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$: "
-            r"$|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, "
-            r"$L = \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,",
-            (_in_u, _in_v),
-        ),
-        Clause(r"and clamped at the pole over $S = v + \varepsilon$.", (_clamped,)),
-        Clause(
-            r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;",
-            (_two,),
-        ),
-        Clause(r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.", (_three,)),
-    ),
+    "roundoff_bound",
+    "The rounding error of the central difference",
+    {
+        r"""With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$:
+        $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, $L =
+        \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,""": (_in_u, _in_v),
+        r"and clamped at the pole over $S = v + \varepsilon$.": _clamped,
+        r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
+        r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
+    },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
-        r"$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped, or "
-        r"$v \pm \varepsilon$, clamped",
+        r"""$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped,
+        or $v \pm \varepsilon$, clamped""",
         r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
     ),
-    steps=(
-        Step(r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$", r"the line, with $|e_\pm| \le \eta + L\alpha$"),
-        Step(
-            r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$",
-            r"$|d_i| \le \mu$: difference, quotient, span",
+    source="DLMF",
+    steps={
+        r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$": r"the line, with $|e_\pm| \le \eta + L\alpha$",
+        r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$": (
+            r"$|d_i| \le \mu$: difference, quotient, span"
         ),
-        Step("the two parts, added", "each is within its bound"),
-    ),
+        "the two parts, added": "each is within its bound",
+    },
     mutants=(
         variant(
             "half of it: the two errors share 2ε",
             _in_u,
-            *both_ways(_each / (2 * epsilon) * (1 + excess) + steepest * excess, h_u * growth - mean),
+            both_ways(_each / (2 * epsilon) * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(evaluation),
         ),
         variant(
             "without the slope times the argument's error",
             _in_u,
-            *both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
+            both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(argument),
         ),
         variant(
-            "one rounding for two",
-            _two,
-            unit >= growth - 1,
-            at={(unit, first, second): [QUARTER] * 3, growth: Rational(25, 16)},
+            "one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): ["1/4"] * 3, growth: "25/16"}
         ),
         variant(
             "the span's rounding costs nothing",
             _three,
             2 * unit + unit**2 >= growth - 1,
-            at={(unit, first, second): [QUARTER] * 3, third: -QUARTER, growth: Rational(25, 12)},
+            at={(unit, first, second): ["1/4"] * 3, third: "-1/4", growth: "25/12"},
         ),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$\varepsilon > 0$",
-            "in_u",
-            undefined=[dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)],
-        ),
+    side_conditions=SideCondition(
+        r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
     ),
 )
 
@@ -159,8 +145,8 @@ _positive = (truncation > 0, best > 0, epsilon > 0, equation(rounding, best_step
 _least = Claim(
     "least",
     (
-        *positive(truncation * best, best**2, rounding),
-        *nonnegative(
+        positive(truncation * best, best**2, rounding),
+        nonnegative(
             truncation * (epsilon + 2 * best), epsilon * (truncation * epsilon**2 - 3 * truncation * best**2) + rounding
         ),
         truncation * epsilon**2 + rounding / epsilon >= _least_value,
@@ -168,30 +154,27 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    squares=(epsilon - best,),
+    squares=epsilon - best,
     ranges=between(0, 3, best, epsilon, rounding),
 )
 
 best_step_theorem = Theorem(
-    id="best_step",
-    title="The best step, and the floor that it leaves",
-    statement=r"For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at "
-    r"$\varepsilon = (E/2T)^{1/3}$, where it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.",
+    "best_step",
+    "The best step, and the floor that it leaves",
+    r"""For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at $\varepsilon = (E/2T)^{1/3}$, where
+    it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.""",
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
-    claims=(_least,),
-    steps=(
-        Step(
-            r"$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E = "
-            r"T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$",
-            "expansion; not negative",
-        ),
-        Step(r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$", "arithmetic"),
-    ),
+    claims=_least,
+    steps={
+        r"""$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E =
+        T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$""": "expansion; not negative",
+        r"at $\varepsilon_0$ it is $3T\varepsilon_0^2$, whose cube is $\tfrac{27}4TE^2$": "arithmetic",
+    },
     mutants=(
-        variant("at (E/T)^{1/3}", _least, given=(*_positive[:3], equation(rounding, truncation * best**3))),
+        variant("at (E/T)^{1/3}", _least, given=(_positive[:3], equation(rounding, truncation * best**3))),
         variant("the floor 4Tε₀²", _least, truncation * epsilon**2 + rounding / epsilon >= 4 * truncation * best**2),
     ),
-    side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "least", undefined=[{truncation: 1, best: 1, rounding: 2, epsilon: 0}]),
+    side_conditions=SideCondition(
+        r"$\varepsilon > 0$", "least", undefined={truncation: 1, best: 1, rounding: 2, epsilon: 0}
     ),
 )

@@ -1,14 +1,14 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, Rational, S, cos, pi, sin
+from sympy import Expr, S, cos, pi, sin
 
 from proofs.engine.claim import Claim, Induction, equation
 from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import EIGHTH, HALF, between, named, positive, ridges, rings, sine, without, zero
+from proofs.theorems.relations import between, named, positive, ridges, rings, sine, without, zero
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
@@ -35,21 +35,21 @@ _sine = Claim(
         equation(slope_jump, pi * k_u * (1 - cos(pi * k_u)) * _in_v),
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
-    lines=Program("jumps", (k_u, k_v, v), ((h_jump, jump(sine.expression)), (slope_jump, jump(_slope)))),
+    lines=Program("jumps", (k_u, k_v, v), {h_jump: jump(sine.expression), slope_jump: jump(_slope)}),
 )
 _even = Claim(
     "even",
     (*(equation(jump(f), 0) for f in (sine.expression, *sine.gradient())), equation(_turned, sine.expression)),
-    (equation(cos(pi * k_u), 1),),
+    equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
     "odd",
     (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
-    (equation(cos(pi * k_u), -1),),
+    equation(cos(pi * k_u), -1),
 )
 _ends = real("h_first h_last")
 _at_ends = tuple((h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True))
-_ridges = Claim("ridges", zero(*_ends), (_whole,), Program("ends", (k_u, k_v, v), _at_ends))
+_ridges = Claim("ridges", zero(*_ends), _whole, Program("ends", (k_u, k_v, v), _at_ends))
 _step = real("step")
 _beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
 _crease = Claim(
@@ -60,79 +60,69 @@ _crease = Claim(
         _beside[0] >= _beside[1],
         _beside[1] >= _beside[0],
     ),
-    (_whole,),
-    squares=(named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),),
+    _whole,
+    squares=named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),
 )
 _broken = Claim(
     "ridges_jump",
     positive(-jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=between(EIGHTH, 7 * EIGHTH, k_u, k_v, v),  # samples keep off the zeros
+    ranges=between("1/8", "7/8", k_u, k_v, v),  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings",
-    (equation(h, rings.expression), *zero(h_u)),
+    (equation(h, rings.expression), zero(h_u)),
     lines=chain("rings", height(rings), gradient(rings)).at({u: u + 1}),
 )
 
 theorem = Theorem(
-    id="seam",
-    title="Which fields cross the seam smoothly",
-    statement=(
-        Clause(r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.", (_parity,)),
-        Clause(
-            r"Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by "
-            r"$\pi k_u(1-\cos\pi k_u)\sin\pi k_v v$:",
-            (_sine,),
-        ),
-        Clause("not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;", (_even,)),
-        Clause(r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.", (_odd,)),
-        Clause(
-            r"Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$ "
-            r"at $s$ from it, as on a crease;",
-            (_ridges, _crease),
-        ),
-        Clause(r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.", (_broken,)),
-        Clause("Rings does not depend on $u$.", (_smooth,)),
-    ),
-    hypotheses=(
-        r"$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either sign: "
-        r"$\cos$ is even",
-    ),
-    steps=(
-        Step(r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$", "induction"),
-        Step(r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$", "the field and its derivative at both ends"),
-        Step(r"$h(s, v)^2 = h(1-s, v)^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$", "ridges, whole $k_u$; both are $\\ge 0$"),
-        Step("the slopes on either side are opposite and not zero", "as on every crease", uses=("ridges_on_creases",)),
-    ),
+    "seam",
+    "Which fields cross the seam smoothly",
+    {
+        r"$\cos\pi n = (-1)^n$ and $\sin\pi n = 0$ for whole $n \ge 0$.": _parity,
+        r"""Across $u = 0$, sine's height jumps by $-\sin\pi k_u\,\sin\pi k_v v$ and its slope by $\pi
+        k_u(1-\cos\pi k_u)\sin\pi k_v v$:""": _sine,
+        "not at all for even $k_u$, where $h(u+1, v) = h(u, v)$ and both slopes are continuous;": _even,
+        r"for odd $k_u$ in its slope alone, by $2\pi k_u\sin\pi k_v v$.": _odd,
+        r"""Ridges is 0 on the seam for whole $k_u$, and even about it, $h^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$
+        at $s$ from it, as on a crease;""": (_ridges, _crease),
+        r"it jumps where neither $\sin\pi k_u$ nor $\sin\pi k_v v$ is 0.": _broken,
+        "Rings does not depend on $u$.": _smooth,
+    },
+    hypotheses=r"""$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either
+    sign: $\cos$ is even""",
+    steps={
+        r"$\cos\pi n = (-1)^n$, $\sin\pi n = 0$": "induction",
+        r"$h(0,v)-h(1,v)$ and $h_u(0,v)-h_u(1,v)$": "the field and its derivative at both ends",
+        r"$h(s, v)^2 = h(1-s, v)^2 = \sin^2\pi k_u s\,\sin^2\pi k_v v$": "ridges, whole $k_u$; both are $\\ge 0$",
+        "the slopes on either side are opposite and not zero": ("as on every crease", "ridges_on_creases"),
+    },
     mutants=(
-        variant("C¹ for odd k_u", _odd, *_even.shows),
+        variant("C¹ for odd k_u", _odd, _even.shows),
         variant("continuous for every k_u", _sine, equation(h_jump, 0)),
         variant("ridges continuous for every k_u", _ridges, given=()),
-        variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=(_whole,)),
+        variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=_whole),
     ),
-    side_conditions=(
-        SideCondition(
-            "$k_u$ is even",
-            "even",
-            holds=[{k_u: 2, k_v: 1, u: Rational(1, 3), v: HALF}],
-            fails=[{k_u: 1, k_v: 1, u: Rational(1, 3), v: HALF}, {k_u: 3 * HALF, k_v: 1, u: Rational(1, 3), v: HALF}],
-        ),
+    side_conditions=SideCondition(
+        "$k_u$ is even",
+        "even",
+        holds={k_u: 2, k_v: 1, u: "1/3", v: "1/2"},
+        fails=({k_u: 1, k_v: 1, u: "1/3", v: "1/2"}, {k_u: "3/2", k_v: 1, u: "1/3", v: "1/2"}),
     ),
 )
 
-_periodic = Claim("slope", zero(jump(without(pi, _slope))), (_whole,))
+_periodic = Claim("slope", zero(jump(without(pi, _slope))), _whole)
 
 seam_saved = Theorem(
-    id="periodic_u_saves_the_seam",
-    title="Periodic in u, so smooth across the seam",
-    statement=r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
-    hypotheses=("$k_u$ is whole",),
-    claims=(_periodic,),
-    refuted_at={k_u: 1, k_v: 1, v: HALF},
-    steps=(Step(r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$", "arithmetic"),),
+    "periodic_u_saves_the_seam",
+    "Periodic in u, so smooth across the seam",
+    r"For whole $k_u$ sine is differentiable across $u = 0$: its slope is the same on both sides.",
+    hypotheses="$k_u$ is whole",
+    claims=_periodic,
+    refuted_at={k_u: 1, k_v: 1, v: "1/2"},
+    steps={r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$": "arithmetic"},
     mutants=(
-        variant("true for even k_u", _periodic, given=(equation(cos(pi * k_u), 1),)),
-        Mutant("true for the height", Claim("height", zero(jump(sine.expression)), (_whole,))),
+        variant("true for even k_u", _periodic, given=equation(cos(pi * k_u), 1)),
+        variant("true for the height", Claim("height", zero(jump(sine.expression)), _whole)),
     ),
 )

@@ -3,11 +3,11 @@
 from sympy import Max, sqrt
 
 from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
-from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, vector
+from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, squared, vector
 from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
 
 _other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
@@ -24,13 +24,13 @@ def _light(channel, factor=None):
     return Claim(
         f"light_{channel}",
         (
-            *nonnegative(albedo * kd, *weights),
+            nonnegative(albedo * kd, *weights),
             *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
-            *both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
+            both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
             *(c >= 0 for c in (albedo, color, kd, ks)),
-            *both_ways(so_far, before - _before),
+            both_ways(so_far, before - _before),
             *(r for _, change, largest in parts for r in both_ways(largest, change)),
         ),
     )
@@ -52,7 +52,7 @@ _all_lights = Claim(
             so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
         ),
-        *nonnegative(*_factors),
+        nonnegative(*_factors),
         _slope_error >= step,
     ),
 )
@@ -71,38 +71,33 @@ def _lamp(shine):
 
 
 difference_bound = Theorem(
-    id="difference_bound",
-    title="How far a gradient's error can move a colour",
-    statement=(
-        Clause(
-            r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,",
-            _lights,
+    "difference_bound",
+    "How far a gradient's error can move a colour",
+    {
+        r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,": (
+            _lights
         ),
-        Clause("and the clip adds nothing;", (_clip,)),
-        Clause(
-            r"so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of "
-            "up to five lights.",
-            (_all_lights,),
-        ),
-    ),
+        "and the clip adds nothing;": _clip,
+        r"""so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of up to
+        five lights.""": _all_lights,
+    },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
         "the same chamber: the same point and the same lights",
-        r"$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$ with "
-        "$q = p$ (Blinn) or $2p$ (Phong), as is argued",
+        r"""$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$
+        with $q = p$ (Blinn) or $2p$ (Phong), as is argued""",
     ),
-    steps=(
-        Step(
-            r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$",
+    steps={
+        r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
             "Lipschitz, stage by stage",
-            uses=("specular_lipschitz",),
+            "specular_lipschitz",
         ),
-        Step("the light's line", "products of non-negative weights with these; both ways round; over all lights"),
-        Step(r"$|\Delta N'| \le |\beta||\Delta g|$", "normalising", uses=("normalising_is_lipschitz",)),
-    ),
+        "the light's line": "products of non-negative weights with these; both ways round; over all lights",
+        r"$|\Delta N'| \le |\beta||\Delta g|$": ("normalising", "normalising_is_lipschitz"),
+    },
     mutants=(
         variant(
-            "the clip halves a change", _clip, *both_ways(_bound_on / 2, clipped_value(_first) - clipped_value(_second))
+            "the clip halves a change", _clip, both_ways(_bound_on / 2, clipped_value(_first) - clipped_value(_second))
         ),
         variant(
             "without the last light",
@@ -110,37 +105,35 @@ difference_bound = Theorem(
             sum(_factors[:4]) * step >= _changes[-1],
             at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
         ),
-        Mutant("without the highlight", _at_unit_weights(_weights[0])),
-        Mutant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
+        variant("without the highlight", _at_unit_weights(_weights[0])),
+        variant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
     ),
-    side_conditions=(SideCondition("$k_s \\ge 0$", "light_0", holds=[_lamp(1), _lamp(0)], fails=[_lamp(-1)]),),
+    side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
 
 
 mean, sample, share, bound = real("mean sample share bound")
 _next = mean + share * (sample - mean)
-_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, *both_ways(bound, mean, sample)))
+_step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, both_ways(bound, mean, sample)))
 
 one_more = Theorem(
-    id="mean_keeps_the_bound",
-    title="A mean keeps the bound of its samples",
-    statement=r"If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one "
-    r"more sample is added, with the share $w$, stays within what bounds each.",
-    hypotheses=(r"$0 \le w \le 1$",),
-    claims=(_step,),
-    steps=(Step(r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$", "products of non-negative terms"),),
+    "mean_keeps_the_bound",
+    "A mean keeps the bound of its samples",
+    r"""If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one more
+    sample is added, with the share $w$, stays within what bounds each.""",
+    hypotheses=r"$0 \le w \le 1$",
+    claims=_step,
+    steps={r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$": "products of non-negative terms"},
     mutants=(
         variant("the mean gains on its samples", _step, bound >= 2 * _next),
-        variant("a share beyond 1", _step, given=(share >= 0, share <= 2, *_step.given[2:])),
+        variant("a share beyond 1", _step, given=(share >= 0, share <= 2, _step.given[2:])),
         variant("the last sample is not bounded", _step, given=_step.given[:4]),
     ),
-    side_conditions=(
-        SideCondition(
-            r"$0 \le w \le 1$",
-            "one_more",
-            holds=[{mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}],
-            fails=[{mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}],
-        ),
+    side_conditions=SideCondition(
+        r"$0 \le w \le 1$",
+        "one_more",
+        holds=({mean: 1, sample: -1, share: 1, bound: 1}, {mean: 1, sample: -1, share: 0, bound: 1}),
+        fails=({mean: 1, sample: -1, share: -1, bound: 1}, {mean: 1, sample: -1, share: 3, bound: 1}),
     ),
 )
 
@@ -149,16 +142,16 @@ a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
 _change = a / length_a - b / length_b
 _outside = (
-    *(equation(size**2, dot(p, p)) for size, p in ((length_a, a), (length_b, b))),
+    *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
     equation(product, dot(a, b)),
-    equation(apart**2, dot(a - b, a - b)),
-    equation(turned**2, dot(_change, _change)),
+    equation(apart**2, squared(a - b)),
+    equation(turned**2, squared(_change)),
 )
 _normalise = Claim(
     "normalise",
     (
-        equation(length_a**2 * length_b**2 - product**2, dot(cross(a, b), cross(a, b))),
-        *nonnegative(
+        equation(length_a**2 * length_b**2 - product**2, squared(cross(a, b))),
+        nonnegative(
             length_a**2 * length_b**2 - product**2,
             length_a * length_b - 1,
             length_a * length_b - product,
@@ -172,13 +165,13 @@ _normalise = Claim(
         at_least(4, turned**2),
         at_least(2, turned),
     ),
-    (length_a >= 1, length_b >= 1, apart >= 0, *_outside),
-    squares=(*cross(a, b), length_a - length_b),
+    (length_a >= 1, length_b >= 1, apart >= 0, _outside),
+    squares=(cross(a, b), length_a - length_b),
 )
 _other_m, _other_g = vector("other_m"), vector("other_g")
 _moved = Claim(
     "moved",
-    (equation(dot(m - _other_m, m - _other_m), beta**2 * dot(g - _other_g, g - _other_g)),),
+    equation(squared(m - _other_m), beta**2 * squared(g - _other_g)),
     equations(_other_m, normal + beta * _other_g),
     perturbed,
 )
@@ -191,35 +184,31 @@ def _pair(length):
 
 
 normalising = Theorem(
-    id="normalising_is_lipschitz",
-    title="Normalising is 1-Lipschitz outside the unit ball",
-    statement=(
-        Clause(r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.", (_normalise,)),
-        Clause(
-            r"With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so "
-            r"$|\Delta N'| \le \min(|\beta||\Delta g|, 2)$.",
-            (_moved,),
+    "normalising_is_lipschitz",
+    "Normalising is 1-Lipschitz outside the unit ball",
+    {
+        r"For $|a|, |b| \ge 1$: $\bigl|a/|a| - b/|b|\bigr| \le \min(|a-b|, 2)$.": _normalise,
+        r"""With $M = N + \beta g$, $|M| \ge 1$: $|\Delta M| = |\beta||\Delta g|$, so $|\Delta N'| \le
+        \min(|\beta||\Delta g|, 2)$.""": _moved,
+    },
+    hypotheses=r"$|a|, |b| \ge 1$",
+    steps={
+        r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$": "expansion",
+        r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$": (
+            r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$"
         ),
-    ),
-    hypotheses=(r"$|a|, |b| \ge 1$",),
-    steps=(
-        Step(r"$|a/|a|-b/|b||^2 = 2 - 2\,a\cdot b/(|a||b|)$", "expansion"),
-        Step(
-            r"$|a-b|^2 - |a/|a|-b/|b||^2 = (|a|-|b|)^2 + 2(|a||b|-1)(|a||b|-a\cdot b)/(|a||b|) \ge 0$",
-            r"$|a||b| \ge 1$, $|a||b| \ge a\cdot b$",
-        ),
-        Step(r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$", "the same $N$ and $\\beta$", uses=("unit_length",)),
-    ),
+        r"$|M| \ge 1$, $M_1-M_2 = \beta(g_1-g_2)$": ("the same $N$ and $\\beta$", "unit_length"),
+    },
     mutants=(
         variant("with the constant ½", _normalise, apart >= 2 * turned),
         variant(
             "inside the unit ball too",
             _normalise,
             apart >= turned,
-            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, *_outside),
+            given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, _outside),
             at=_pair(HALF),
         ),
         variant("at most 1", _normalise, at_least(1, turned)),
     ),
-    side_conditions=(SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=[_pair(1)], fails=[_pair(HALF)]),),
+    side_conditions=SideCondition(r"$|a|, |b| \ge 1$", "normalise", holds=_pair(1), fails=_pair(HALF)),
 )

@@ -5,10 +5,10 @@ from sympy import Derivative
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, x, y
+from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, squared, x, y
 from proofs.theorems.hits import distance_squared
 from proofs.theorems.relations import zero
 from proofs.theorems.silhouettes import conic_types
@@ -16,7 +16,7 @@ from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
 _w = light - center
-_c = dot(_w, _w) - body_radius**2
+_c = squared(_w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
 _xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
 _to_light = Vector((x, y, 0)) - light  # P − L
@@ -26,7 +26,7 @@ _at_foot = _on_floor.expand(shadow_discriminant).xreplace({x: foot_x, y: foot_y}
 _conic = Claim(
     "conic",
     (
-        equation(shadow_discriminant, _across**2 - _c * dot(_to_light, _to_light)),
+        equation(shadow_discriminant, _across**2 - _c * squared(_to_light)),
         equation(
             shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
             x * Derivative(_at_foot, foot_x) + y * Derivative(_at_foot, foot_y) + _at_foot,
@@ -48,7 +48,7 @@ _row = Claim(
             (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
             - 2 * (body_radius**2 * light[0] + dot(_along_row, _turn)) * x
             + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
-            - dot(_along_row, _along_row),
+            - squared(_along_row),
         ),
         equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
         equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
@@ -59,16 +59,12 @@ _row = Claim(
 _origin = dict.fromkeys(center, 0)
 _of_a = Claim(
     "of_a",
-    (
-        equation(
-            _on_floor.expand(shadow_discriminant).xreplace(_origin),
-            (x * light[0] + y * light[1]) ** 2
-            - dot(light, light) * (x**2 + y**2)
-            + body_radius**2 * dot(_to_light, _to_light),
-        ),
+    equation(
+        _on_floor.expand(shadow_discriminant).xreplace(_origin),
+        (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
     ),
 )
-_away = Claim("away", (equation(segment_squared - toward_center, -_across),), (), _on_floor)
+_away = Claim("away", equation(segment_squared - toward_center, -_across), (), _on_floor)
 _rename = {
     x: x - light[0],
     y: y - light[1],
@@ -96,55 +92,51 @@ def _from_the_light(name):
 _cast = (_from_the_light("all_seen"), _from_the_light("none_seen"))
 
 _behind_a = Claim(
-    "behind_a",
-    (equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1]),),
+    "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1])
 )
 _leading = Claim(
     "leading",
-    (
-        equation(
-            Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)
-        ),
-    ),
+    equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),
 )
 _given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 
 shadow_of_b = Theorem(
-    id="shadow_of_b_on_floor",
-    title="A sphere's shadow on the floor is a conic",
-    statement="Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = "
-    r"|w|^2-r^2$. On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with "
-    r"the determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a "
-    r"parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$ "
-    r"($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the hyperbola.",
+    "shadow_of_b_on_floor",
+    "A sphere's shadow on the floor is a conic",
+    r"""Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = |w|^2-r^2$.
+    On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the
+    determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a
+    parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$
+    ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
+    hyperbola.""",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
-    claims=(_conic, *_types, _away, *_cast),
-    steps=(
-        Step(r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$", "expansion", ("lagrange_identity",)),
-        Step(r"its quadratic part has the determinant $c\,(w_z^2-r^2)$", "expansion; $c > 0$"),
-        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the vertex comes before the light", ("occlusion_by_signs",)),
-        Step("its sign, type by type", "the silhouette of the sphere with the light as the eye", ("silhouette_of_b",)),
-    ),
+    claims=(_conic, _types, _away, _cast),
+    steps={
+        r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$": ("expansion", "lagrange_identity"),
+        r"its quadratic part has the determinant $c\,(w_z^2-r^2)$": "expansion; $c > 0$",
+        r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$": ("the vertex comes before the light", "occlusion_by_signs"),
+        "its sign, type by type": ("the silhouette of the sphere with the light as the eye", "silhouette_of_b"),
+    },
     mutants=(
         variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
         variant("an ellipse from any height", _types[2], _determinant > 0),
         variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
-    side_conditions=(SideCondition("the light is not level with the top", "ellipse", fails=[_given_scene]),),
+    side_conditions=SideCondition("the light is not level with the top", "ellipse", fails=_given_scene),
 )
 
 shadow_of_a = Theorem(
-    id="shadow_of_a_on_floor",
-    title="Sphere A's shadow on the floor",
-    statement=r"With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's "
-    r"shadow with $w_z = L_z$: "
-    r"an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L < |P|^2$.",
-    hypotheses=("$|L| > R$, $|P| > R$",),
+    "shadow_of_a_on_floor",
+    "Sphere A's shadow on the floor",
+    r"""With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's shadow with $w_z
+    = L_z$: an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L <
+    |P|^2$.""",
+    hypotheses="$|L| > R$, $|P| > R$",
     claims=(_of_a, _behind_a),
-    steps=(
-        Step("put $C = 0$", "substitution", ("shadow_of_b_on_floor",)),
-        Step(r"$a\cdot w' = |P|^2-P\cdot L$", "the vertex comes after P", ("occlusion_by_signs",)),
-    ),
+    steps={
+        "put $C = 0$": ("substitution", "shadow_of_b_on_floor"),
+        r"$a\cdot w' = |P|^2-P\cdot L$": ("the vertex comes after P", "occlusion_by_signs"),
+    },
     mutants=(
         variant(
             "− R²|P − L|²",
@@ -156,17 +148,17 @@ shadow_of_a = Theorem(
 )
 
 row = Theorem(
-    id="shadow_along_a_row",
-    title="Along a row of pixels the shadow test is quadratic",
-    statement=r"On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial of degree at "
-    r"most 2 in $x$, with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics "
-    r"with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics and "
-    "one linear polynomial.",
+    "shadow_along_a_row",
+    "Along a row of pixels the shadow test is quadratic",
+    r"""On the floor, for fixed $y$, the discriminant $|a|^2r^2-|a\times w'|^2$ is a polynomial of degree at most
+    2 in $x$, with the leading coefficient $r^2-w_y^2-w_z^2$, $w = L-C$; $|a|^2$ and $a\cdot w'$ are quadratics
+    with leading coefficient 1, and $|a|^2-a\cdot w'$ is linear. So a row is cut by the roots of two quadratics
+    and one linear polynomial.""",
     claims=(_row, _leading, _away),
-    steps=(
-        Step(r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$", r"$P\times P = 0$: linear in $P$, not quadratic"),
-        Step(r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$", "the conditions of the shadow test", ("occlusion_by_signs",)),
-    ),
+    steps={
+        r"$(L-P)\times(C-P) = L\times C-(L-C)\times P$": r"$P\times P = 0$: linear in $P$, not quadratic",
+        r"$|a|^2-a\cdot w' = (P-L)\cdot(C-L)$": ("the conditions of the shadow test", "occlusion_by_signs"),
+    },
     mutants=(
         variant(
             "the leading coefficient is r² − w_z²",

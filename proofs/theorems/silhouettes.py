@@ -4,9 +4,9 @@
 from sympy import Basic, Expr
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, dot, eye, lengths_of_b, x, y
+from proofs.formulas.symbols import ball_center, ball_radius, eye, lengths_of_b, squared, x, y
 from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.relations import nonnegative, positive
 
@@ -59,28 +59,25 @@ _inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
 _hints = (x * _cy - y * _cx, x, y)
 _all_seen = Claim(
     "all_seen",
-    (*positive(_h, eye * _h), *_apart, *positive(2 * _bh - eye * _h, _bh)),
-    (*lengths_of_b, _h >= ball_radius, *_inside),
+    (positive(_h, eye * _h), _apart, positive(2 * _bh - eye * _h, _bh)),
+    (lengths_of_b, _h >= ball_radius, _inside),
     squares=_hints,
 )
 _none_seen = Claim(
     "none_seen",
     (
-        *positive(-_h, -eye * _h),
+        positive(-_h, -eye * _h),
         (-_h - ball_radius) * (-_h + ball_radius) >= 0,
-        *_apart[1:],
+        _apart[1:],
         -2 * _bh + eye * _h > 0,
         greater(0, _bh),
     ),
-    (*lengths_of_b, -_h >= ball_radius, *_inside),
+    (lengths_of_b, -_h >= ball_radius, _inside),
     squares=_hints,
 )
 _branch = Claim(
     "branch",
-    (
-        equation(toward_b**2, _c * dot(ray_direction, ray_direction)),
-        *positive(dot(ray_direction, ray_direction), toward_b**2),
-    ),
+    (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
     (eye > 0, _outside, equation(discriminant_b, 0)),
     hit_of_b,
     squares=(x, y, eye),
@@ -93,37 +90,33 @@ def _scene(eye_height, x_at, center=(2, 0, 3)):
 
 
 theorem = Theorem(
-    id="silhouette_of_b",
-    title="The silhouette of sphere B is a conic",
-    statement=r"Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b = "
-    r"xC_x+yC_y+eH$, is a non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse "
-    "if $|H| > R_2$, a parabola if $|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits "
-    r"have $t > 0$: all of it if $H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the "
-    "branch $b < 0$ is spurious.",
-    hypotheses=("$c > 0$: the eye is outside B",),
-    claims=(_conic, *_types, _branch, _all_seen, _none_seen),
-    steps=(
-        Step(
-            r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$",
-            "expansion",
-            ("lagrange_identity",),
-        ),
-        Step(r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$", "expansion; $c > 0$"),
-        Step(r"on it $b^2 > 0$; $b < 0$ has $t < 0$", r"$b \le 0$: every root is negative", ("hit_of_b",)),
-        Step(r"$H \ge R_2$: $b^2 > (xC_x+yC_y)^2$", r"$c \ge C_x^2+C_y^2$ and Cauchy's inequality"),
-        Step(r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise", r"$b^2-(b-eH)^2 = eH(2b-eH)$"),
-    ),
+    "silhouette_of_b",
+    "The silhouette of sphere B is a conic",
+    r"""Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b = xC_x+yC_y+eH$,
+    is a non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse if $|H| >
+    R_2$, a parabola if $|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits have $t
+    > 0$: all of it if $H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the branch $b <
+    0$ is spurious.""",
+    hypotheses="$c > 0$: the eye is outside B",
+    claims=(_conic, _types, _branch, _all_seen, _none_seen),
+    steps={
+        r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$": ("expansion", "lagrange_identity"),
+        r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$": "expansion; $c > 0$",
+        r"on it $b^2 > 0$; $b < 0$ has $t < 0$": (r"$b \le 0$: every root is negative", "hit_of_b"),
+        r"$H \ge R_2$: $b^2 > (xC_x+yC_y)^2$": r"$c \ge C_x^2+C_y^2$ and Cauchy's inequality",
+        r"so $eH(2b-eH) > 0$ and $b > 0$; $H \le -R_2$ likewise": r"$b^2-(b-eH)^2 = eH(2b-eH)$",
+    },
     mutants=(
         variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
         variant("an ellipse even if |H| < R₂", _types[2], _determinant > 0),
         variant("b > 0 on all of the silhouette", _branch, toward_b > 0, squares=()),
     ),
     side_conditions=(
-        SideCondition("$|H| > R_2$", "ellipse", holds=[_scene(5, 0)], fails=[_scene(4, 0)]),
+        SideCondition("$|H| > R_2$", "ellipse", holds=_scene(5, 0), fails=_scene(4, 0)),
         SideCondition(
             "$H \\ge R_2$",
             "all_seen",
-            fails=[{**_scene(1, -9, (2, 0, 0)), distance: 0}, {**_scene(1, -9, (2, 0, 0)), distance: 1}],
+            fails=({**_scene(1, -9, (2, 0, 0)), distance: 0}, {**_scene(1, -9, (2, 0, 0)), distance: 1}),
         ),
     ),
 )

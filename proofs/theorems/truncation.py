@@ -3,7 +3,7 @@
 from sympy import Derivative, Expr, Rational, cos, pi, sin
 
 from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import Clause, Mutant, SideCondition, Step, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
@@ -11,9 +11,7 @@ from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference
 from proofs.theorems.relations import (
-    EIGHTH,
     HALF,
-    QUARTER,
     SIDES,
     both_ways,
     equations,
@@ -57,9 +55,9 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     )
     lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
-    step, sine_of_step = (Rational(13, 30), Rational(24, 25)) if k == frequency else (Rational(13, 60), Rational(3, 5))
+    step, sine_of_step = ("13/30", "24/25") if k == frequency else ("13/60", "3/5")
     example = ((coordinate, HALF), (k, 1), (epsilon, step), (sin(pi * k * epsilon), sine_of_step))
-    return Claim(name, shows, (*given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
+    return Claim(name, shows, (given, k > 0), None, squares, cited=lemmas, ranges=INSIDE, example=example)
 
 
 _u = _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), _hints(_in_u, _in_v))
@@ -74,7 +72,7 @@ def _between_creases(name, output, coordinate, given, side):
     return Claim(
         name,
         equations((difference(ridges, output), slopes[0]), (side * difference(sine, output), side * slopes[1])),
-        (*given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
+        (given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
         ranges=INSIDE,
     )
 
@@ -92,63 +90,54 @@ _at_four = Claim("at_four", ((4 * pi) ** 3 > 1728, greater(1987, (4 * pi) ** 3))
 _rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
-    id="truncation_bound",
-    title="The truncation error of the central difference",
-    statement=(
-        Clause(
-            r"$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: "
-            r"$k = k_u$ for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.",
-            (_u, _v, _rings),
-        ),
-        Clause(
-            r"Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope are "
-            r"sine's, or both their negatives: the same bound.",
-            _ridges,
-        ),
-        Clause(
-            r"Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are "
-            r"at most $2\pi k$ apart.",
-            (_apart,),
-        ),
-    ),
+    "truncation_bound",
+    "The truncation error of the central difference",
+    {
+        r"""$|D_\varepsilon h - h'| \le \frac{\varepsilon^2}{6}(\pi k)^3$ and $|h'''| \le (\pi k)^3$: $k = k_u$
+        for sine in $u$, $k_v$ in $v$, $2k_v$ for rings in $v$.""": (_u, _v, _rings),
+        r"""Where $\sin\pi k_u u\,\sin\pi k_v v$ has one sign at the three points, ridges' difference and slope
+        are sine's, or both their negatives: the same bound.""": _ridges,
+        r"""Whatever lies within $\varepsilon$: where $|D_\varepsilon h|$ and $|h'|$ are at most $\pi k$, they are
+        at most $2\pi k$ apart.""": _apart,
+    },
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
         r"$x - x^3/6 \le \sin x \le x$ for $x \ge 0$ (cited)",
     ),
-    steps=(
-        Step(r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$", "the lines; addition formulas"),
-        Step(r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$", "cited"),
-        Step(r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$", r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$"),
-        Step(r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$", "the triangle's inequality"),
-    ),
+    steps={
+        r"$D_\varepsilon h - h' = h'(\operatorname{sinc}\pi k\varepsilon - 1)$": "the lines; addition formulas",
+        r"$0 \le 1 - \operatorname{sinc} x \le x^2/6$": "cited",
+        r"$|\cos\pi k_u u\,\sin\pi k_v v| \le 1$": r"$2(1 \mp ca) = (c \mp a)^2 + (1-c^2) + (1-a^2)$",
+        r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$": "the triangle's inequality",
+    },
     mutants=(
-        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: QUARTER, epsilon: EIGHTH / 2}),
-        Mutant(
+        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: "1/4", epsilon: "1/16"}),
+        variant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (), Rational(6, 7)),
-            at={k_u: 1, u: EIGHTH / 2, k_v: 1, v: HALF, epsilon: Rational(1, 100)},
+            at={k_u: 1, u: "1/16", k_v: 1, v: "1/2", epsilon: "1/100"},
         ),
         variant(
             "no further apart than the steepest slope",
             _apart,
-            *both_ways(_steepest, _quotient - _slope),
+            both_ways(_steepest, _quotient - _slope),
             at={half_turns: 1, _quotient: 3, _slope: -3},
         ),
     ),
     side_conditions=(
-        SideCondition(r"$\varepsilon > 0$", "rings", undefined=[{v: HALF, epsilon: 0, k_v: 2}]),
-        SideCondition("$k > 0$", "rings", fails=[{v: HALF, epsilon: EIGHTH, k_v: -2}]),
+        SideCondition(r"$\varepsilon > 0$", "rings", undefined={v: "1/2", epsilon: 0, k_v: 2}),
+        SideCondition("$k > 0$", "rings", fails={v: "1/2", epsilon: "1/8", k_v: -2}),
     ),
 )
 
 third_derivative = Theorem(
-    id="third_derivative_at_eight",
-    title="The third derivative is not 2,000 at k = 8",
-    statement=r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
-    hypotheses=(r"$3 < \pi < 22/7$",),
+    "third_derivative_at_eight",
+    "The third derivative is not 2,000 at k = 8",
+    r"$(8\pi)^3 > 13{,}824$, more than six times the 2,000 that the seed gives; $1728 < (4\pi)^3 < 1987$.",
+    hypotheses=r"$3 < \pi < 22/7$",
     claims=(_at_eight, _at_four),
-    steps=(Step(r"$8\pi > 24$ and $24^3 = 13{,}824$", r"$\pi > 3$"), Step(r"$(88/7)^3 < 1987$", r"$\pi < 22/7$")),
+    steps={r"$8\pi > 24$ and $24^3 = 13{,}824$": r"$\pi > 3$", r"$(88/7)^3 < 1987$": r"$\pi < 22/7$"},
     mutants=(
         variant("(8π)³ is about 2,000", _at_eight, greater(2100, (8 * pi) ** 3)),
         variant("(4π)³ exceeds 2,000", _at_four, (4 * pi) ** 3 > 2000),

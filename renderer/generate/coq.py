@@ -185,9 +185,10 @@ def _in_module(name, inside):
 
 def half_turn_polynomials() -> Program:
     """Return what the kernels' sine and cosine evaluate once the argument is reduced."""
-    first = [symbol for symbol, _ in elementary.reduction].index(elementary.z)
+    lines = tuple(elementary.reduction.items())
+    first = [*elementary.reduction].index(elementary.z)
     outputs = (elementary.sine_near, elementary.cosine_near)
-    return Program("half_turn_polynomials", (elementary.remainder,), elementary.reduction[first:], outputs)
+    return Program("half_turn_polynomials", (elementary.remainder,), lines[first:], outputs)
 
 
 def arctangent_polynomial() -> Program:

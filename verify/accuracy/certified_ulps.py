@@ -71,7 +71,7 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
     """
     near = e.cosine_near if cosine else e.sine_near
     with ctx.workprec(PRECISION):
-        code = code_of(lines(program, after=[s for s, _ in e.reduction[:4]], until=(near,)))
+        code = code_of(lines(program, after=[*e.reduction][:4], until=(near,)))
         series = Series(program.expand(near, until=(e.remainder,)), e.remainder, _sine_coefficient(shift=cosine))
         end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
         cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]

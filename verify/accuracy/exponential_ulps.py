@@ -30,7 +30,7 @@ SIZES = (*range(0, 50, 5), 50, 100, 200, 400, 708)  # of ln(base^p), the ends of
 def exponential_pieces(program: Program = e.exponential_of_sum, moved: float = 0.0) -> list[Piece]:
     """Return the Pieces of exp over the reduced argument r, |r| ≤ ln 2 / 2; moved: how far the argument may be off."""
     with ctx.workprec(PRECISION):
-        code = code_of(lines(program, [s for s, _ in e.exponential_reduction], (e.exponential_near,)))
+        code = code_of(lines(program, [*e.exponential_reduction], (e.exponential_near,)))
         polynomial = program.expand(e.exponential_near, until=(e.away, e.away_error)) - e.away_error
         series = Series(polynomial, e.away, lambda n: 1 / arb.fac_ui(n))
         end = arb.const_log2() / 2 + arb((1, -41))  # n is that of a rounded product, without the argument's error
@@ -51,7 +51,7 @@ def _exponential_piece(code, series, moved, low, high):
 def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
     """Return the Pieces of log: mantissas at each node, under DOUBLINGS; close to 1 those above: of −q it is −log."""
     with ctx.workprec(PRECISION):
-        given = [*dict(e.logarithm_reduction), e.quotient, e.log_whole, e.log_quotient]
+        given = [*e.logarithm_reduction, e.quotient, e.log_whole, e.log_quotient]
         code = code_of(lines(program, given, (e.log_rest,)))
         tail = program.expand(e.log_tail, until=(e.quotient,))
         series = Series(tail, e.quotient, lambda n: arb(2) / n if n % 2 and n > 1 else ZERO)
