@@ -68,7 +68,7 @@ class Enclosing:
         def parts(alternative):
             return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.error)]
 
-        flat = self.inner.choose(alternatives, index.value, parts, 4)
+        flat = self.inner.choose(alternatives, index.value, parts)
         return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:

@@ -43,9 +43,7 @@ class Rows:
         if np.any(mask):
             body()
 
-    def choose(
-        self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence], count: int = 2
-    ) -> Sequence:
+    def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index."""
         return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
 

@@ -43,9 +43,8 @@ class Want(NamedTuple):
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
     highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. stills: stored or
-    loaded, where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is
-    stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
+    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
@@ -56,7 +55,6 @@ class Want(NamedTuple):
     colors: bool = True
     stored: tuple = ()
     charted: bool = False
-    stills: str = ""
     bounds: bool = False
 
 
