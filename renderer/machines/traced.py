@@ -14,7 +14,7 @@ from typing import Any
 import llvmlite.ir as ir
 
 from renderer.shader.numbers import LIGHT_FORM, flat, of_form
-from renderer.shader.shader import WORK, Step
+from renderer.shader.shader import WORK, Step, Variables
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -229,14 +229,13 @@ class Tracer:
         """Return `result_of` the alternative of an index that is the same everywhere."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        chosen, results = self.whole(index), []
+        chosen, results = self.whole(index), None
         for number, alternative in enumerate(alternatives):
             with self.builder.if_then(self.builder.icmp_signed("==", chosen, WHOLE(number))):
                 found = result_of(alternative)
-                results = results or [self.variable(value) for value in found]
-                for variable, value in zip(results, found, strict=True):
-                    variable.set(value)
-        return [variable.value for variable in results]
+                results = results or Variables(self, found)
+                results.set(found)
+        return results.value
 
     @contextmanager
     def loop(self, start: ir.Value, stop: ir.Value, step: int = 1) -> Iterator[ir.Value]:
