@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
+from contextlib import AbstractContextManager
 from dataclasses import asdict, replace
 from functools import cache
 from importlib import metadata
@@ -55,7 +56,7 @@ def key_of(task: Task) -> str:
     return hashlib.sha256(json.dumps([_record(task), version()], sort_keys=True).encode()).hexdigest()
 
 
-class Checkpoint:
+class Checkpoint(AbstractContextManager):
     """The results kept in a .jsonl file: `rows`, by the key of their task.
 
     A line is {"key": …, "task": …, "row": …}. A last line without an end (its writer was killed) is dropped. Raises
@@ -77,9 +78,6 @@ class Checkpoint:
         except ValueError:
             self.close()
             raise
-
-    def __enter__(self) -> "Checkpoint":
-        return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
@@ -117,10 +115,9 @@ class Checkpoint:
         """Keep {task: row}; when this returns, they are on the disk."""
         keys = {task: key_of(task) for task in results}
         lines = [{"key": keys[task], "task": _record(task), "row": asdict(row)} for task, row in results.items()]
-        with open(self.path, "ab") as file:
-            file.write("".join(json.dumps(line) + "\n" for line in lines).encode())
-            file.flush()
-            os.fsync(file.fileno())
+        self._own.write("".join(json.dumps(line) + "\n" for line in lines).encode())
+        self._own.flush()
+        os.fsync(self._own.fileno())
         self.rows |= {keys[task]: row for task, row in results.items()}
 
 
@@ -187,7 +184,7 @@ def run(
     executor: Executor,
     checkpoint: Checkpoint | None = None,
     threads: int = 1,
-    progress: Callable[[Iterator[tuple[Task, SweepRow]]], Iterable[tuple[Task, SweepRow]]] = iter,
+    progress: Callable[[Iterator], Iterable] = iter,
 ) -> dict[Task, SweepRow]:
     """Return {task: SweepRow} of `finished` in the order of the tasks; `progress` wraps the iterable."""
     rows = dict(progress(finished(tasks, executor, checkpoint, threads)))

@@ -5,14 +5,13 @@ and the text of a result is what it was made by.
 """
 
 import math
-from collections.abc import Callable
 from functools import partialmethod
 from typing import Any
 
 from proofs.engine.program import Program
+from renderer import operations
 from renderer.generate.kernels import function_of
 from renderer.generate.printer import KernelPrinter
-from renderer import operations
 from renderer.machines.enclosing import Enclosed
 
 
