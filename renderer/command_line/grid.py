@@ -22,9 +22,8 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import machine
 from renderer.picture.sweep import SweepRow, Task, compared
-from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import difference
-from renderer.scene.scene import Scene
+from renderer.scene.scene import Scene, geometry_of
 from renderer.whole_files import checked_target, sole_writer
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed

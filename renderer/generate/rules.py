@@ -76,8 +76,8 @@ class Term:
     @classmethod
     def where(cls, mask: Decision, value: Any, otherwise: Any) -> "Term":
         """Return a selection."""
-        sides = map(cls.operand, (otherwise, value) if mask.negated else (value, otherwise))
-        return cls(f"if {mask.text} then {next(sides)} else {next(sides)}")
+        sides = [cls.operand(side) for side in (value, otherwise)][:: -1 if mask.negated else 1]
+        return cls(f"if {mask.text} then {sides[0]} else {sides[1]}")
 
     def sqrt(self) -> "Term":
         """Return a root, rounded."""
@@ -98,7 +98,7 @@ class Term:
 
         return operation, partialmethod(operation, swap=True)
 
-    (__add__, __radd__), (__sub__, __rsub__), (__mul__, __rmul__), (__truediv__, __rtruediv__) = map(_operation, "+-*/")
+    (__add__, __radd__), (__sub__, __rsub__), (__mul__, __rmul__), (__truediv__, __rtruediv__) = map(_operation, "+-*/")  # type: ignore[arg-type]
 
     def __abs__(self):
         return type(self)(applied("Rabs", self))

@@ -229,11 +229,11 @@ class Tracer:
         """Return `result_of` the alternative of an index that is the same everywhere."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        chosen, results = self.whole(index), None
+        chosen, results = self.whole(index), Variables(self, ())
         for number, alternative in enumerate(alternatives):
             with self.builder.if_then(self.builder.icmp_signed("==", chosen, WHOLE(number))):
                 found = result_of(alternative)
-                results = results or Variables(self, found)
+                results = results if number else Variables(self, found)
                 results.set(found)
         return results.value
 

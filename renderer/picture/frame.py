@@ -18,9 +18,8 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.own import field_kernels
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import way_of
+from renderer.shader.numbers import read_only, way_of
 from renderer.shader.shader import ON_A
-from renderer.shared import read_only
 from renderer.whole_files import checked_target
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
@@ -40,7 +39,7 @@ class Frame:
     stage: Stage
     _planes: np.ndarray | None
     _counts: dict[str, int]
-    _enclosure: tuple[np.ndarray, np.ndarray] | None
+    _enclosure: tuple[np.ndarray, np.ndarray] | None = None
 
     @property
     def raster(self) -> Raster:

@@ -13,13 +13,11 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
 from renderer.picture.memory import lent
-from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene
-from renderer.shader.numbers import numbers_of, places_of, want_of
+from renderer.scene.scene import Scene, geometry_of
+from renderer.shader.numbers import numbers_of, places_of, read_only, want_of
 from renderer.shader.shader import COLORS, WORK
-from renderer.shared import read_only
 from renderer.threads import run_bands
 
 SURFACE_BITS = 3

@@ -3,7 +3,7 @@
 import math
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
@@ -166,3 +166,21 @@ class Scene:
                 raise not_allowed(name, position, "outside sphere B")
             if self.floor and abs(position[2]) <= 1e-9 * self.radius:
                 raise not_allowed(name, position, "off the floor z = 0 by more than 1e-9 radius")
+
+
+class Geometry(NamedTuple):
+    """What the chambers depend on, beside the raster: lengths, and the lights' positions, None for one that is off."""
+
+    eye: float
+    radius: float
+    ball: tuple[float, float, float, float]
+    ball_on: float
+    floor_on: float
+    lights: tuple
+
+
+def geometry_of(scene: Scene) -> Geometry:
+    """Return the Geometry of a scene. Without sphere B, `ball_on` is 0 and `ball` a unit sphere that is never drawn."""
+    ball = (*scene.ball_center, scene.ball_radius) if scene.ball else (0.0, 0.0, 0.0, 1.0)
+    lights = tuple(None if light.color is None else light.position for light in scene.lights)
+    return Geometry(scene.eye, scene.radius, ball, float(scene.ball), float(scene.floor), lights)
