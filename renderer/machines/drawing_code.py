@@ -38,19 +38,20 @@ def emit(module: ir.Module, name: str, want: Want, lanes: int) -> None:
     tracer = Tracer(module, name, lanes, ARGUMENTS)
     builder, given = tracer.builder, tracer.given
     scene = tracer.numbers(given["scene"], SCENE_FORM, WHOLE(0))
-    if want.bounds:
-        from renderer.machines.enclosing_machine import enclosing_group  # what most pictures never need to import
-
-        bounds = tracer.numbers(given["scene_bounds"], SCENE_FORM, WHOLE(0))
     with tracer.rows() as (row, begin, end):
         y, row_begin = tracer.everywhere(given["y"], row), builder.mul(row, given["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
             pixels = Pixels(tracer, tracer.load(given["x"], column), y, builder.add(row_begin, column))
+            group = Group(tracer, scene, want, pixels)
             if want.bounds:
+                from renderer.machines.enclosing_machine import (
+                    enclosed_group,
+                )  # what most pictures never need to import
+
+                bounds = tracer.numbers(given["scene_bounds"], SCENE_FORM, WHOLE(0))
                 x_bound, y_bound = tracer.load(given["x_bound"], column), tracer.everywhere(given["y_bound"], row)
-                enclosing_group(tracer, scene, bounds, want, pixels, x_bound, y_bound).draw()
-            else:
-                Group(tracer, scene, want, pixels).draw()
+                group = enclosed_group(group, bounds, x_bound, y_bound)
+            group.draw()
     for number, kind in enumerate(WORK):
         count = builder.load(tracer.counts[kind])
         builder.store(count, tracer.place(given["counts"], WHOLE(number), WHOLE))
