@@ -23,7 +23,6 @@ from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEB
 from renderer.machines.drawing_code import ARGUMENTS
 from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
-from renderer.machines.stills import vectors
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, SLOPES, WORK, Want
@@ -31,22 +30,17 @@ from renderer.shader.shader import ANGLES, CHART, SLOPES, WORK, Want
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}
 FLAT = (SCENE.field, "flat")  # the same for every field
-CENTRAL = tuple((name, "central") for name in FIELDS)
-WAYS = [*CENTRAL, *(way for way in product(FIELDS, ("general", *HEIGHT_EVALUATIONS)) if way not in CENTRAL)]
+WAYS = list(product(FIELDS, ("general", *HEIGHT_EVALUATIONS)))
 WAYS += [(name, "algebraic") for name, field in FIELDS.items() if field["wave_numbers"]] + [FLAT]
 
 OFF_A = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
-_on_a = OFF_A._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True)
 WANTS = {
     "draw_chambers": OFF_A._replace(colors=False),
     "draw_elsewhere": OFF_A._replace(chambers_known=True, surfaces="elsewhere"),
     "draw_chart": OFF_A._replace(chambers_known=True, surfaces="a", colors=False, stored=(*ANGLES, *CHART)),
-    "draw_a": _on_a,
-    "draw_first": _on_a._replace(ways=CENTRAL, stills="stored"),
-    "draw_again": _on_a._replace(ways=CENTRAL, stills="loaded"),
+    "draw_a": OFF_A._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True),
 }
-"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture, and what no step
-of a central difference changes, by `draw_first` for `draw_again`."""
+"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
 
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
@@ -114,7 +108,6 @@ def data(outputs: dict[str, int]) -> dict:
         "arguments": ARGUMENTS,
         "counts": len(WORK),
         "lanes": LANES,
-        "stills": [vectors(lights) for lights in range(len(SCENE.lights) + 1)],
         "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
         "painting": PAINTING,
         "numbers": NUMBERS,

@@ -16,12 +16,12 @@
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
  *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
- *   models: Record<string, { index: number, power: number }>, stills: number[], arguments: string[],
+ *   models: Record<string, { index: number, power: number }>, arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
  *   terms: string[], term_colours: string[], scene_bounds?: number[] }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
- * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number], stills: number,
- *   kept?: string, targets: Record<string, number> }} Stage
+ * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number],
+ *   targets: Record<string, number> }} Stage
  * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
  * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
  *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,

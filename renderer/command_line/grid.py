@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
+from contextlib import AbstractContextManager
 from dataclasses import asdict, replace
 from functools import cache
 from importlib import metadata
@@ -21,9 +22,8 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import machine
 from renderer.picture.sweep import SweepRow, Task, compared
-from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import difference
-from renderer.scene.scene import Scene
+from renderer.scene.scene import Scene, geometry_of
 from renderer.whole_files import checked_target, sole_writer
 
 BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
@@ -55,7 +55,7 @@ def key_of(task: Task) -> str:
     return hashlib.sha256(json.dumps([_record(task), version()], sort_keys=True).encode()).hexdigest()
 
 
-class Checkpoint:
+class Checkpoint(AbstractContextManager):
     """The results kept in a .jsonl file: `rows`, by the key of their task.
 
     A line is {"key": …, "task": …, "row": …}. A last line without an end (its writer was killed) is dropped. Raises
@@ -77,9 +77,6 @@ class Checkpoint:
         except ValueError:
             self.close()
             raise
-
-    def __enter__(self) -> "Checkpoint":
-        return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
@@ -117,10 +114,9 @@ class Checkpoint:
         """Keep {task: row}; when this returns, they are on the disk."""
         keys = {task: key_of(task) for task in results}
         lines = [{"key": keys[task], "task": _record(task), "row": asdict(row)} for task, row in results.items()]
-        with open(self.path, "ab") as file:
-            file.write("".join(json.dumps(line) + "\n" for line in lines).encode())
-            file.flush()
-            os.fsync(file.fileno())
+        self._own.write("".join(json.dumps(line) + "\n" for line in lines).encode())
+        self._own.flush()
+        os.fsync(self._own.fileno())
         self.rows |= {keys[task]: row for task, row in results.items()}
 
 
@@ -187,7 +183,7 @@ def run(
     executor: Executor,
     checkpoint: Checkpoint | None = None,
     threads: int = 1,
-    progress: Callable[[Iterator[tuple[Task, SweepRow]]], Iterable[tuple[Task, SweepRow]]] = iter,
+    progress: Callable[[Iterator], Iterable] = iter,
 ) -> dict[Task, SweepRow]:
     """Return {task: SweepRow} of `finished` in the order of the tasks; `progress` wraps the iterable."""
     rows = dict(progress(finished(tasks, executor, checkpoint, threads)))

@@ -10,7 +10,6 @@ from dataclasses import fields, replace
 from functools import partial
 from typing import Any, NoReturn
 
-import renderer
 from renderer.checks import not_allowed
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
 from renderer.scene.own import own_from_record
@@ -28,17 +27,6 @@ class OneLineParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: error: {message}\n")
-
-
-class Version(argparse.Action):
-    """Says the version and ends; it is looked up when it is asked for, which takes a while where it is installed."""
-
-    def __init__(self, *arguments: Any, **options: Any):
-        super().__init__(*arguments, **options | {"nargs": 0})
-
-    def __call__(self, parser: argparse.ArgumentParser, *arguments: Any, **options: Any) -> None:
-        print(parser.prog, renderer.__version__)
-        parser.exit()
 
 
 def value(read: Callable[[str], Any], allowed: str, metavar: str) -> Option:

@@ -44,28 +44,20 @@ def print_sweep(options: Namespace) -> None:
 
 
 def _of_grid(tasks, options):
-    """Return the {Task: SweepRow} of a grid of frames, by workers."""
+    """Return the {Task: SweepRow} of a grid of frames, by workers; an error says what the checkpoint keeps."""
     with grid.Checkpoint(options.checkpoint) if options.checkpoint else nullcontext() as checkpoint:
-        return _run_grid(tasks, options, checkpoint)
-
-
-def _run_grid(tasks, options, checkpoint):
-    """Return the same; where it cannot go on, the error says what the checkpoint keeps."""
-
-    def kept():
-        if checkpoint is None:
-            return "nothing is kept without --checkpoint"
-        done = f"{len(checkpoint.kept(tasks))} of {len(tasks)} frames are in {checkpoint.path}"
-        return f"{done}, and the same command goes on from there"
-
-    try:
-        with _workers(options) as executor:
-            progress = progress_bar(desc="frames", total=len(tasks), unit="frame")
-            return grid.run(tasks, executor, checkpoint, options.threads or 1, progress)
-    except KeyboardInterrupt as stop:
-        raise type(stop)(kept()) from None
-    except (BrokenExecutor, CancelledError):
-        raise OSError(f"the workers are gone; {kept()}") from None
+        try:
+            with _workers(options) as executor:
+                progress = progress_bar(desc="frames", total=len(tasks), unit="frame")
+                return grid.run(tasks, executor, checkpoint, options.threads or 1, progress)
+        except (KeyboardInterrupt, BrokenExecutor, CancelledError) as stop:
+            kept = "nothing is kept without --checkpoint"
+            if checkpoint:
+                done = f"{len(checkpoint.kept(tasks))} of {len(tasks)} frames are in {checkpoint.path}"
+                kept = f"{done}, and the same command goes on from there"
+            if isinstance(stop, KeyboardInterrupt):
+                raise type(stop)(kept) from None
+            raise OSError(f"the workers are gone; {kept}") from None
 
 
 @contextmanager

@@ -3,8 +3,7 @@
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
 
@@ -15,7 +14,6 @@ from renderer.command_line.options import (
     OF_SWEEP,
     OF_VIEWS,
     OneLineParser,
-    Version,
     add_scene,
     method_of,
     progress_bar,
@@ -100,38 +98,24 @@ def draw_views(options: Namespace) -> None:
     with extra("plot"):
         import matplotlib  # noqa: F401  # that it is missing is said before anything is drawn
     folder = named("out", options.out)
-    with _made(folder):
-        symbolic = render(scene, *size, threads=options.threads)
-        numeric = render(scene, *size, method, threads=options.threads, stage=symbolic.stage)
-        delta = numeric.rgb - symbolic.rgb
-        pictures = {
-            "numeric": views.image_view(numeric),
-            "symbolic": views.image_view(symbolic),
-            "slope": views.slope_view(symbolic),
-            "kink": views.kink_view(symbolic),
-            "difference_linear": views.difference_linear(delta, options.gain),
-            "difference_logarithmic": views.with_colour_bar(views.difference_logarithmic(delta)),
-        }
-        for name, picture in pictures.items():
-            files.write_png(checked_target(folder / f"{name}.png", (".png",)), picture)
-    print(f"wrote {folder}: {', '.join(f'{name}.png' for name in pictures)}")
-
-
-@contextmanager
-def _made(folder: Path) -> Iterator[None]:
-    """Make a folder, and whatever it is in; after an error those of them that are empty are removed again."""
+    symbolic = render(scene, *size, threads=options.threads)
+    numeric = render(scene, *size, method, threads=options.threads, stage=symbolic.stage)
+    delta = numeric.rgb - symbolic.rgb
+    pictures = {
+        "numeric": views.image_view(numeric),
+        "symbolic": views.image_view(symbolic),
+        "slope": views.slope_view(symbolic),
+        "kink": views.kink_view(symbolic),
+        "difference_linear": views.difference_linear(delta, options.gain),
+        "difference_logarithmic": views.with_colour_bar(views.difference_logarithmic(delta)),
+    }
     try:
-        new = [path for path in (folder, *folder.parents) if not path.exists()]
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise not_allowed("out", str(folder), str(error.strerror)) from None
-    try:
-        yield
-    except BaseException:
-        for path in new:
-            with suppress(OSError):
-                path.rmdir()
-        raise
+    for name, picture in pictures.items():
+        files.write_png(checked_target(folder / f"{name}.png", (".png",)), picture)
+    print(f"wrote {folder}: {', '.join(f'{name}.png' for name in pictures)}")
 
 
 def print_sweep(options: Namespace) -> None:
@@ -164,7 +148,8 @@ VERBS: dict[str, tuple] = {
 def _parser(prog, arguments):
     """Return the parser of all verbs. Options take time: those of verbs that the arguments do not name are left out."""
     parser = OneLineParser(prog=prog, description=__doc__)
-    parser.add_argument("--version", action=Version, help="say the version, and end")
+    version = f"%(prog)s {renderer.__version__}"
+    parser.add_argument("--version", action="version", version=version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
     for name, (run, own) in VERBS.items():
         verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)

@@ -3,7 +3,6 @@
 A program is a module, each of its lines a definition of those inputs that the line depends on.
 """
 
-import ast
 from typing import ClassVar
 
 from sympy import And, Basic, Or, Rational, S
@@ -29,7 +28,7 @@ from proofs.formulas import (
 from proofs.formulas.registry import by_name
 from renderer.generate.printer import KernelPrinter
 from renderer.generate.programs import ANY_FIELD
-from renderer.generate.rules import rule
+from renderer.generate.rules import carried_out, rule
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -222,72 +221,9 @@ def programs() -> dict[str, Program]:
     return by_name(found)
 
 
-OPERATIONS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
-DECISIONS = {ast.Lt: ("Rlt_dec", 1), ast.LtE: ("Rle_dec", 1), ast.Gt: ("Rlt_dec", -1), ast.GtE: ("Rle_dec", -1)}
-EXACT = {
-    "abs": "Rabs",
-    "maximum": "Rmax",
-    "minimum": "Rmin",
-    "sign": "sign",
-    "rint": "rint",
-    "floor": "whole_below",
-    "power_of_two": "power_of_two",
-}
-"""{operation of a kernel that float64 carries out without rounding: its name in Coq}"""
-KERNELS = {"sinpi": "sine_of_half_turns_float64.sine", "cospi": "cosine_of_half_turns_float64.cosine"}
-"""{kernel that others call: what is printed of it}; its argument is a product and that product's rounding."""
-
-
-def rounded(text: str) -> str:
-    """Return a line of a kernel in Coq, each of its operations and π rounded to float64, in its order."""
-
-    def applied(name: str, *arguments: str) -> str:
-        return " ".join([name, *(f"({a})" if " " in a and not a.startswith("(") else a for a in arguments)])
-
-    def term(node: ast.expr) -> str:
-        match node:
-            case ast.BinOp(left, operation, right):
-                return f"rounded ({term(left)} {OPERATIONS[type(operation)]} {term(right)})"
-            case ast.UnaryOp(ast.USub(), operand):
-                return f"- {term(operand)}"
-            case ast.Constant(float(value)):
-                above, below = value.as_integer_ratio()
-                return str(above) if below == 1 else f"({above} / {below})"
-            case ast.Name("pi"):
-                return "rounded PI"
-            case ast.Name(name):
-                return name
-            case ast.Call(ast.Name("where"), [condition, value, otherwise]):
-                return f"(if {decision(condition)} then {term(value)} else {term(otherwise)})"
-            case ast.Call(ast.Name(name), [ast.Starred(ast.Call(_, factors))]):
-                parts = (f"two_product_float64.{part}" for part in ("product", "product_error"))
-                return applied(KERNELS[name], *(applied(part, *map(term, factors)) for part in parts))
-            case ast.Call(ast.Name(name), arguments) if name in EXACT:
-                return applied(EXACT[name], *map(term, arguments))
-            case ast.Call(ast.Name("sqrt"), [argument]):
-                return f"rounded ({applied('sqrt', term(argument))})"
-            case ast.Call(ast.Name("height"), arguments):
-                return applied("height", *map(term, arguments))
-        raise ValueError(f"no rounded form of {ast.unparse(node)}")
-
-    def decision(node: ast.expr) -> str:
-        match node:
-            case ast.BinOp(left, ast.BitAnd(), right):
-                return applied("both", decision(left), decision(right))
-            case ast.Compare(left, [relation], [right]):
-                decides, order = DECISIONS[type(relation)]
-                return applied(decides, *map(term, (left, right)[::order]))
-        raise ValueError(f"no rounded form of {ast.unparse(node)}")
-
-    return term(ast.parse(text, mode="eval").body)
-
-
 def float64_module(program: Program, *variables: str) -> str:
     """Return a program's float64 operations as the text of a Coq module; variables: those beside the inputs."""
-    printer = KernelPrinter()
-    inside = [*variables, f"Variables {' '.join(s.name for s in program.inputs)} : R."]
-    inside += [f"Definition {s.name} := {rounded(printer.doprint(e))}." for s, e in program.definitions]
-    return _in_module(f"{program.name}_float64", inside)
+    return _in_module(f"{program.name}_float64", [*variables, *carried_out(program)])
 
 
 def float64_source() -> str:

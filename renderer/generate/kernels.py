@@ -48,13 +48,9 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
     """
     needed = program.reaches(*program.outputs)
     printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
-    results = [s.name for s in program.outputs]
+    results, used = [s.name for s in program.outputs], set().union(*(e.free_symbols for _, e in program.definitions))
     at_once = f"return {', '.join(printed.values())}"
-    if (
-        list(printed) == results
-        and len(at_once) <= 100
-        and len(needed) == len(printed) + len(needed & {*program.inputs})
-    ):
+    if list(printed) == results and used.isdisjoint(program.outputs) and len(at_once) <= 100:
         lines = [at_once]
     else:
         lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]

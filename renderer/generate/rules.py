@@ -1,13 +1,17 @@
-"""The rules of the enclosing machine as Coq definitions: the machine runs, on numbers that write down what is done.
+"""What is carried out on float64 numbers as Coq definitions: by kernels, line by line, and by the enclosing machine.
 
-Whatever it carries out on float64 numbers it carries out on these, and its text is what each result was made by.
+Both run on numbers that write down what is done: whatever is carried out on float64 numbers is carried out on these,
+and the text of a result is what it was made by.
 """
 
 import math
+from functools import partialmethod
 from typing import Any
 
 from proofs.engine.program import Program
+from renderer import operations
 from renderer.generate.kernels import function_of
+from renderer.generate.printer import KernelPrinter
 from renderer.machines.enclosing import Enclosed
 
 
@@ -24,9 +28,15 @@ def literal(number: float) -> str:
     return str(above) if below == 1 else f"{above} / {below}"
 
 
-def _text(number):
-    text = number.text if isinstance(number, Term) else literal(number)
-    return f"({text})" if " " in text else text
+def argument(number: Any) -> str:
+    """Return a number or a decision as an argument of a function: in parentheses, where it needs them."""
+    text = literal(number) if isinstance(number, float) else number.text
+    return f"({text})" if " " in text and text[0] != "(" else text
+
+
+def applied(name: str, *arguments: Any) -> str:
+    """Return the text of a function of numbers or decisions."""
+    return " ".join([name, *map(argument, arguments)])
 
 
 class Decision:
@@ -41,7 +51,7 @@ class Decision:
     def _joined(self, both_of, other):
         if self.negated or other.negated:
             raise ValueError(f"no form for a negation within {self.text} or {other.text}")
-        return Decision(f"{both_of} ({self.text}) ({other.text})")
+        return Decision(applied(both_of, self, other))
 
     def __or__(self, other):
         return self._joined("either", other)
@@ -50,66 +60,66 @@ class Decision:
         return ~(~self | ~other) if self.negated else self._joined("both", other)
 
 
-class Operations:
-    """What `renderer.operations` is on Terms."""
-
-    @staticmethod
-    def where(mask: Decision, value: Any, otherwise: Any) -> "Term":
-        """Return a selection."""
-        sides = (otherwise, value) if mask.negated else (value, otherwise)
-        return Term(f"if {mask.text} then {_text(sides[0])} else {_text(sides[1])}")
-
-    @staticmethod
-    def sqrt(number: "Term") -> "Term":
-        """Return a root, rounded."""
-        return Term(f"rounded (sqrt {_text(number)})")
-
-    @staticmethod
-    def floor(number: "Term") -> "Term":
-        """Return the next whole number below, which is not rounded."""
-        return Term(f"whole_below {_text(number)}")
-
-    @staticmethod
-    def rint(number: "Term") -> "Term":
-        """Return the nearest whole number, which is not rounded."""
-        return Term(f"rint {_text(number)}")
-
-
 class Term:
-    """A float64 number, as the text of what it was made by: each operation is rounded."""
+    """A float64 number, as the text of what it was made by: each operation is rounded.
 
-    machine = Operations
+    Its machine, which `renderer.operations` asks, is its class.
+    """
+
+    machine = property(type)
+    operand = staticmethod(argument)  # a number within an operation
     __hash__ = None  # type: ignore[assignment]
 
     def __init__(self, text: str):
         self.text = text
 
+    @classmethod
+    def where(cls, mask: Decision, value: Any, otherwise: Any) -> "Term":
+        """Return a selection."""
+        sides = [cls.operand(side) for side in (value, otherwise)][:: -1 if mask.negated else 1]
+        return cls(f"if {mask.text} then {sides[0]} else {sides[1]}")
+
+    def sqrt(self) -> "Term":
+        """Return a root, rounded."""
+        return type(self)(f"rounded ({applied('sqrt', self)})")
+
+    def floor(self) -> "Term":
+        """Return the next whole number below, which is not rounded."""
+        return type(self)(applied("whole_below", self))
+
+    def rint(self) -> "Term":
+        """Return the nearest whole number, which is not rounded."""
+        return type(self)(applied("rint", self))
+
     def _operation(sign):
-        return lambda self, other: Term(f"rounded ({_text(self)} {sign} {_text(other)})")
+        def operation(self, other, swap=False):
+            left, right = map(self.operand, (other, self) if swap else (self, other))
+            return type(self)(f"rounded ({left} {sign} {right})")
 
-    def _reflected(sign):
-        return lambda self, other: Term(f"rounded ({_text(other)} {sign} {_text(self)})")
+        return operation, partialmethod(operation, swap=True)
 
-    __add__, __sub__, __mul__, __truediv__ = map(_operation, "+-*/")  # type: ignore[arg-type]
-    __radd__, __rsub__, __rmul__, __rtruediv__ = map(_reflected, "+-*/")  # type: ignore[arg-type]
+    (__add__, __radd__), (__sub__, __rsub__), (__mul__, __rmul__), (__truediv__, __rtruediv__) = map(_operation, "+-*/")  # type: ignore[arg-type]
 
     def __abs__(self):
-        return Term(f"Rabs {_text(self)}")
+        return type(self)(applied("Rabs", self))
 
     def __neg__(self):
-        return Term(f"- {_text(self)}")
+        return type(self)(f"- {self.operand(self)}")
 
     def __lt__(self, other):
-        return Decision(f"Rlt_dec {_text(self)} {_text(other)}")
+        return Decision(applied("Rlt_dec", self, other))
 
     def __le__(self, other):
-        return Decision(f"Rle_dec {_text(self)} {_text(other)}")
+        return Decision(applied("Rle_dec", self, other))
 
     def __gt__(self, other):
-        return Decision(f"Rlt_dec {_text(other)} {_text(self)}")
+        return Decision(applied("Rlt_dec", other, self))
+
+    def __ge__(self, other):
+        return Decision(applied("Rle_dec", other, self))
 
     def __eq__(self, other):
-        return Decision(f"Req_EM_T {_text(self)} {_text(other)}")
+        return Decision(applied("Req_EM_T", self, other))
 
 
 def rule(program: Program) -> list[str]:
@@ -123,3 +133,52 @@ def rule(program: Program) -> list[str]:
         f"Definition {output.name} := {found.value.text}.",
         f"Definition {output.name}_error := {found.error.text}.",
     ]
+
+
+class Line(Term):
+    """A number in a line of a kernel, which is written with fewer parentheses."""
+
+    @staticmethod
+    def operand(number: Any) -> str:
+        """Return a number within an operation."""
+        return number.text if isinstance(number, Term) else argument(number)
+
+    @classmethod
+    def where(cls, mask: Decision, value: Any, otherwise: Any) -> "Line":
+        """Return a selection."""
+        return cls(f"({super().where(mask, value, otherwise).text})")
+
+
+def _called(name):
+    return lambda *arguments: Line(applied(name, *arguments))
+
+
+NAMES = {
+    "maximum": "Rmax",
+    "minimum": "Rmin",
+    "sign": "sign",
+    "power_of_two": "power_of_two",
+    "height": "height",
+    "sinpi": "sine_of_half_turns_float64.sine",
+    "cospi": "cosine_of_half_turns_float64.cosine",
+}
+"""{what a line calls: Coq's function}; sinpi and cospi are of a product and that product's rounding."""
+CALLED = vars(operations) | {
+    **{name: _called(coqs) for name, coqs in NAMES.items()},
+    "two_product": lambda *factors: [
+        Line(applied(f"two_product_float64.{part}", *factors)) for part in ("product", "product_error")
+    ],
+    "where": Line.where,
+    "pi": Line("rounded PI"),
+}
+
+
+def carried_out(program: Program) -> list[str]:
+    """Return Coq's lines of what a kernel carries out, in its order."""
+    printer, scope = KernelPrinter(), CALLED | {s.name: Line(s.name) for s in program.inputs}
+    lines = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
+    for symbol, expression in program.definitions:
+        made = Line.operand(eval(printer.doprint(expression), scope))
+        lines.append(f"Definition {symbol.name} := {made}.")
+        scope[symbol.name] = Line(symbol.name)
+    return lines

@@ -6,7 +6,7 @@ from typing import Any
 
 from renderer.machines.enclosing import Enclosed, Mask, Operations, at_work, enclosed
 from renderer.operations import where
-from renderer.shader.shader import BOUNDS, Group, Want
+from renderer.shader.shader import BOUNDS, Group, Variables
 
 ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
 
@@ -17,18 +17,17 @@ class Variable:
     def __init__(self, machine: Any, number: Any):
         number = enclosed(number)
         self._stays_exact = number.stays_exact
-        self._value, self._error = machine.variable(number.value), machine.variable(number.error)
+        self._parts = Variables(machine, (number.value, number.error))
 
     @property
     def value(self) -> Enclosed:
         """The present value."""
-        return Enclosed.counted(self._value.value, self._error.value, self._stays_exact)
+        return Enclosed.counted(*self._parts.value, self._stays_exact)
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
         number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
-        self._value.set(number.value)
-        self._error.set(number.error)
+        self._parts.set((number.value, number.error))
 
 
 class Enclosing:
@@ -68,7 +67,7 @@ class Enclosing:
         def parts(alternative):
             return [part for number in map(enclosed, result_of(alternative)) for part in (number.value, number.error)]
 
-        flat = self.inner.choose(alternatives, index.value, parts, 4)
+        flat = self.inner.choose(alternatives, index.value, parts)
         return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
@@ -117,9 +116,8 @@ class Pixels:
             self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
 
 
-def enclosing_group(
-    machine: Any, scene: SimpleNamespace, bounds: SimpleNamespace, want: Want, pixels: Any, x_bound: Any, y_bound: Any
-) -> Group:
-    """Return the Group of the machine around another one's: of its scene's numbers and its pixels, and their bounds."""
-    enclosing = Enclosing(machine)
-    return Group(enclosing, enclosed_numbers(scene, bounds), want, Pixels(enclosing, pixels, x_bound, y_bound))
+def enclosed_group(group: Group, bounds: SimpleNamespace, x_bound: Any, y_bound: Any) -> Group:
+    """Return a group as the machine around its own one has it; bounds: of its scene's numbers, and of its pixels."""
+    machine = Enclosing(group.machine)
+    pixels = Pixels(machine, group.pixels, x_bound, y_bound)
+    return Group(machine, enclosed_numbers(group.scene, bounds), group.want, pixels)

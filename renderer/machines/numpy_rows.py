@@ -1,4 +1,4 @@
-"""The shader on NumPy's arrays, a row of the picture at a time: where there is no compiler, and to check one."""
+"""The shader on NumPy's arrays, some rows of the picture at a time: where there is no compiler, and to check one."""
 
 from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
-from renderer.machines.enclosing_machine import enclosing_group
+from renderer.machines.enclosing_machine import enclosed_group
 from renderer.operations import Mask, Number
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, of_form
 from renderer.shader.shader import WORK, Group, Step, Want
@@ -27,7 +27,7 @@ class Variable:
 
 
 class Rows:
-    """A machine whose values are arrays along a row."""
+    """A machine whose values are arrays over some rows."""
 
     variable = Variable
 
@@ -43,9 +43,7 @@ class Rows:
         if np.any(mask):
             body()
 
-    def choose(
-        self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence], count: int = 2
-    ) -> Sequence:
+    def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index."""
         return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
 
@@ -69,38 +67,37 @@ class Rows:
             body(light)
 
 
-class Row:
-    """The pixels of one row: what the shader reads and writes of the frame's planes."""
+class Block:
+    """The pixels of some rows, a slice: what the shader reads and writes of the frame's planes."""
 
-    def __init__(self, job: Job, number: int, columns: slice):
-        self.x, self.y, self._planes, self._at = job.x[columns], job.y[number], job.planes, (number, columns)
+    def __init__(self, job: Job, rows: slice):
+        begin, end = job.columns[rows].T
+        self.rows, self.columns, self._planes = rows, slice(begin.min(), end.max()), job.planes
+        self.x, self.y = job.x[self.columns], job.y[rows, None]
 
     def load(self, name: str) -> np.ndarray:
-        """Return a plane's row as float64."""
-        return self._planes[name][self._at].astype(np.float64)
+        """Return a plane's part as float64."""
+        return self._planes[name][self.rows, self.columns].astype(np.float64)
 
     def store(self, name: str, value: Number) -> None:
-        """Write a plane's row."""
-        self._planes[name][self._at] = value
+        """Write a plane's part."""
+        self._planes[name][self.rows, self.columns] = value
 
 
 def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
     """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
     scene = of_form(SCENE_FORM, job.scene)
-    bounds = of_form(SCENE_FORM, job.bounds[2]) if job.bounds else None
 
     @np.errstate(all="ignore")  # a selection computes both of its sides
     def draw(rows):
-        machine = Rows(job.lights)
-        for number in rows:
-            columns = slice(*job.columns[number])
-            if columns.start < columns.stop:
-                row = Row(job, number, columns)
-                if job.bounds:
-                    x_bound, y_bound, _ = job.bounds
-                    enclosing_group(machine, scene, bounds, want, row, x_bound[columns], y_bound[number]).draw()
-                else:
-                    Group(machine, scene, want, row).draw()
+        machine, block = Rows(job.lights), Block(job, slice(rows.start, rows.stop))
+        group = Group(machine, scene, want, block)
+        if job.bounds:
+            x_bound, y_bound, bounds = job.bounds
+            group = enclosed_group(
+                group, of_form(SCENE_FORM, bounds), x_bound[block.columns], y_bound[block.rows, None]
+            )
+        group.draw()
         return [machine.counts[kind] for kind in WORK]
 
     return draw

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import llvmlite.ir as ir
 
-from renderer.machines.traced import FLOAT, WHOLE, Tracer, Value
+from renderer.machines.traced import FLOAT, WHOLE, Tracer
 
 
 def inputs_of(kernel: Callable) -> tuple[str, ...]:
@@ -19,18 +19,11 @@ def emit_points(module: ir.Module, name: str, kernel: Callable, lanes: int, numb
     The addresses are of arrays of float64 (or another `number`): the kernel's inputs, then its outputs. The arrays are
     whole groups long. Returns how many outputs there are.
     """
-    tracer = Tracer(module, name, lanes, number=number)
-    builder = tracer.builder
-
-    def place(array, at):
-        pointer = builder.gep(builder.inttoptr(tracer.argument(1 + array), number.as_pointer()), [at])
-        return builder.bitcast(pointer, tracer.vector.as_pointer())
-
-    inputs = range(len(inputs_of(kernel)))
+    tracer, inputs = Tracer(module, name, lanes, number=number), len(inputs_of(kernel))
     with tracer.loop(WHOLE(0), tracer.argument(0), lanes) as at:
-        found = kernel(*(Value(tracer, builder.load(place(array, at), align=8)) for array in inputs))
+        found = kernel(*(tracer.load(tracer.argument(1 + array), at) for array in range(inputs)))
         outputs = found if isinstance(found, tuple) else (found,)
-        for array, output in enumerate(outputs, start=len(inputs)):
-            builder.store(tracer.value(output).vector, place(array, at), align=8)
-    builder.ret_void()
+        for array, output in enumerate(outputs, start=1 + inputs):
+            tracer.store(output, tracer.argument(array), at)
+    tracer.builder.ret_void()
     return len(outputs)

@@ -12,8 +12,7 @@ from renderer.operations import Number, where
 from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import flat, of_form, scene_numbers
-from renderer.shared import read_only
+from renderer.shader.numbers import flat, of_form, read_only, scene_numbers
 
 
 def _lengths(scene):

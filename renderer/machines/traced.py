@@ -4,17 +4,17 @@ Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache, partial, partialmethod
+from functools import cache, partialmethod
+from itertools import count
 from types import SimpleNamespace
 from typing import Any
 
 import llvmlite.ir as ir
 
-from renderer.machines.stills import DEAR, OF_LIGHT, SLOW, Still
 from renderer.shader.numbers import LIGHT_FORM, flat, of_form
-from renderer.shader.shader import Step
+from renderer.shader.shader import WORK, Step, Variables
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -25,28 +25,42 @@ def constant(vector: ir.VectorType, digits: str) -> ir.Constant:
     return ir.Constant(vector, float.fromhex(digits))
 
 
-class Value:
-    """A float64 of every pixel of a group; `literal` is its number where it is one; `still` is None if it moves."""
+class _Traced:
+    """What every pixel of a group has, as a vector of LLVM's."""
 
-    def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None, still: Still | None = None):
-        self.machine, self.vector, self.literal, self.still = machine, vector, literal, still
+    def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None):
+        self.machine, self.vector, self.literal = machine, vector, literal
 
-    def _emit(self, instruction, other, swap=False):
-        left, right = self, self.machine.value(other)
-        if swap:
-            left, right = right, left
-        return self.machine.made(Value, instruction, getattr(self.machine.builder, instruction), left, right)
+    def _emit(self, instruction, *operands):
+        """Return what an instruction makes of operands of this kind."""
+        vectors = [self.machine.value(operand).vector for operand in operands]
+        return type(self)(self.machine, getattr(self.machine.builder, instruction)(*vectors))
+
+
+class Mask(_Traced):
+    """For which pixels of a group something holds."""
+
+    def __and__(self, other):
+        return self._emit("and_", self, other)
+
+    def __or__(self, other):
+        return self._emit("or_", self, other)
+
+    def __invert__(self):
+        return self._emit("not_", self)
+
+
+class Value(_Traced):
+    """A float64 of every pixel of a group; `literal` is its number where it is one."""
 
     def __add__(self, other):
         other = self.machine.value(other)
         if self.literal == 0.0:
             return other
-        return self if other.literal == 0.0 else self._emit("fadd", other)
-
-    __radd__ = __add__
+        return self if other.literal == 0.0 else self._emit("fadd", self, other)
 
     def __sub__(self, other):
-        return self if self.machine.value(other).literal == 0.0 else self._emit("fsub", other)
+        return self if self.machine.value(other).literal == 0.0 else self._emit("fsub", self, other)
 
     def __rsub__(self, other):
         return self.machine.value(other) - self
@@ -58,18 +72,16 @@ class Value:
                 return one
             if one.literal == 1.0:
                 return two
-        return self._emit("fmul", other)
-
-    __rmul__ = __mul__
+        return self._emit("fmul", self, other)
 
     def __truediv__(self, other):
-        return self if self.machine.value(other).literal == 1.0 else self._emit("fdiv", other)
+        return self if self.machine.value(other).literal == 1.0 else self._emit("fdiv", self, other)
 
     def __rtruediv__(self, other):
-        return self._emit("fdiv", other, swap=True)
+        return self._emit("fdiv", other, self)
 
     def __neg__(self):
-        return self.machine.made(Value, "fneg", self.machine.builder.fneg, self)
+        return self._emit("fneg", self)
 
     def __abs__(self):
         return self.machine.call("fabs", self)
@@ -78,42 +90,21 @@ class Value:
         def compare(self, other):
             machine = self.machine
             compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
-            return machine.made(Mask, operator, partial(compare, operator), self, machine.value(other))
+            return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
 
         return compare
 
+    __radd__, __rmul__ = __add__, __mul__
     __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))  # type: ignore[arg-type]
     __hash__ = None  # type: ignore[assignment]
-
-
-class Mask:
-    """For which pixels of a group something holds."""
-
-    def __init__(self, machine: "Tracer", vector: ir.Value, still: Still | None = None):
-        self.machine, self.vector, self.still = machine, vector, still
-
-    def __and__(self, other):
-        return self.machine.made(Mask, "and", self.machine.builder.and_, self, other)
-
-    def __or__(self, other):
-        return self.machine.made(Mask, "or", self.machine.builder.or_, self, other)
-
-    def __invert__(self):
-        return self.machine.made(Mask, "not", self.machine.builder.not_, self)
-
-
-def is_dear(operand: Value | Mask) -> bool:
-    """Return whether an operand is still and takes longer to compute again than to load from its slot."""
-    return isinstance(operand, Value) and operand.still is not None and operand.still.cost >= DEAR
 
 
 class Variable:
     """A value that changes: memory that LLVM turns into registers."""
 
     def __init__(self, machine: "Tracer", value: Value | float):
-        self.machine, value = machine, machine.value(value)
-        self.place = machine.reserve(value.vector.type)
-        machine.builder.store(value.vector, self.place)
+        self.machine, self.place = machine, machine.reserve(machine.vector)
+        self.set(value)
 
     @property
     def value(self) -> Value:
@@ -122,30 +113,25 @@ class Variable:
 
     def set(self, value: Value | float, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
-        machine, vector = self.machine, self.machine.value(value).vector
-        if mask is not None:
-            vector = machine.builder.select(mask.vector, vector, machine.builder.load(self.place))
-        machine.builder.store(vector, self.place)
+        value = self.machine.value(value) if mask is None else self.machine.where(mask, value, self.value)
+        self.machine.builder.store(value.vector, self.place)
 
 
 class Tracer:
     """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
-    The function's one parameter is the address of an array of int64: its arguments.
+    The function's one parameter is the address of an array of int64, its arguments: addresses of arrays, and numbers.
+    given: those that have names, by them.
     """
 
-    def __init__(self, module: ir.Module, name: str, lanes: int, kinds: Iterable[str] = (), number: ir.Type = FLOAT):
+    def __init__(self, module: ir.Module, name: str, lanes: int, names: Sequence[str] = (), number: ir.Type = FLOAT):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
         (self._arguments,), self.lanes, self.module = function.args, lanes, module
-        self.vector, self.mask = ir.VectorType(number, lanes), ir.VectorType(BIT, lanes)
-        self.entry = function.append_basic_block()
-        self.builder = ir.IRBuilder(self.entry)
-        self.counts = {kind: self.reserve(WHOLE) for kind in kinds}
+        self.vector, self.builder = ir.VectorType(number, lanes), ir.IRBuilder(function.append_basic_block())
+        self.given = {argument: self.argument(place) for place, argument in enumerate(names)}
+        self.counts = {kind: self.reserve(WHOLE) for kind in WORK}
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
-        self.light_numbers = self.light_count = self.light = None
-        self.stills: Any = None
-        self.storing, self.kept_at = False, None  # where the group's still values are
 
     def argument(self, number: int) -> ir.Value:
         """Return one of the function's arguments."""
@@ -153,62 +139,59 @@ class Tracer:
 
     def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
-        with self.builder.goto_block(self.entry):
-            self.builder.position_at_start(self.entry)
+        with self.builder.goto_entry_block():
+            self.builder.position_at_start(self.builder.block)  # the last first: in order LLVM spills more with bounds
             return self.builder.alloca(kind)
 
-    def value(self, number: Value | float) -> Value:
+    def value(self, number: Value | Mask | float) -> Any:
         """Return a number as a Value, if it is not one."""
-        if isinstance(number, Value):
+        if isinstance(number, _Traced):
             return number
         number = float(number)
-        return Value(self, constant(self.vector, number.hex()), number, self.still_input(number))
+        return Value(self, constant(self.vector, number.hex()), number)
 
-    def still_input(self, what: Hashable, of_light: bool = False) -> Still | None:
-        """Return the Still of an input or a constant, by its name or number; None where no still value is kept."""
-        return self.stills and self.stills.input(what, of_light)
+    def place(self, array: ir.Value, at: ir.Value, kind: ir.Type = FLOAT) -> ir.Value:
+        """Return where a number of an array is, by the address of the array."""
+        return self.builder.gep(self.builder.inttoptr(array, kind.as_pointer()), [at])
 
-    def made(self, kind: type, name: str, emit: Callable, *operands: Value | Mask) -> Any:
-        """Return what an instruction makes of operands: a Value or a Mask, still if all of them are."""
-        still = self.stills and self.stills.made(name, [operand.still for operand in operands])
-        if not still:
-            operands = tuple(self.kept(one) if is_dear(one) else one for one in operands)
-        made = kind(self, emit(*(operand.vector for operand in operands)), still=still)
-        return self.kept(made) if still and name in SLOW else made
+    def _group(self, array, at, kind):
+        """Return where the numbers of a group are, from a number of an array on."""
+        kind = kind or self.vector.element
+        return self.builder.bitcast(self.place(array, at, kind), ir.VectorType(kind, self.lanes).as_pointer())
 
-    def kept(self, value: Any) -> Value:
-        """Return a still Value: stored in its slot, or loaded from there; as it is, if it has none."""
-        still, builder, number = value.still, self.builder, self.stills.slot(value.still, new=self.storing)
-        if number is None:
-            return value
-        slot = WHOLE(number)
-        if still.of_light:
-            slot = builder.add(builder.mul(self.light, WHOLE(OF_LIGHT)), slot)
-        place, vector = builder.gep(self.kept_at, [slot]), value.vector
-        if self.storing:
-            builder.store(vector, place, align=8)
-        else:
-            vector = builder.load(place, align=8)
-        return Value(self, vector, still=still._replace(cost=0))
+    def load(self, array: ir.Value, at: ir.Value, kind: ir.Type | None = None) -> Value:
+        """Return the numbers of a group, which an array has from `at` on; kind: of whole ones."""
+        loaded = self.builder.load(self._group(array, at, kind), align=1 if kind else 8)
+        return Value(self, self.builder.uitofp(loaded, self.vector) if kind else loaded)
 
-    def everywhere(self, scalar: ir.Value, still: Still | None = None) -> Value:
-        """Return the Value that is one scalar for every pixel."""
+    def store(self, value: Value | float, array: ir.Value, at: ir.Value, kind: ir.Type | None = None) -> None:
+        """Write them."""
+        vector, place = self.value(value).vector, self._group(array, at, kind)
+        if kind:
+            vector = self.builder.fptoui(vector, place.type.pointee)
+        self.builder.store(vector, place, align=1 if kind else 8)
+
+    def everywhere(self, array: ir.Value, at: ir.Value) -> Value:
+        """Return a number of an array for every pixel."""
         undefined = ir.Constant(self.vector, ir.Undefined)
-        first = self.builder.insert_element(undefined, scalar, WHOLE(0))
+        first = self.builder.insert_element(undefined, self.builder.load(self.place(array, at)), WHOLE(0))
         lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.lanes), 0)
-        return Value(self, self.builder.shuffle_vector(first, undefined, lanes), still=still)
+        return Value(self, self.builder.shuffle_vector(first, undefined, lanes))
+
+    def numbers(self, array: ir.Value, form: SimpleNamespace, row: ir.Value) -> SimpleNamespace:
+        """Return the numbers of a row of an array, in their form."""
+        first = self.builder.mul(row, WHOLE(len(flat(form))))
+        return of_form(form, (self.everywhere(array, self.builder.add(first, WHOLE(n))) for n in count()))
 
     def whole(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
         return self.builder.fptosi(self.builder.extract_element(value.vector, WHOLE(0)), WHOLE)
 
-    def call(self, intrinsic: str, *arguments: Value | float) -> Value:
-        """Return what one of LLVM's own functions makes of Values."""
-        values = [self.value(argument) for argument in arguments]
+    def call(self, intrinsic: str, argument: Value | float) -> Value:
+        """Return what one of LLVM's own functions makes of a Value."""
         name = f"llvm.{intrinsic}.v{self.lanes}{self.vector.element.intrinsic_name}"
-        known = self.module.globals.get(name)
-        function = known or ir.Function(self.module, ir.FunctionType(self.vector, [self.vector] * len(values)), name)
-        return self.made(Value, intrinsic, lambda *vectors: self.builder.call(function, vectors), *values)
+        function = self.module.declare_intrinsic(name, fnty=ir.FunctionType(self.vector, [self.vector]))
+        return Value(self, self.builder.call(function, [self.value(argument).vector]))
 
     sqrt = partialmethod(call, "sqrt")
     floor = partialmethod(call, "floor")
@@ -217,15 +200,12 @@ class Tracer:
     def bits(self, number: Value, operation: str, other: int) -> Value:
         """As `renderer.operations.bits`."""
         builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
-
-        def emit(vector):
-            changed = getattr(builder, operation)(builder.bitcast(vector, whole), whole([other] * self.lanes))
-            return builder.bitcast(changed, self.vector)
-
-        return self.made(Value, f"{operation} {other}", emit, number)
+        changed = getattr(builder, operation)(builder.bitcast(number.vector, whole), whole([other] * self.lanes))
+        return Value(self, builder.bitcast(changed, self.vector))
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        return self.made(Value, "select", self.builder.select, mask, self.value(value), self.value(otherwise))
+        """As `renderer.operations.where`."""
+        return Value(self, self.builder.select(*(self.value(part).vector for part in (mask, value, otherwise))))
 
     def variable(self, value: Value | float) -> Variable:
         """Return a Variable."""
@@ -233,10 +213,8 @@ class Tracer:
 
     def count(self, kind: str, mask: Mask) -> None:
         """Add the number of a mask's pixels to what is counted of a kind."""
-        bits = self._bits(mask)
-        pixels = self.builder.zext(self.builder.ctpop(bits), WHOLE)
-        place = self.counts[kind]
-        self.builder.store(self.builder.add(self.builder.load(place), pixels), place)
+        pixels = self.builder.zext(self.builder.ctpop(self._bits(mask)), WHOLE)
+        self.builder.store(self.builder.add(self.builder.load(self.counts[kind]), pixels), self.counts[kind])
 
     def _bits(self, mask):
         return self.builder.bitcast(mask.vector, ir.IntType(self.lanes))
@@ -247,27 +225,17 @@ class Tracer:
         with self.builder.if_then(self.builder.icmp_unsigned("!=", bits, bits.type(0))):
             body()
 
-    def choose(
-        self, alternatives: Sequence, index: Value, result_of: Callable[[Any], Sequence], count: int = 2
-    ) -> Sequence:
-        """Return `result_of` the alternative of an index that is the same everywhere: so many numbers of each."""
+    def choose(self, alternatives: Sequence, index: Value, result_of: Callable[[Any], Sequence]) -> Sequence:
+        """Return `result_of` the alternative of an index that is the same everywhere."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        index, results = self.whole(index), [self.variable(0.0) for _ in range(count)]
+        chosen, results = self.whole(index), Variables(self, ())
         for number, alternative in enumerate(alternatives):
-            with self.tracing(alternative), self.builder.if_then(self.builder.icmp_signed("==", index, WHOLE(number))):
-                for variable, value in zip(results, result_of(alternative), strict=True):
-                    variable.set(value)
-        return [variable.value for variable in results]
-
-    @contextmanager
-    def tracing(self, alternative: Hashable) -> Iterator[None]:
-        """In the block, an alternative is traced: it has its own still values."""
-        if self.stills:
-            self.stills.alternative = alternative
-        yield
-        if self.stills:
-            self.stills.alternative = None
+            with self.builder.if_then(self.builder.icmp_signed("==", chosen, WHOLE(number))):
+                found = result_of(alternative)
+                results = results if number else Variables(self, found)
+                results.set(found)
+        return results.value
 
     @contextmanager
     def loop(self, start: ir.Value, stop: ir.Value, step: int = 1) -> Iterator[ir.Value]:
@@ -287,13 +255,13 @@ class Tracer:
         builder.position_at_end(after)
 
     @contextmanager
-    def rows(self, given: Mapping[str, ir.Value], columns: ir.Value) -> Iterator[tuple[ir.Value, ir.Value, ir.Value]]:
+    def rows(self) -> Iterator[tuple[ir.Value, ir.Value, ir.Value]]:
         """Emit a loop over rows; the block is its body and is given the row, and where its columns begin and end."""
-        builder = self.builder
+        builder, given = self.builder, self.given
         with self.loop(given["first_row"], given["last_row"]) as row:
             ends = builder.mul(row, WHOLE(2))
-            begin, end = (builder.load(builder.gep(columns, [builder.add(ends, WHOLE(n))])) for n in (0, 1))
-            yield row, begin, end
+            places = (self.place(given["columns"], builder.add(ends, WHOLE(n)), WHOLE) for n in (0, 1))
+            yield row, *map(builder.load, places)
 
     def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
         """Run what raises something to a whole power that is everywhere the same: nothing for 0.
@@ -316,16 +284,5 @@ class Tracer:
 
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
-        with self.loop(WHOLE(0), self.light_count) as number:
-            self.light = number
-            body(of_form(LIGHT_FORM, self.numbers(self.light_numbers, LIGHT_FORM, number)))
-
-    def numbers(self, pointer: ir.Value, form: SimpleNamespace, number: ir.Value | None = None) -> Iterator[Value]:
-        """Yield the Values of an array of numbers of a form, or of its row `number`."""
-        count = len(flat(form))
-        for column in range(count):
-            index = WHOLE(column)
-            if number is not None:
-                index = self.builder.add(self.builder.mul(number, WHOLE(count)), index)
-            scalar = self.builder.load(self.builder.gep(pointer, [index]))
-            yield self.everywhere(scalar, self.still_input(("light" if number else "scene", column), bool(number)))
+        with self.loop(WHOLE(0), self.given["light_count"]) as number:
+            body(self.numbers(self.given["lights"], LIGHT_FORM, number))

@@ -13,7 +13,6 @@ from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
-from renderer.machines.stills import Stills
 from renderer.shader.shader import Want
 
 LANES = 2
@@ -34,9 +33,8 @@ def compiled_module(
     """
     module = ir.Module()
     module.triple = TRIPLE
-    stills = Stills()
     for name, want in wants.items():
-        emit(module, name, want, LANES, stills)
+        emit(module, name, want, LANES)
     outputs = {name: emit_points(module, name, kernel, LANES) for name, kernel in kernels.items()}
     for name, painter in painters.items():
         emit_painter(module, name, painter)

@@ -56,27 +56,24 @@ def render(
     whole = bounds or stage is None
     stage = Stage(scene, raster) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
-    enclosure = (stage.new_plane(channels=3), stage.new_plane(np.uint8)) if bounds else None
+    named, enclosure = dict(zip(COLORS, planes, strict=True)), None
+    if bounds:
+        enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
+        named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
     if whole:
-        named = dict(zip(COLORS, planes, strict=True))
-        if enclosure:
-            named |= dict(zip(BOUNDS, enclosure[0], strict=True)) | {"open": enclosure[1]}
         counts = stage.draw(scene, method, threads, named, bounds=bounds)
     else:
-        counts = _draw_on(stage, scene, method, threads, planes, into is None)
-    return Frame(scene, method, stage, planes, counts, enclosure)
+        counts = _draw_on(stage, scene, method, threads, named, None if into else planes)
+    return Frame(scene, method, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure)
 
 
-def _draw_on(stage, scene, method, threads, planes, copies):
-    """Draw sphere A, and where the rest is not there, copy it from the stage first; return what was counted."""
-    copy, counts = None, dict.fromkeys(WORK, 0)
-    if copies:
+def _draw_on(stage, scene, method, threads, named, fresh):
+    """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return what was counted."""
+    copy, counts = None, 0
+    if fresh is not None:
         rest, counts = stage.elsewhere(scene, method, threads)
 
         def copy(rows):
-            planes[:, rows] = rest[:, rows]
+            fresh[:, rows] = rest[:, rows]
 
-    of_a = stage.draw(
-        scene, method, threads, dict(zip(COLORS, planes, strict=True)), copy, chambers_known=True, surfaces="a"
-    )
-    return {kind: counts[kind] + of_a[kind] for kind in WORK}
+    return counts + stage.draw(scene, method, threads, named, copy, chambers_known=True, surfaces="a")

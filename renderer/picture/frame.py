@@ -1,6 +1,6 @@
 """A rendered picture, with what is known of its pixels; views are made when they are first asked for."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -16,15 +16,16 @@ from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.methods import GradientMethod
 from renderer.scene.own import field_kernels
+from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import way_of
+from renderer.shader.numbers import read_only, way_of
 from renderer.shader.shader import ON_A
-from renderer.shared import read_only
 from renderer.whole_files import checked_target
 
 SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
 
 
+@dataclass(eq=False, repr=False)
 class Frame:
     """A picture of a scene.
 
@@ -33,18 +34,17 @@ class Frame:
     scene, raster, method, stage: what made it.
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        method: GradientMethod,
-        stage: Stage,
-        planes: np.ndarray,
-        counts: dict[str, int],
-        enclosure: tuple[np.ndarray, np.ndarray] | None = None,
-    ):
-        self.scene, self.raster, self.method, self.stage = scene, stage.raster, method, stage
-        self._planes: np.ndarray | None = planes
-        self._counts, self._enclosure = counts, enclosure
+    scene: Scene
+    method: GradientMethod
+    stage: Stage
+    _planes: np.ndarray | None
+    _counts: dict[str, int]
+    _enclosure: tuple[np.ndarray, np.ndarray] | None = None
+
+    @property
+    def raster(self) -> Raster:
+        """The stage's."""
+        return self.stage.raster
 
     @cached_property
     def work(self) -> dict[str, Any]:

@@ -8,7 +8,7 @@ import numpy as np
 from renderer import kernels
 from renderer.checks import check_whole
 from renderer.machines import Job
-from renderer.machines.numpy_rows import Row, Rows
+from renderer.machines.numpy_rows import Block, Rows
 from renderer.picture.drawing import render
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
@@ -87,7 +87,7 @@ class _WrittenDown(Group):
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
         view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
         for light in self.machine.lights:
-            occluded = bool(self.loaded_shadow(light)[0])
+            occluded = bool(self.loaded_shadow(light))
             mu, specular = self.model(point, light, normal, view, mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
@@ -105,10 +105,10 @@ def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
     (scene, lights), stage = numbers_of(frame.scene, frame.method), frame.stage
     planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
-    row = Row(Job(scene, lights, stage.x, stage.y, None, planes), 0, slice(None))
+    block = Block(Job(scene, lights, *stage.raster_of(), planes), slice(1))
     want = want_of(frame.scene, frame.method, chambers_known=True)
     want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
-    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, row)
+    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, block)
     group.draw()
     return group.found
 

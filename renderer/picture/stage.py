@@ -13,13 +13,11 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
 from renderer.picture.memory import lent
-from renderer.scene.geometry import geometry_of
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene
-from renderer.shader.numbers import numbers_of, places_of, want_of
-from renderer.shader.shader import COLORS, WORK
-from renderer.shared import read_only
+from renderer.scene.scene import Scene, geometry_of
+from renderer.shader.numbers import numbers_of, places_of, read_only, want_of
+from renderer.shader.shader import COLORS
 from renderer.threads import run_bands
 
 SURFACE_BITS = 3
@@ -42,12 +40,6 @@ def _prepared(geometry, raster):
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
     read_only(wide, y, everywhere, of_a)
     return wide, y, everywhere, of_a
-
-
-def _bounds(scene, raster, wide):
-    from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
-
-    return input_bounds(scene, raster, wide)
 
 
 def band_rows(rows: int, columns: int) -> int:
@@ -96,15 +88,17 @@ class Stage:
         planes: dict[str, np.ndarray],
         before: Callable[[slice], None] | None = None,
         **want: Any,
-    ) -> dict[str, int]:
+    ) -> np.ndarray:
         """Draw what is wanted (`renderer.shader.shader.Want`) into planes, by bands; return what was counted, by WORK.
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
-        raster = self.raster_of(of_a=want.get("surfaces") == "a")
-        numbers = numbers_of(scene, method)
-        bounds = _bounds(scene, self.raster, len(raster[0])) if want.get("bounds") else None
-        job = Job(*numbers, *raster, {"code": self._codes} | planes, bounds)
+        raster, bounds = self.raster_of(of_a=want.get("surfaces") == "a"), None
+        if want.get("bounds"):
+            from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+
+            bounds = input_bounds(scene, self.raster, len(self._x))
+        job = Job(*numbers_of(scene, method), *raster, {"code": self._codes} | planes, bounds)
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
 
@@ -114,13 +108,13 @@ class Stage:
                 before(slice(band.start, band.stop))
             return draw_rows(band)
 
-        return dict(zip(WORK, map(sum, zip(*run_bands(draw_band, len(starts), threads), strict=True)), strict=True))
+        return np.sum(run_bands(draw_band, len(starts), threads), axis=0)
 
-    def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, dict[str, int]]:
+    def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
         """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
         key = shading_of(scene)
         if self._elsewhere[0] == key:
-            return self._elsewhere[1], dict.fromkeys(WORK, 0)
+            return self._elsewhere[1], 0
         rgb = self.new_plane(channels=3)
         planes = dict(zip(COLORS, rgb, strict=True))
         counts = self.draw(scene, method, threads, planes, chambers_known=True, surfaces="elsewhere")

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from renderer.kernels import shadow_clearance, tangent_interval
-from renderer.scene.geometry import Geometry
+from renderer.scene.scene import Geometry
 
 Box = tuple[float, float, float, float]
 GUARD = 1e-6

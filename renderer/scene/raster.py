@@ -6,8 +6,7 @@ import numpy as np
 
 from renderer.checks import check_whole, not_allowed
 from renderer.kernels import image_extent, image_x, image_y
-from renderer.scene.geometry import Geometry
-from renderer.scene.scene import Scene
+from renderer.scene.scene import Geometry, Scene
 
 MAX_SIDE = 2**24
 

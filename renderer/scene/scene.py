@@ -3,12 +3,12 @@
 import math
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene.own import check_own, own_from_record, own_record
-from renderer.scene.text import distrusted, read_text, read_toml, toml_of
+from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
 if TYPE_CHECKING:
@@ -57,10 +57,9 @@ def _check_lights(name, value):
 
 
 def _light_from_record(number, record):
-    parts = check_kind(f"lights[{number}]", record, dict, "a record with a position and a color")
-    if "position" not in parts or not parts.keys() <= {"position", "color"}:
+    if not isinstance(record, dict) or not {"position"} <= record.keys() <= {"position", "color"}:
         raise not_allowed(f"lights[{number}]", record, "a record with a position and a color")
-    return Light(**parts)
+    return Light(**record)
 
 
 def _given(default, help, check, *allowed):
@@ -112,14 +111,12 @@ class Scene:
         return f"Scene({', '.join(given)})"
 
     def as_record(self) -> dict[str, Any]:
-        """Return the scene as JSON can say it, by the names of its fields: numbers, lists, dicts and None.
+        """Return the scene as JSON can say it, by the names of its fields: numbers, sequences, dicts and None.
 
         A field or a model of one's own is a dict, its formulas text. Raises ValueError where it has no text.
         """
-        found = {each.name: getattr(self, each.name) for each in fields(self)}
-        found["lights"] = [{name: part and list(part) for name, part in asdict(light).items()} for light in self.lights]
-        found |= {name: own_record(found[name]) for name in ("field", "model")}
-        return {name: list(value) if isinstance(value, tuple) else value for name, value in found.items()}
+        own = {"field": own_record(self.field), "model": own_record(self.model)}
+        return vars(self) | own | {"lights": [asdict(light) for light in self.lights]}
 
     @classmethod
     def from_record(cls, record: dict[str, Any]) -> "Scene":
@@ -147,7 +144,7 @@ class Scene:
     def from_file(cls, path: str | Path) -> "Scene":
         """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError, OSError."""
         with distrusted("scene", path):
-            return cls.from_record(read_text(path, read_toml))
+            return cls.from_record(read_toml(path))
 
     def _check_lengths(self):
         ratio = self.radius / self.eye if self.eye else math.inf
@@ -169,3 +166,21 @@ class Scene:
                 raise not_allowed(name, position, "outside sphere B")
             if self.floor and abs(position[2]) <= 1e-9 * self.radius:
                 raise not_allowed(name, position, "off the floor z = 0 by more than 1e-9 radius")
+
+
+class Geometry(NamedTuple):
+    """What the chambers depend on, beside the raster: lengths, and the lights' positions, None for one that is off."""
+
+    eye: float
+    radius: float
+    ball: tuple[float, float, float, float]
+    ball_on: float
+    floor_on: float
+    lights: tuple
+
+
+def geometry_of(scene: Scene) -> Geometry:
+    """Return the Geometry of a scene. Without sphere B, `ball_on` is 0 and `ball` a unit sphere that is never drawn."""
+    ball = (*scene.ball_center, scene.ball_radius) if scene.ball else (0.0, 0.0, 0.0, 1.0)
+    lights = tuple(None if light.color is None else light.position for light in scene.lights)
+    return Geometry(scene.eye, scene.radius, ball, float(scene.ball), float(scene.floor), lights)

@@ -1,7 +1,7 @@
 """Records as text, JSON or TOML, read with distrust: whoever wrote a text may have meant harm."""
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -45,12 +45,7 @@ def _toml(value):
             return "{" + ", ".join(f"{name} = {_toml(part)}" for name, part in value.items()) + "}"
         case list() | tuple():
             return "[" + ", ".join(map(_toml, value)) + "]"
-        case float():
-            return repr(value)
-        case None:
-            return json.dumps(OFF)
-        case _:
-            return json.dumps(value)
+    return json.dumps(OFF if value is None else value)
 
 
 def toml_of(record: dict[str, Any]) -> str:
@@ -58,21 +53,16 @@ def toml_of(record: dict[str, Any]) -> str:
     return "".join(f"{name} = {_toml(value)}\n" for name, value in record.items())
 
 
-def read_toml(text: bytes) -> dict[str, Any]:
-    """Return the record of a scene that a TOML text says."""
+def read_toml(path: Any) -> dict[str, Any]:
+    """Return the record of a scene that a TOML file says. Raises OSError where it cannot be read."""
     import tomllib  # which a picture does not need
 
+    with open(path, "rb") as file:
+        text = file.read(LARGEST + 1)
+    if len(text) > LARGEST:
+        raise ValueError(f"more than {LARGEST} bytes")
     record = tomllib.loads(text.decode())
     for light in record.get("lights", ()):
         if light.get("color") == OFF:
             light["color"] = None
     return record
-
-
-def read_text(path: Any, parse: Callable[[bytes], Any]) -> Any:
-    """Return what a file says. Raises OSError where it cannot be read, ValueError where it is too long."""
-    with open(path, "rb") as file:
-        text = file.read(LARGEST + 1)
-    if len(text) > LARGEST:
-        raise ValueError(f"more than {LARGEST} bytes")
-    return parse(text)

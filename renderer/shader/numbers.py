@@ -8,19 +8,23 @@ from typing import Any
 
 import numpy as np
 
-from renderer.kernels import FIELDS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
+from renderer.kernels import ambient_term, floor_albedo, silhouette_of_a
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
-from renderer.scene.geometry import Geometry, geometry_of
 from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.own import model_kernels
-from renderer.scene.scene import Light, Scene
+from renderer.scene.scene import Geometry, Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, Want
-from renderer.shared import read_only
 
 FIRST_LIGHT_BIT = 2
-AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "shininess", "albedo_a", "albedo_b")
+AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
+
+
+def read_only(*arrays: np.ndarray) -> None:
+    """Let nobody write any more through arrays that several frames read."""
+    for array in arrays:
+        array.flags.writeable = False
 
 
 def flat(numbers: SimpleNamespace) -> list:
@@ -57,11 +61,6 @@ def places_of(geometry: Geometry) -> tuple[float, Box, list[tuple[Box, ...] | No
     return reach_of_a(geometry.eye, geometry.radius), ball_box(geometry), boxes
 
 
-def _index(entries, choice):
-    """Return the index of a choice among entries; one's own is drawn alone, and has none."""
-    return float(list(entries).index(choice)) if choice in entries else 0.0
-
-
 def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
     """Return (field, way): how the gradient of a scene is taken by a method; not at all where there is no bump."""
     algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
@@ -95,8 +94,8 @@ def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
         ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
         reach_of_a=reach,  # the largest x² + y² at which A is met
         box_of_b=box_of_b,
-        way=_index(FIELDS, scene.field),
-        model=_index(LIGHT_MODELS, scene.model),
+        way=0.0,  # which of those that a Want has
+        model=0.0,
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),

@@ -1,12 +1,19 @@
 """The picture of a group of pixels, written once: surface, shadows, light, as §2 and §3 derive them.
 
-A *machine* runs it (`renderer.machines`): it gives values for many pixels at once, and masks that say for which of
-them something holds. What `when` is given is passed over where its mask holds for no pixel of the group.
+A *machine* runs it (`renderer.machines.traced.Tracer`, `renderer.machines.numpy_rows.Rows`, or one around these): it
+gives values for many pixels at once, and masks that say for which of them something holds.
+
+    variable(value)                                 a value that changes: `value`, `set(value, mask)`
+    when(mask, body)                                body(), unless the mask holds for no pixel of the group
+    choose(alternatives, index, result_of)          result_of(alternatives[index]), two numbers
+    by_squaring(exponent, first, square, multiply)  the steps that raise something to a whole power
+    each_light(body)                                body(light) for each light that is on
+    count(kind, mask)                               so many pixels more, of a kind of WORK
 """
 
 from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from renderer import kernels as k
 from renderer.operations import Mask, Number, floor, where
@@ -25,17 +32,6 @@ Numbers = Sequence[Number]
 Bodies = Callable[[SimpleNamespace], Iterable[tuple[Numbers, Numbers]]]
 
 
-class Machine(Protocol):
-    """What runs the shader: `renderer.machines.traced.Tracer`, `renderer.machines.numpy_rows.Rows`."""
-
-    def variable(self, value: Number) -> Any: ...
-    def count(self, kind: str, mask: Mask) -> None: ...
-    def when(self, mask: Mask, body: Step) -> None: ...
-    def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Numbers]) -> Numbers: ...
-    def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None: ...
-    def each_light(self, body: Callable[[SimpleNamespace], None]) -> None: ...
-
-
 class Want(NamedTuple):
     """What is drawn: it chooses the code, where the scene's numbers are given to it.
 
@@ -43,9 +39,8 @@ class Want(NamedTuple):
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
     highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. stills: stored or
-    loaded, where what no step changes is kept (`renderer.machines.stills`). bounds: whether each colour's bound is
-    stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
+    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
@@ -56,8 +51,24 @@ class Want(NamedTuple):
     colors: bool = True
     stored: tuple = ()
     charted: bool = False
-    stills: str = ""
     bounds: bool = False
+
+
+class Variables:
+    """Several values that change, and do so together."""
+
+    def __init__(self, machine: Any, values: Iterable[Number]):
+        self._each = [machine.variable(value) for value in values]
+
+    @property
+    def value(self) -> Numbers:
+        """The present values."""
+        return [variable.value for variable in self._each]
+
+    def set(self, values: Iterable[Number], mask: Mask | None = None) -> None:
+        """Put values in their place, where the mask holds."""
+        for variable, value in zip(self._each, values, strict=True):
+            variable.set(value, mask)
 
 
 class Group:
@@ -67,7 +78,7 @@ class Group:
     scene: `renderer.shader.numbers.scene_numbers`.
     """
 
-    def __init__(self, machine: Machine, scene: SimpleNamespace, want: Want, pixels: Any):
+    def __init__(self, machine: Any, scene: SimpleNamespace, want: Want, pixels: Any):
         self.machine, self.scene, self.want, self.pixels = machine, scene, want, pixels
         self.x, self.y = pixels.x, pixels.y
         self.sphere_a = (0.0, 0.0, 0.0, scene.radius)
@@ -77,24 +88,19 @@ class Group:
         want, x = self.want, self.x
         surface, self.code = self.loaded_surface() if want.chambers_known else self.visible_surface()
         on_a, on_b, on_floor = ((surface == number) & (x == x) for number in (SPHERE_A, SPHERE_B, FLOOR))
-        self.color = []
-        if want.surfaces == "a":
-            self.machine.when(on_a, lambda: self.draw_a_over(on_a))
-            return
-        if want.colors:
-            self.color = [self.machine.variable(0.0) for _ in COLORS]
-        if want.surfaces == "all":
+        over = want.surfaces == "a"
+        there = self.loaded(COLORS) if over and want.colors else (0.0, 0.0, 0.0)
+        self.color = Variables(self.machine, there)
+        if want.surfaces != "elsewhere":
             self.machine.when(on_a, lambda: self.draw_a(on_a))
-        self.machine.when(on_b, lambda: self.draw_b(on_b))
-        self.machine.when(on_floor, lambda: self.draw_floor(on_floor))
+        if not over:
+            self.machine.when(on_b, lambda: self.draw_b(on_b))
+            self.machine.when(on_floor, lambda: self.draw_floor(on_floor))
         if not want.chambers_known:
             self.pixels.store("code", self.code.value)
-        self.store_color()
-
-    def store_color(self) -> None:
-        """Store the colours that are wanted."""
-        for name, channel in zip(COLORS, self.color, strict=False):
-            self.pixels.store(name, channel.value)
+        if want.colors:
+            for name, channel in zip(COLORS, self.color.value, strict=True):
+                self.pixels.store(name, channel)
 
     def visible_surface(self) -> tuple[Number, Any]:
         """Return the surface that each ray meets first, and the chamber code so far, a variable.
@@ -115,13 +121,6 @@ class Group:
         """Return the surface that each pixel's chamber code says, and the code, a variable."""
         code = self.pixels.load("code")
         return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
-
-    def draw_a_over(self, on_a: Mask) -> None:
-        """Draw sphere A over what is there."""
-        if self.want.colors:
-            self.color = [self.machine.variable(self.pixels.load(name)) for name in COLORS]
-        self.draw_a(on_a)
-        self.store_color()
 
     def draw_a(self, mask: Mask) -> None:
         """§2 and §3: angles, gradient, bumped normal."""
@@ -190,22 +189,14 @@ class Group:
 
         base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
         """
-        squared, result = ([self.machine.variable(part) for part in parts] for parts in (base, (1.0, 0.0)[: len(base)]))
-
-        def put(target, parts):
-            for variable, part in zip(target, parts, strict=True):
-                variable.set(part)
-
-        def parts(target):
-            return [variable.value for variable in target]
-
+        squared, result = (Variables(self.machine, parts) for parts in (base, (1.0, 0.0)[: len(base)]))
         self.machine.by_squaring(
             exponent,
-            first=lambda: put(result, parts(squared)),
-            square=lambda: put(squared, square(*parts(squared))),
-            multiply=lambda: put(result, product(*parts(result), *parts(squared))),
+            first=lambda: result.set(squared.value),
+            square=lambda: squared.set(square(*squared.value)),
+            multiply=lambda: result.set(product(*result.value, *squared.value)),
         )
-        return parts(result)
+        return result.value
 
     def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
         """Find what each light's shadows are, and add up the light.
@@ -217,16 +208,14 @@ class Group:
         if want.chambers_known and not want.colors:
             return
         point, normal = place[:3], place[3:]
-        color = [machine.variable(channel) for channel in s.ambient]
+        color = Variables(machine, s.ambient)
         if want.colors:
             view = k.view_direction(self.x, self.y, s.eye, k.view_length(self.x, self.y, s.eye))
 
         def shine(light, lit):
             machine.count("light_terms", lit)
             mu, specular = self.model(point, light, normal, view, lit)
-            term = k.light_term(*(c.value for c in color), *light.color, *albedo, s.kd, s.ks, mu, specular)
-            for channel, value in zip(color, term, strict=True):
-                channel.set(value, lit)
+            color.set(k.light_term(*color.value, *light.color, *albedo, s.kd, s.ks, mu, specular), lit)
 
         def reach(light):
             lit = mask & ~(
@@ -237,8 +226,7 @@ class Group:
                 machine.when(lit, lambda: shine(light, lit))
 
         machine.each_light(reach)
-        for target, channel in zip(self.color, color, strict=False):
-            target.set(k.clip(channel.value), mask)
+        self.color.set(map(k.clip, color.value), mask)
 
     def loaded_shadow(self, light: SimpleNamespace) -> Mask:
         """Return where the chamber code has the light's bit."""

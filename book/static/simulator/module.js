@@ -279,16 +279,13 @@ async function simulator_module(data, ...programs) {
     const ends = integers(addresses.columns_of_a, 2 * high).fill(0n);
     /** @type {number[]} */
     const at = [];
-    let groups = 0;
     for (let row = 0; row < high; row++) {
       const before = at.length;
       for (let column = 0; column < wide; column++) {
         if (is_on_a(codes[row * wide + column])) at.push(row * pitch + column);
       }
       if (at.length === before) continue;
-      const [first, end] = [at[before] - row * pitch, at[at.length - 1] + 1 - row * pitch];
-      ends.set([BigInt(first), BigInt(end)], 2 * row);
-      groups += Math.ceil(end / data.lanes) - Math.floor(first / data.lanes);
+      ends.set([BigInt(at[before] - row * pitch), BigInt(at[at.length - 1] + 1 - row * pitch)], 2 * row);
     }
     draw("draw_chart", state, EXACT, ground);
     return {
@@ -297,7 +294,6 @@ async function simulator_module(data, ...programs) {
       count: at.length,
       at: Int32Array.from(at),
       rows: at.length ? [Math.floor(at[0] / pitch), Math.floor(at[at.length - 1] / pitch) + 1] : [0, 0],
-      stills: 8 * data.lanes * groups * data.stills[state.lights.filter(Boolean).length],
       targets: {}
     };
   }
@@ -362,20 +358,13 @@ async function simulator_module(data, ...programs) {
     );
 
   /**
-   * Draw A. What no step of ε or β changes is kept from one central difference to the next, but for what is timed.
+   * Draw A.
    * @param {SceneState} state
    * @param {Method} method
    * @param {Stage} stage
    * @param {string} name
    */
-  function draw_a(state, method, stage, name) {
-    const keeps = name !== "spare" && method.name === "central" && state.beta !== 0;
-    const key = [state.field, state.ku, state.kv, state.model].join();
-    const what = !keeps ? "draw_a" : stage.kept === key ? "draw_again" : "draw_first";
-    if (keeps) stage.kept = key;
-    stage.targets.stills ??= reserve(stage.stills);
-    draw(what, state, method, stage, { ...target(stage, name), stills: stage.targets.stills });
-  }
+  const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
 
   /** @param {SceneState} state @param {Stage} stage @param {string} name */
   const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));
