@@ -8,8 +8,7 @@ from renderer import Scene
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls, in_float64, length
 from verify.evaluate.programs import naive_gradient
-from verify.stability.geometry import VECTOR
-from verify.stability.pipelines import seed_tangent_vector, tangent_vector
+from verify.stability.geometry import seed_tangent_vector, tangent_vector
 
 RIDGES = HEIGHT_FIELDS["ridges"]
 MISSED_ZERO = 1 / UNIT  # all bits lost: a number where there is an exact zero
@@ -54,7 +53,7 @@ def over_the_image(size: int, reach: float = 1.0) -> dict[str, np.ndarray]:
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
     maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)
     for plane, vector in zip(maps, (seed_tangent_vector(str(scene.field), inputs), ours), strict=True):
-        plane[on_a] = length([distance(vector[name], truth[name]) for name in VECTOR]) / unit
+        plane[on_a] = length([distance(vector[name], truth[name]) for name in truth]) / unit
     return dict(zip(("seed", "ours"), maps, strict=True))
 
 

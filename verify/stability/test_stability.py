@@ -10,9 +10,7 @@ from proofs.formulas.symbols import normal
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls, in_float64
 from verify.stability import symmetry
-from verify.stability.bodies import smaller_and_smaller_b
-from verify.stability.geometry import image_points
-from verify.stability.pipelines import our_normal, tangent_vector
+from verify.stability.geometry import image_points, our_normal, smaller_and_smaller_b, tangent_vector
 from verify.stability.rows import SWEEPS, sweep
 from verify.test_bounds import cancelling_normal_of_b
 
