@@ -20,18 +20,18 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
+from renderer.picture.differences import rms
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import ball_of
 from verify.records import command
-from verify.reference import reference_pixel
+from verify.reference import COLORS, reference_pixel
 
 CHECKED, ROUNDS, SEED = 4096, 15, 3
 SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
-CHANNELS = ("red", "green", "blue")
 
 Row = dict[str, Any]
 
@@ -104,7 +104,7 @@ def key_of(method: str) -> str:
 def image_error(frame: Frame, places: np.ndarray, colours: np.ndarray) -> tuple[float, float]:
     """Return (largest, RMS) |ΔI| of a frame at pixels (n, 2), (row, column), whose colours are `colours` (n, 3)."""
     off = np.abs(frame.rgb[tuple(places.T)] - colours)
-    return float(off.max()), float(np.sqrt(np.mean(off**2)))
+    return float(off.max()), rms(off)
 
 
 def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -113,7 +113,7 @@ def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
     places = on_a[np.random.default_rng(SEED).choice(len(on_a), count, replace=False)]
     found = [reference_pixel(scene, SIDE, SIDE, column, row)
              for row, column in tqdm(places.tolist(), desc=f"50 digits, {scene.field}", unit="pixel")]  # fmt: skip
-    return places, np.array([[float(pixel[f"rgb_{c}"]) for c in CHANNELS] for pixel in found])
+    return places, np.array([[float(pixel[c]) for c in COLORS] for pixel in found])
 
 
 def frame_rows(rounds: int, count: int) -> list[Row]:
