@@ -7,25 +7,22 @@ that the frame has of it. A pixel whose chamber or side of a crease is open ther
 from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import replace
-from functools import lru_cache
+from functools import partial
 from itertools import cycle, product
 from typing import NamedTuple
 
 import numpy as np
 from flint import arb, ctx
 
-from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import CHANNELS, pixel
 from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Scene, render
 from renderer.picture.frame import Frame
 from verify.evaluate.balls import Balls
-from verify.reference import lights_on, scene_values
+from verify.reference import COLORS, chamber_code, lights_on, lines_of, scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 WIDEST = 1e-40
-COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
 SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
 SHININESSES = {
     f"shininess {p:g}": Scene(model=model, shininess=p)
@@ -81,11 +78,8 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     return found
 
 
-@lru_cache(maxsize=64)
-def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Balls:
-    """Return the Balls of a whole pixel by a gradient method, the exact one in its general form."""
-    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
-    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
+balls_of = partial(lines_of, Balls)
+"""The Balls of a whole pixel."""
 
 
 def truth_of(
@@ -112,13 +106,7 @@ def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> 
 
 def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
     """Return the true chamber code of a pixel of a scene."""
-
-    def whole(name):
-        return int(truth[name].unique_fmpz() or 0)
-
-    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    shadows = sum(whole(f"occluded_{n}") << (2 + number) for n, number in enumerate(on))
-    return whole("surface") | shadows | whole("dark_square") << 7
+    return chamber_code(scene, lambda name: int(truth[name].unique_fmpz() or 0))
 
 
 def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> Checked:
