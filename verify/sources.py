@@ -5,7 +5,7 @@ import hashlib
 import json
 import sys
 import tokenize
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -60,15 +60,16 @@ def followed(waiting: set[Path]) -> set[Path]:
 
 def hashes(paths: Iterable[Path]) -> dict[str, str]:
     """Path from the root → hash of the bytes, for files that exist; and the Python that runs them."""
-    return {"python": ".".join(map(str, sys.version_info[:3])), **_table(paths, Path.read_bytes)}
+    return {"python": ".".join(map(str, sys.version_info[:3])), **file_hashes(paths)}
 
 
 def code_hashes(paths: Iterable[Path]) -> dict[str, str]:
     """Path from the root → hash of what it says, for files that exist: of Python without comments and docstrings."""
-    return _table(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
+    return file_hashes(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
 
 
-def _table(paths, content):
+def file_hashes(paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes) -> dict[str, str]:
+    """Path from the root → hash of its content, for files that exist."""
     found = sorted(path for path in set(paths) if path.is_file())
     return {path.relative_to(ROOT).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
 
