@@ -50,13 +50,8 @@ def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
         return np.frompyfunc(error_in_ulps, 2, 1)(computed, exact).astype(float)
 
 
-def _sine_coefficient(shift):
-    def coefficient(n):
-        if n % 2 == shift:
-            return arb(0)
-        return (-1 if n % 4 > 1 else 1) * arb.pi() ** n / arb.fac_ui(n)
-
-    return coefficient
+def _sine_coefficient(cosine, n):
+    return arb(0) if n % 2 == cosine else (-1 if n % 4 > 1 else 1) * arb.pi() ** n / arb.fac_ui(n)
 
 
 def _arctangent_coefficient(n):
@@ -72,7 +67,7 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
     near = e.cosine_near if cosine else e.sine_near
     with ctx.workprec(PRECISION):
         code = code_of(lines(program, after=[s for s, _ in e.reduction[:4]], until=(near,)))
-        series = Series(program.expand(near, until=(e.remainder,)), e.remainder, _sine_coefficient(shift=cosine))
+        series = Series(program.expand(near, until=(e.remainder,)), e.remainder, partial(_sine_coefficient, cosine))
         end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
         cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
         return [

@@ -38,7 +38,7 @@ try:
     from verify.checkers.second_checker import why_refused
 
     CHECKERS["the second checker"] = why_refused
-except ImportError:  # no python-flint: every grade that rests on a certificate says so
+except ImportError:  # no python-flint, or no jsonschema: every grade that rests on a certificate says so
     pass
 
 
