@@ -58,24 +58,27 @@ def largest_error(found: Sequence[np.ndarray], count: int) -> float:
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
 
 
+def _timed(rows, title):
+    """Return [(row, its case)] as rows: where its case's time belongs a row has the unit's name. Each is timed once."""
+    cases = {case.name: case for _, case in rows[::-1]}
+    numbers = numbers_by_calls(cases.values(), title)
+    return [row | {case.unit: numbers[f"{case.name}_{case.unit}"]} for row, case in rows]
+
+
 def gradient_rows(rounds: int) -> list[Row]:
     """Return the rows of the gradient's diagram: method, its parameter, ns a gradient, largest error."""
-    cases, rows = {}, []
+    rows = []
     for method in tqdm([m for m in METHODS if m.available], desc="errors", unit="method"):
-        checked = min(CHECKED, method.points)
+        checked, many = min(CHECKED, method.points), points_for(method, method.points)
         inputs = points_for(method, checked)
         for value in method.values:
             function = method.make(value)
-            case = method.name if method.timed_once else f"{method.name}, {value}"
-            error = largest_error(function(*inputs), checked)
-            rows.append({"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
-                         "error": error, "points": checked, "ns": case})  # fmt: skip
-            if case not in cases:
-                kind = getattr(function, "kind", np.float64)
-                many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                cases[case] = Case(case, partial(function, *many), 1, rounds, "ns", method.points)
-    numbers = numbers_by_calls(cases.values(), "gradients")
-    return [row | {"ns": numbers[f"{row['ns']}_ns"]} for row in rows]
+            row = {"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
+                   "error": largest_error(function(*inputs), checked), "points": checked, "ns": None}  # fmt: skip
+            given = [np.ascontiguousarray(a, getattr(function, "kind", np.float64)) for a in many]
+            name = method.name if method.timed_once else f"{method.name}, {value}"
+            rows.append((row, Case(name, partial(function, *given), 1, rounds, "ns", method.points)))
+    return _timed(rows, "gradients")
 
 
 def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
@@ -118,7 +121,6 @@ def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 def frame_rows(rounds: int, count: int) -> list[Row]:
     """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
-    cases: dict[str, Case] = {}
     rows = []
     methods = [(name, eps, make(eps)) for name, make in FRAMES.items() for eps in STEPS]
     methods += [(f"exact, {form}", None, exact(form)) for form in ("general", "algebraic")]
@@ -128,12 +130,10 @@ def frame_rows(rounds: int, count: int) -> list[Row]:
         for name, eps, method in methods:
             draw = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
             largest, rms = image_error(draw(), *reference)
-            case = f"{field}, {name}"
-            cases.setdefault(case, Case(case, draw, visits=rounds))
-            rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
-                         "largest": largest, "rms": rms})  # fmt: skip
-    numbers = numbers_by_calls(cases.values(), "frames")
-    return [row | {"ms": numbers[f"{row['field']}, {row['method']}_ms"]} for row in rows]
+            row = {"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
+                   "largest": largest, "rms": rms}  # fmt: skip
+            rows.append((row, Case(f"{field}, {name}", draw, visits=rounds)))
+    return _timed(rows, "frames")
 
 
 def unbeaten_by_ours(rows: Sequence[Row]) -> list[Row]:
