@@ -15,6 +15,7 @@ from itertools import groupby
 from typing import Any
 
 import numpy as np
+from flint import arb
 from tqdm import tqdm
 
 from proofs.formulas.chart import chart_inverse
@@ -25,7 +26,6 @@ from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
-from verify.evaluate.balls import ball_of
 from verify.records import command
 from verify.reference import COLORS, reference_pixel
 
@@ -54,7 +54,7 @@ def largest_error(found: Sequence[np.ndarray], count: int) -> float:
     """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
     truth = truth_at(count)
     if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
-        found = [np.frompyfunc(ball_of, 1, 1)(f) for f in found]
+        found = [np.frompyfunc(arb, 1, 1)(f) for f in found]
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
 
 
