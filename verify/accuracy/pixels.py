@@ -74,7 +74,7 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     for kind, plane in _kinds(scene, frame).items():
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
-        found += [(kind, int(c), int(r)) for c, r in zip(columns, rows, strict=True)]
+        found += [(kind, *place) for place in zip(columns.tolist(), rows.tolist(), strict=True)]
     return found
 
 
@@ -101,7 +101,7 @@ def truth_of(
 def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> list[arb]:
     """Return how far each channel of a pixel is from the truth."""
     with ctx.workprec(BITS):
-        return [abs(arb(float(c)) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
+        return [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
 
 
 def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
@@ -114,7 +114,7 @@ def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> 
     truth, bounds = truth_of(frame, column, row), frame.bounds[row, column]
     errors = [float(error.upper()) for error in errors_of(frame, column, row, truth)]
     undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
-    same_chamber = code_of(frame.scene, truth) == int(frame.chambers[row, column])
+    same_chamber = bool(code_of(frame.scene, truth) == frame.chambers[row, column])
     return Checked(name, kind, column, row, max(errors), bounds.max(), undecided, same_chamber)
 
 

@@ -45,8 +45,8 @@ def shares(claim: Rounded, random: np.random.Generator, samples: int) -> list[fl
         exact = balls(values, BITS)
         for (name, bound), value in zip(bounds, np.atleast_1d(computed(*inputs)), strict=True):
             with ctx.workprec(BITS):
-                off = float(abs(arb(float(value)) - exact[name]).upper())
-            most = float(bound(*inputs))
+                off = float(abs(arb(value) - exact[name]).upper())
+            most = bound(*inputs)
             ratios.append(off / most if most else math.inf if off else 0.0)
     return ratios
 
