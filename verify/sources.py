@@ -7,6 +7,7 @@ import sys
 import tokenize
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from importlib.util import resolve_name
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -14,7 +15,7 @@ PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
-IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec")
+IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec", "importlib.util.resolve_name")
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
@@ -117,25 +118,19 @@ def _direct_imports(path: Path) -> frozenset[Path]:
 
 def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
     """The dotted names that may be modules which a source in a package imports; and whether it computes others."""
-    names: set[str] = set()
-    computed, homes = False, None
+    here, modules, taken, homes, named = ".".join(package), set(), set(), set(), set()
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Import):
-            names.update(alias.name for alias in node.names)
-            computed |= any(_computes(alias.name) for alias in node.names)
+            taken |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            base = package[: len(package) - node.level + 1] if node.level else ()
-            module = ".".join([*base, *([node.module] if node.module else [])])
-            taken = [f"{module}.{alias.name}" for alias in node.names]
-            names.update([module, *taken])
-            computed |= any(map(_computes, taken))
+            module = resolve_name("." * node.level + (node.module or ""), here)
+            modules.add(module)
+            taken |= {f"{module}.{alias.name}" for alias in node.names}
         elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == LAZY:
-            homes = {".".join([*package, home]) for home in ast.literal_eval(node.value).values()}
+            homes = {f"{here}.{home}" for home in ast.literal_eval(node.value).values()}
         elif isinstance(node, ast.Name):
-            computed |= node.id in COMPUTED_IMPORTS
-    if homes is not None:
-        return names | homes, False
-    return names, computed
+            named.add(node.id)
+    return modules | taken | homes, not homes and any(map(_computes, taken | named))
 
 
 def _computes(name):
