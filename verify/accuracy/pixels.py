@@ -54,8 +54,12 @@ def _kinds(scene, frame):
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
-    lights, flat = range(len(scene.lights)), copy(frame)
+    flat = copy(frame)
     flat.scene = replace(scene, beta=0.0)  # its light's cosines are of the same points, without the bump
+
+    def least_cosine(frame):
+        return np.min([np.abs(frame.light_cosines(number)) for number in range(len(scene.lights))], axis=0)
+
     return {
         "at random": np.zeros(surface.shape),
         "silhouette": np.where(_edges(surface), 0.0, np.inf),
@@ -63,8 +67,8 @@ def _kinds(scene, frame):
         "next to the pole": v,
         "next to the seam": np.minimum(u, 1 - u),
         "next to a crease": np.minimum(*np.abs(waves)),
-        "terminator": np.min([np.abs(frame.light_cosines(i)) for i in lights], axis=0),
-        "grazing light": np.min([np.abs(flat.light_cosines(i)) for i in lights], axis=0),
+        "terminator": least_cosine(frame),
+        "grazing light": least_cosine(flat),
     }
 
 

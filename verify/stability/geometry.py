@@ -13,12 +13,13 @@ from sympy import Symbol
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.camera import angles_on_a, normal_of_b, parallel_radius, silhouette_of_a
+from proofs.formulas.camera import angles_on_a, normal_of_b, parallel_radius
 from proofs.formulas.chart import chart, seed_chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.seed_hit import seed_normal
 from proofs.formulas.symbols import ball_center, h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
+from renderer import kernels
 from verify.evaluate.arrays import Inputs, in_float64, with_bounds
 from verify.evaluate.programs import algebraic_gradient, naive_gradient
 from verify.stability.sweep import SHAPE, Sweep, measured
@@ -84,8 +85,8 @@ def toward_the_silhouette() -> Sweep:
     ρ_s; the root turns δ/s into δ/√s, and no form can do better, since ρ_s itself is rounded.
     """
     share = np.logspace(np.log10(0.99), -14, 57)
-    (edge,) = in_float64(silhouette_of_a, {"eye": EYE, "radius": RADIUS}).values()
-    return _of_normal(share, image_points(edge * np.sqrt(1 - share), samples=40, seed=2))
+    rho = kernels.silhouette_of_a(EYE, RADIUS) * np.sqrt(1 - share)
+    return _of_normal(share, image_points(rho, samples=40, seed=2))
 
 
 def from_near_to_far() -> Sweep:
@@ -96,8 +97,7 @@ def from_near_to_far() -> Sweep:
     samples, seed = 60, 3
     above = np.logspace(-9 + 1e-6, 6 - 1e-6, 61)
     eye = RADIUS + above
-    (edge,) = in_float64(silhouette_of_a, {"eye": eye, "radius": RADIUS}).values()
-    inputs = image_points(edge, samples, seed, eye[:, None])
+    inputs = image_points(kernels.silhouette_of_a(eye, RADIUS), samples, seed, eye[:, None])
     inside = np.random.default_rng(seed).uniform(0, 0.9, inputs["x"].shape)
     return _of_normal(above, inputs | {axis: inputs[axis] * np.sqrt(inside) for axis in "xy"})
 
