@@ -93,26 +93,19 @@ def measure(pictures: int, first: int = 1000) -> dict:
     largest_share of a bound; open_share of the pictures, median_ratio, bound by error, of all and of each of KINDS.
     """
     ratios: dict[str, list[float]] = defaultdict(list)
-    counts = dict.fromkeys(("pixels", "decided", "above_bound", "chambers_missed"), 0)
-    opened, drawn = Counter[str](), Counter[str]()
+    counts, opened, drawn = Counter[str](), Counter[str](), Counter[str]()
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
         picture, random = random_picture(seed), np.random.default_rng(seed)
         frame = picture.frame
         kinds = ("all", str(frame.scene.field), str(frame.scene.model), frame.method.name)
-        for kind in kinds:
-            opened[kind] += int(frame.open.sum())
-            drawn[kind] += frame.open.size
+        opened.update(dict.fromkeys(kinds, int(frame.open.sum())))
+        drawn.update(dict.fromkeys(kinds, frame.open.size))
         for number, place in enumerate(places(picture, random, EACH)):
             off, bounds, missed = picture.errors(*place)
-            counts["pixels"] += 1
-            counts["decided"] += int(np.isfinite(off).all())
-            counts["above_bound"] += int((off > bounds).sum())
-            counts["chambers_missed"] += missed
-            known = off > 0
-            ratios["largest"] += (bounds[known] / off[known]).tolist()
-            if number < EACH:
-                for kind in kinds:
-                    ratios[kind] += (bounds[known] / off[known]).tolist()
+            known, above = off > 0, int((off > bounds).sum())
+            counts.update(pixels=1, decided=int(np.isfinite(off).all()), above_bound=above, chambers_missed=missed)
+            for kind in ("largest", *(kinds if number < EACH else ())):
+                ratios[kind] += (bounds[known] / off[known]).tolist()
     shares = {"largest_share": 1 / min(ratios.pop("largest"))}
     shares |= {f"open_share_{kind}": opened[kind] / total for kind, total in sorted(drawn.items())}
     medians = {f"median_ratio_{kind}": float(np.median(found)) for kind, found in sorted(ratios.items())}

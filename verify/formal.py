@@ -24,7 +24,7 @@ from proofs.engine.claim import Separation
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
 from verify import survey, vernacular
-from verify.sources import ROOT, hashes, key
+from verify.sources import ROOT, file_hashes, key
 from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
 
 FOLDER = ROOT / "proofs" / "formal"
@@ -54,8 +54,12 @@ PARTLY = {
 """{theorem: what of its words no statement says}"""
 
 
-def layers(*wanted: str) -> list[list[str]]:
-    """Return the names of the files that Coq reads, each in a later layer than those that it requires.
+GIVEN = {*PRINTED, *TRUSTED}
+CLAIM = re.compile(r"^Definition (\w+) : Prop", re.MULTILINE)
+
+
+def layers(*wanted: str) -> list[dict[str, str]]:
+    """Return {name: text} of the files that Coq reads, each in a later layer than those that it requires.
 
     All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, where
     one written by hand could change how a statement is read, where a printed or trusted one requires one written by
@@ -83,31 +87,23 @@ def layers(*wanted: str) -> list[list[str]]:
     reached = set(wanted or needs)
     for name in (name for batch in reversed(batches) for name in batch):
         reached |= needs[name] if name in reached else set()
-    return [sorted(reached.intersection(batch)) for batch in batches]
-
-
-CLAIM = re.compile(r"^Definition (\w+) : Prop", re.MULTILINE)
-
-
-def printed_claims(order: list[Path]) -> set[str]:
-    """Return the names of the claims that are printed."""
-    return {name for path in order if path.stem == "Statements" for name in CLAIM.findall(path.read_text("utf-8"))}
+    return [{name: texts[name] for name in sorted(reached.intersection(batch))} for batch in batches]
 
 
 def _by_hand(texts):
-    return {name: text for name, text in texts.items() if name not in (*PRINTED, *TRUSTED)}
+    return {name: text for name, text in texts.items() if name not in GIVEN}
 
 
 def _readable(name, text, needs):
-    if (name in PRINTED or name in TRUSTED) and (by_hand := needs.difference(PRINTED, TRUSTED)):
-        raise NotAccepted(f"{name} requires {', '.join(sorted(by_hand))}, which is written by hand")
-    if name in TRUSTED and hashlib.sha256(text.encode()).hexdigest() != TRUSTED[name]:
-        raise NotAccepted(f"{name} is not the text that is trusted")
-    if name not in PRINTED and name not in TRUSTED:
+    if name not in GIVEN:
         try:
             vernacular.check(text)
         except vernacular.Unreadable as error:
             raise NotAccepted(f"{name}: {error}: that could hide what is said, or assumed") from error
+    elif by_hand := needs - GIVEN:
+        raise NotAccepted(f"{name} requires {', '.join(sorted(by_hand))}, which is written by hand")
+    elif name in TRUSTED and hashlib.sha256(text.encode()).hexdigest() != TRUSTED[name]:
+        raise NotAccepted(f"{name} is not the text that is trusted")
 
 
 def files(*wanted: str) -> list[Path]:
@@ -118,15 +114,14 @@ def files(*wanted: str) -> list[Path]:
 def statements(*wanted: str) -> Statements:
     """Return what is said of each theorem, in the order of the files."""
     named: Statements = {}
-    for path in files(*wanted):
-        text = path.read_text(encoding="utf-8")
-        matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if path.stem not in PRINTED else ()))
+    for file, text in (item for layer in layers(*wanted) for item in layer.items()):
+        matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if file not in PRINTED else ()))
         proved = {name: (printed, claim) for name, printed, claim in (match.groups() for match in matches)}
         for name, (printed, claim) in proved.items():
             if name != claim:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")
             said = named.setdefault(name.partition("__")[0], Said())
-            (said.claims if printed == "Statements" else said.mutants)[name] = path.stem
+            (said.claims if printed == "Statements" else said.mutants)[name] = file
         for name, theorem in STATEMENT.findall(text):
             if name not in proved:
                 named.setdefault(theorem, Said()).additions.append(name)
@@ -156,8 +151,8 @@ def record() -> dict:
 
 
 def coq_hashes() -> dict[str, str]:
-    """Return {file: hash} of everything that Coq reads; which Python asks it is no matter."""
-    return {path: of for path, of in hashes(FOLDER.glob("*.v")).items() if path != "python"}
+    """Return {file: hash} of everything that Coq reads."""
+    return file_hashes(FOLDER.glob("*.v"))
 
 
 def seen() -> str:
@@ -198,30 +193,24 @@ def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -
     """
     from tqdm import tqdm
 
-    named, order = statements(*wanted), files(*wanted)
-    asked = survey.groups(named, said or {})
+    named, order = statements(*wanted), layers(*wanted)
+    texts = {name: text for layer in order for name, text in layer.items()}
+    asked, by_hand = survey.groups(named, said or {}), _by_hand(texts)
+    names = {name for text in by_hand.values() for name in vernacular.named(text)}
+    required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
+    required += [f"From Formal Require Import {name}." for name in (*TRUSTED, "Formulas") if name in texts]
+    names_asked = survey.names_asked(names - {*CLAIM.findall(texts.get("Statements", ""))}, required)
+    asks = {"Names": names_asked, **survey.survey(named, asked, [*texts])}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for path in order:
-            shutil.copy(path, folder)
-        by_hand = _by_hand({path.stem: path.read_text(encoding="utf-8") for path in order})
-        names = {name for text in by_hand.values() for name in vernacular.named(text)} - printed_claims(order)
-        required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
-        required += [
-            f"From Formal Require Import {path.stem}." for path in order if path.stem in (*TRUSTED, "Formulas")
-        ]
-        asks = {
-            "Names": survey.names_asked(names, required),
-            **survey.survey(named, asked, [path.stem for path in order]),
-        }
-        for file, text in asks.items():
+        for file, text in (texts | asks).items():
             (folder / f"{file}.v").write_text(text, encoding="utf-8")
-        with tqdm(total=len(order) + len(asks), unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
-            for layer in [*layers(*wanted), list(asks)]:
+        with tqdm(total=len(texts) + len(asks), unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
+            for layer in (*order, asks):
                 printed = list(pool.map(lambda name: _asked(folder, *COQC, f"{name}.v"), layer))
                 bar.update(len(layer))
         if again:
-            check_again(folder, [path.stem for path in order])
+            check_again(folder, [*texts])
     return survey.read(named, asked, "".join(printed[1:]))
 
 

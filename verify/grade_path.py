@@ -9,7 +9,7 @@ import argparse
 import ast
 from pathlib import Path
 
-from verify.sources import PACKAGES, ROOT, without_prose
+from verify.sources import PACKAGES, ROOT, imported, without_prose
 
 ENTRANCES = ("verify/checkers/proof_checker.py", "verify/formal.py", "renderer/generate/coq.py")
 PRINTS_CLAIMS = "renderer/generate/statements.py"  # since there are printed claims
@@ -28,15 +28,14 @@ def modules(root: Path) -> dict[str, int]:
     return found
 
 
+class _WithoutFunctions(ast.NodeTransformer):
+    def visit_FunctionDef(self, _):
+        return ast.Pass()
+
+
 def _imported(root, name):
-    waiting, names = [ast.parse((root / name).read_text(encoding="utf-8"))], set()
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, ast.ImportFrom) and node.module:
-            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
-        elif not isinstance(node, ast.FunctionDef):
-            waiting += ast.iter_child_nodes(node)
-    paths = (name.replace(".", "/") for name in names if name.split(".")[0] in PACKAGES)
+    at_once = _WithoutFunctions().visit(ast.parse((root / name).read_text(encoding="utf-8")))
+    paths = (name.replace(".", "/") for name in imported(ast.unparse(at_once))[0] if name.split(".")[0] in PACKAGES)
     return {file for path in paths for file in (f"{path}.py", f"{path}/__init__.py") if (root / file).is_file()}
 
 

@@ -109,13 +109,15 @@ def processor() -> str:
 
 def commit() -> str:
     """Return the short id of the commit that is measured, with + if the tree differs from it, records aside."""
-    git = ["git", "-C", str(ROOT)]
-    head = subprocess.run([*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
-    if head.returncode:
-        return "unknown"
-    status = [*git, "status", "--porcelain", "-uno", "--", ":/", ":(exclude,glob)verify/**/results/*"]
-    dirty = subprocess.run(status, capture_output=True, text=True, check=False)
-    return head.stdout.strip() + ("+" if dirty.stdout.strip() else "")
+    head = _git("rev-parse", "--short", "HEAD")
+    dirty = head and _git("status", "--porcelain", "-uno", "--", ":/", ":(exclude,glob)verify/**/results/*")
+    return f"{head}+" if dirty else head or "unknown"
+
+
+def _git(*arguments):
+    """Return what git prints, nothing where it fails."""
+    command = ["git", "-C", str(ROOT), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
 
 
 def label(packages: Iterable[str]) -> dict[str, Any]:

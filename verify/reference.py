@@ -1,21 +1,22 @@
 """The 50-digit reference of a pixel: its program run on the exact values of a scene's float64 numbers."""
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
 from flint import arb
 from mpmath import mpf
 
-from proofs.formulas import symbols
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import CHANNELS, light_color, light_position, pixel
+from proofs.formulas.pixel import albedo_of_a, albedo_of_b, ambient_light, light_color, light_position, pixel, rgb
+from proofs.formulas.symbols import ball_center
 from renderer import Light, Scene
 from verify.evaluate import DIGITS, Reference
 from verify.evaluate.balls import Balls
 
-COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
+COLORS = tuple(s.name for s in rgb)
 
 
 class Undecided(ValueError):
@@ -23,10 +24,10 @@ class Undecided(ValueError):
 
 
 @lru_cache(maxsize=64)
-def _pixel_references(field, model, lights, method):
-    gradient = None if method == "exact" else METHODS[method](HEIGHT_FIELDS[field])
-    program = pixel(HEIGHT_FIELDS[field], model, lights, gradient)
-    return Reference(program), Balls(program)
+def lines_of(kind: Callable, field: str, model: str, lights: int, method: str = "exact") -> Any:
+    """Return what a kind of evaluator makes of a whole pixel, by a gradient method: exact is the general form."""
+    known = HEIGHT_FIELDS[field]
+    return kind(pixel(known, model, lights, None if method == "exact" else METHODS[method](known)))
 
 
 def lights_on(scene: Scene) -> list[Light]:
@@ -40,24 +41,21 @@ def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     others: width, height, column, row, epsilon.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
-    values = others | {
-        "eye": scene.eye,
-        "radius": scene.radius,
-        "ball_radius": ball_radius,
-        "ball_on": float(scene.ball),
-        "floor_on": float(scene.floor),
-        "k_u": scene.ku,
-        "k_v": scene.kv,
-        **{name: getattr(scene, name) for name in ("beta", "ka", "kd", "ks", "shininess", "floor_tint")},
-        **{s.name: c for s, c in zip(symbols.ball_center, center, strict=True)},
-    }
-    for name, triple in (("ambient", scene.ambient), ("albedo_a", scene.albedo_a), ("albedo_b", scene.albedo_b)):
-        values |= {f"{name}_{c}": value for c, value in zip(CHANNELS, triple, strict=True)}
+    own = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
+    values = others | {name: getattr(scene, name) for name in own} | {"k_u": scene.ku, "k_v": scene.kv}
+    values |= {"ball_radius": ball_radius, "ball_on": float(scene.ball), "floor_on": float(scene.floor)}
+    triples: list = [(ball_center, center), (ambient_light, scene.ambient)]
+    triples += [(albedo_of_a, scene.albedo_a), (albedo_of_b, scene.albedo_b)]
     for number, light in enumerate(lights_on(scene)):
-        assert light.color is not None  # it is on
-        values |= {s.name: p for s, p in zip(light_position(number), light.position, strict=True)}
-        values |= {s.name: c for s, c in zip(light_color(number), light.color, strict=True)}
-    return values
+        triples += [(light_position(number), light.position), (light_color(number), light.color)]
+    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)}
+
+
+def chamber_code(scene: Scene, whole: Callable[[str], Any]) -> Any:
+    """Return the chamber code, as `renderer.picture.stage.Stage` defines it; whole: from a line's name to its value."""
+    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
+    shadows = sum(whole(f"occluded_{n}") << 2 + number for n, number in enumerate(on))
+    return whole("surface") | shadows | whole("dark_square") << 7
 
 
 def reference_pixel(
@@ -77,8 +75,8 @@ def reference_pixel(
     of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
     values = scene_values(scene, column=column, row=row, width=width, height=height, epsilon=eps)
-    reference, balls = _pixel_references(scene.field, scene.model, len(lights_on(scene)), method)
-    enclosed = balls(values, round((digits + 20) / math.log10(2)))
+    whole = scene.field, scene.model, len(lights_on(scene)), method
+    enclosed = lines_of(Balls, *whole)(values, round((digits + 20) / math.log10(2)))
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
-    return reference(values, digits)
+    return lines_of(Reference, *whole)(values, digits)

@@ -5,8 +5,9 @@ import hashlib
 import json
 import sys
 import tokenize
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from importlib.util import resolve_name
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -14,7 +15,7 @@ PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
-IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec")
+IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec", "importlib.util.resolve_name")
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
@@ -60,15 +61,16 @@ def followed(waiting: set[Path]) -> set[Path]:
 
 def hashes(paths: Iterable[Path]) -> dict[str, str]:
     """Path from the root → hash of the bytes, for files that exist; and the Python that runs them."""
-    return {"python": ".".join(map(str, sys.version_info[:3])), **_table(paths, Path.read_bytes)}
+    return {"python": ".".join(map(str, sys.version_info[:3])), **file_hashes(paths)}
 
 
 def code_hashes(paths: Iterable[Path]) -> dict[str, str]:
     """Path from the root → hash of what it says, for files that exist: of Python without comments and docstrings."""
-    return _table(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
+    return file_hashes(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
 
 
-def _table(paths, content):
+def file_hashes(paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes) -> dict[str, str]:
+    """Path from the root → hash of its content, for files that exist."""
     found = sorted(path for path in set(paths) if path.is_file())
     return {path.relative_to(ROOT).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
 
@@ -116,25 +118,19 @@ def _direct_imports(path: Path) -> frozenset[Path]:
 
 def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
     """The dotted names that may be modules which a source in a package imports; and whether it computes others."""
-    names: set[str] = set()
-    computed, homes = False, None
+    here, modules, taken, homes, named = ".".join(package), set(), set(), set(), set()
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Import):
-            names.update(alias.name for alias in node.names)
-            computed |= any(_computes(alias.name) for alias in node.names)
+            taken |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            base = package[: len(package) - node.level + 1] if node.level else ()
-            module = ".".join([*base, *([node.module] if node.module else [])])
-            taken = [f"{module}.{alias.name}" for alias in node.names]
-            names.update([module, *taken])
-            computed |= any(map(_computes, taken))
+            module = resolve_name("." * node.level + (node.module or ""), here)
+            modules.add(module)
+            taken |= {f"{module}.{alias.name}" for alias in node.names}
         elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == LAZY:
-            homes = {".".join([*package, home]) for home in ast.literal_eval(node.value).values()}
+            homes = {f"{here}.{home}" for home in ast.literal_eval(node.value).values()}
         elif isinstance(node, ast.Name):
-            computed |= node.id in COMPUTED_IMPORTS
-    if homes is not None:
-        return names | homes, False
-    return names, computed
+            named.add(node.id)
+    return modules | taken | homes, not homes and any(map(_computes, taken | named))
 
 
 def _computes(name):

@@ -14,7 +14,7 @@ from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from renderer import Light, Scene, render, stage_of
 from renderer.scene.methods import GradientMethod
 from verify.evaluate.arrays import in_float64
-from verify.reference import lights_on, scene_values
+from verify.reference import chamber_code, lights_on, scene_values
 
 
 @cache
@@ -23,26 +23,22 @@ def _program(field, model, lights, outputs):
 
 
 def _run(scene, width, height, *outputs):
-    """Return the outputs at every pixel, (height, width) each."""
+    """Return {output: at every pixel, (height, width)}."""
     program = _program(scene.field, scene.model, len(lights_on(scene)), outputs)
     place = {"column": np.arange(width), "row": np.arange(height)[:, None]}
-    return in_float64(program, scene_values(scene, width=width, height=height, **place)).values()
+    return in_float64(program, scene_values(scene, width=width, height=height, **place))
 
 
 def strict_rgb(scene: Scene, width: int, height: int) -> np.ndarray:
     """Return the picture by the exact gradient in its general form, (height, width, 3)."""
-    return np.stack([*_run(scene, width, height, *rgb)], axis=-1)
+    return np.stack([*_run(scene, width, height, *rgb).values()], axis=-1)
 
 
 def strict_chambers(scene: Scene, width: int, height: int) -> np.ndarray:
-    """Return the chamber codes, (height, width) uint8, as `renderer.picture.stage.Stage` defines them."""
-    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    occlusions = (occlusion(number) for number in range(len(on)))
-    seen, dark, *occluded = _run(scene, width, height, surface, dark_square, *occlusions)
-    codes = seen.astype(np.uint8) | (dark.astype(np.uint8) << 7)
-    for number, flag in zip(on, occluded, strict=True):
-        codes |= flag.astype(np.uint8) << np.uint8(2 + number)
-    return codes
+    """Return the chamber codes, (height, width) uint8."""
+    occlusions = map(occlusion, range(len(lights_on(scene))))
+    lines = _run(scene, width, height, surface, dark_square, *occlusions)
+    return chamber_code(scene, lambda name: lines[name].astype(np.uint8))
 
 
 def random_scene(random: np.random.Generator) -> Scene:

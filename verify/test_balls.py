@@ -11,7 +11,7 @@ from proofs.formulas.symbols import real
 from renderer import Scene, render
 from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, problems, truth_of
 from verify.evaluate.arrays import in_balls
-from verify.evaluate.balls import Balls, ball_of
+from verify.evaluate.balls import Balls
 from verify.reference import Undecided, reference_pixel
 
 a, b, c, d = real("a b c d")
@@ -27,7 +27,7 @@ def test_balls_enclose_the_reference(name):
         truth, balls = reference_pixel(frame.scene, SIZE, SIZE, column, row), truth_of(frame, column, row)
         with ctx.workprec(400):
             for color in COLORS:
-                assert abs(balls[color].mid() - ball_of(truth[color])) < arb(10) ** -48
+                assert abs(balls[color].mid() - arb(truth[color])) < arb(10) ** -48
         assert problems([checked_pixel(name, frame, "at random", column, row)]) == []
 
 

@@ -5,7 +5,7 @@ canonical structures, instances, modules, flags. Nor may a name be given that so
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 LIBRARIES = {"Coq", "Coquelicot", "Flocq", "Interval", "Formal"}
 FIRST_WORDS = re.compile(
@@ -49,15 +49,11 @@ def check(text: str) -> None:
     """Raise Unreadable unless every command of a file is one of those that may be said."""
     for sentence in sentences(text):
         tactic = sentence[0] in "[(!" or (sentence[0].isascii() and sentence[0].isalnum() and not sentence[0].isupper())
-        if not tactic and not FIRST_WORDS.match(sentence):
+        several = len(re.findall(r"\bwith\b", sentence)) > len(re.findall(r"\bmatch\b", sentence))
+        said = sentence if sentence.startswith("Inductive") else sentence.partition(":=")[0]
+        hiding = SAID.match(sentence) and (several or HIDDEN.search(said))
+        if hiding or NAMELESS.search(sentence) or not (tactic or FIRST_WORDS.match(sentence)):
             raise Unreadable(sentence)
-        if NAMELESS.search(sentence):
-            raise Unreadable(sentence)
-        if SAID.match(sentence):
-            several = len(re.findall(r"\bwith\b", sentence)) > len(re.findall(r"\bmatch\b", sentence))
-            said = sentence if sentence.startswith("Inductive") else sentence.partition(":=")[0]
-            if several or HIDDEN.search(said):
-                raise Unreadable(sentence)
 
 
 def named(text: str) -> list[str]:
@@ -90,14 +86,3 @@ def given_twice(texts: Mapping[str, str]) -> list[str]:
         twice += sorted(names & seen)
         seen |= names
     return twice
-
-
-def locating(names: Iterable[str]) -> list[str]:
-    """Return the commands that ask Coq what has these names."""
-    return [f"Locate {name}." for name in sorted(set(names))]
-
-
-def taken(names: Iterable[str], printed: str) -> list[str]:
-    """Return those of the names of which Coq, asked as `locating` says, did not print that nothing has them."""
-    free = set(re.findall(r"^No object of basename (\S+)$", printed, re.MULTILINE))
-    return sorted(set(names) - free)

@@ -14,7 +14,7 @@ from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, tangent_fr
 from renderer import Scene, central, exact, gradient_at
 from verify.accuracy.orders import fitted_slope
 from verify.evaluate.arrays import distance, in_balls, in_float64
-from verify.stability.pipelines import SEED_FALLBACK
+from verify.stability.geometry import SEED_FALLBACK
 
 AZIMUTHS = np.linspace(-3.0, 3.0, 25)
 _azimuth, _around = real("azimuth"), (cos_theta, sin_theta, cos_phi)

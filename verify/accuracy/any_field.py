@@ -39,7 +39,7 @@ def third_derivatives(field: HeightField, along: Symbol, inputs: Inputs, steps: 
     if field.creases:
         raise not_allowed("field", field.name, "one without creases")
     third: Expr = diff(field.expression, along, 3)
-    balls = Balls(Program("third", (u, v, k_u, k_v), ((THIRD, third),), (THIRD,)))
+    balls = Balls(Program("third", (u, v, k_u, k_v), ((THIRD, third),)))
     found = []
     with flint.ctx.workprec(BITS):
         for step in steps.tolist():

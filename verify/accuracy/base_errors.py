@@ -4,11 +4,10 @@ A's lines are run on numbers that are Enclosed twice: the exact ones over a box,
 That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
 """
 
-from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 from itertools import product
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -16,12 +15,11 @@ from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.symbols import cos_phi, cos_theta, rho, sin_phi, sin_theta
 from renderer import kernels, operations
-from renderer.machines.bounded import Bounded
 from renderer.machines.enclosing import SLACK, Enclosed, enclosed
 from renderer.operations import UNIT
 from verify.accuracy.pieces import lines
-from verify.evaluate import ANY_NUMBERS, code_of
-from verify.evaluate.rounding import run
+from verify.evaluate import code_of
+from verify.evaluate.rounding import Running, run
 
 LEAST_SQUARE = 0.1
 """The least 1 − (ρ/ρ_s)²."""
@@ -30,34 +28,19 @@ RATIOS = (1e-6, 1 - 1e-9)
 BOXES, ANGLES = (6000, 200), 2000
 
 
-class OverBoxes(Bounded):
+class OverBoxes(Running):
     """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most."""
 
     def __init__(self, value: Any, error: Any = 0.0):
         super().__init__(enclosed(value), Enclosed(enclosed(error).size * SLACK))
 
-    @staticmethod
-    def of(number: Any) -> "OverBoxes":
-        """Return a number as OverBoxes."""
-        return number if isinstance(number, OverBoxes) else OverBoxes(number)
-
     def known_as(self, value: Enclosed) -> "OverBoxes":
         """Return the number, of which more is known than its line says."""
         return OverBoxes(value, self.error)
 
-    @property
-    def size(self) -> Enclosed:
-        """How large the float64 number can be."""
-        return abs(self.value) + self.error
-
     def inverse(self) -> Enclosed:
         """Return how large its inverse can be."""
         return 1.0 / (abs(self.value) - self.error)
-
-    @staticmethod
-    def size_of_quotient(quotient: Enclosed) -> Enclosed:
-        """Return the size of a quotient."""
-        return abs(quotient)
 
     def lost(self, *_: Any) -> float:
         """Return what rounding takes at most, over the result: nothing underflows."""
@@ -70,16 +53,12 @@ class OverBoxes(Bounded):
         """Return a result."""
         return OverBoxes(value, moved + (abs(value) + moved) * lost)
 
-    def __neg__(self):
-        return OverBoxes(-self.value, self.error)
-
     def sqrt(self) -> "OverBoxes":
         """|√a − √b| = |a − b|/(√a + √b)."""
         root, least = operations.sqrt(self.value), operations.sqrt(self.value - self.error)
         return self.rounded(root, self.error / (root + least), UNIT)
 
-    names: Mapping[str, Any] = ANY_NUMBERS | {
-        "rational": lambda p, q: p / q,
+    names: ClassVar = Running.names | {
         "sqrt": sqrt,
         "maximum": lambda zero, number: number,
         "compare": lambda *sides: True,  # A is hit, off the pole
@@ -133,12 +112,9 @@ def gradient_bound(of_u: float, of_v: float) -> Fraction:
     unit = Fraction(UNIT)
     kappa, rest = (1 + unit) ** 3, (1 + unit) ** 4
 
-    def factor(off, power):
-        return (1 + Fraction(off)) ** power * kappa ** (power - 1) if power else 1
+    def factors(off, most):
+        return [1, *((1 + Fraction(off)) ** power * kappa ** (power - 1) for power in range(1, most + 1))]
 
-    waves = product(range(MAX_WAVE_NUMBER // 2 + 1), range(MAX_WAVE_NUMBER + 1))
-    factors = (
-        [factor(of_u, n) for n in range(MAX_WAVE_NUMBER // 2 + 1)],
-        [factor(of_v, n) for n in range(MAX_WAVE_NUMBER + 1)],
-    )
-    return max((rest * factors[0][n] * factors[1][m] - 1) / (1 + max(2 * n, m, 1)) for n, m in waves) / unit
+    by_u, by_v = factors(of_u, MAX_WAVE_NUMBER // 2), factors(of_v, MAX_WAVE_NUMBER)
+    pairs = product(enumerate(by_u), enumerate(by_v))
+    return max((rest * f * g - 1) / (1 + max(2 * n, m, 1)) for (n, f), (m, g) in pairs) / unit

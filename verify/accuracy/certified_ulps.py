@@ -15,7 +15,7 @@ from functools import cache, partial
 from itertools import pairwise
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb, arb_series, ctx
 
 from proofs.engine.program import Program
 from proofs.formulas import elementary as e
@@ -50,19 +50,6 @@ def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
         return np.frompyfunc(error_in_ulps, 2, 1)(computed, exact).astype(float)
 
 
-def _sine_coefficient(shift):
-    def coefficient(n):
-        if n % 2 == shift:
-            return arb(0)
-        return (-1 if n % 4 > 1 else 1) * arb.pi() ** n / arb.fac_ui(n)
-
-    return coefficient
-
-
-def _arctangent_coefficient(n):
-    return arb(0) if n % 2 == 0 else (-1 if n % 4 == 3 else 1) / (n * arb.pi())
-
-
 @cache
 def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program = e.sine_of_half_turns) -> list[Piece]:
     """Return the Pieces of sinpi (or cospi) over the reduced argument, 0 ≤ r ≤ 1/4 (the rest by symmetry).
@@ -72,7 +59,8 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
     near = e.cosine_near if cosine else e.sine_near
     with ctx.workprec(PRECISION):
         code = code_of(lines(program, after=[*e.reduction][:4], until=(near,)))
-        series = Series(program.expand(near, until=(e.remainder,)), e.remainder, _sine_coefficient(shift=cosine))
+        function = arb_series.cos_pi if cosine else arb_series.sin_pi
+        series = Series(program.expand(near, until=(e.remainder,)), e.remainder, function)
         end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
         cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
         return [
@@ -123,7 +111,7 @@ class _Angle:
         self.to_octant = code_of(lines(program, (*given, e.node, e.ratio), (e.first_octant,)))
         self.octants = [code_of(self._decided(program, *choice)) for choice in ((0, 0), (0, 1), (1, 0), (1, 1))]
         arctangent = program.expand(e.small_part, until=(e.ratio, e.node_correction)) - e.node_correction
-        self.series = Series(arctangent, e.ratio, _arctangent_coefficient)
+        self.series = Series(arctangent, e.ratio, lambda t: t.atan() / arb.pi())
 
     @staticmethod
     def _decided(program, *branches):

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.step_bounds import TERMS
 from renderer.generate.step_terms import SLOPE_TERMS
+from verify.accuracy.pieces import lines
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
 
 PER_DECADE = 40
@@ -46,16 +46,14 @@ class Case(NamedTuple):
 
 @cache
 def _split(field):
-    """Return a central difference in two programs: where it samples, and the quotient of given samples."""
+    """Return a central difference, and in two programs: where it samples, and the quotient of given samples."""
     whole = central(HEIGHT_FIELDS[field])
-    rest = tuple(line for line in whole.definitions if line[0] not in ARGUMENTS)
-    return whole.keep(*ARGUMENTS), Program("given", (*whole.inputs, *ARGUMENTS), rest, whole.outputs)
+    return whole, whole.keep(*ARGUMENTS), lines(whole, ARGUMENTS, whole.outputs)
 
 
 def taken_apart(field: str, inputs: Inputs, steps: ArrayLike) -> dict[str, np.ndarray]:
     """Return {component: the signed errors of PARTS} over arrays of points or of steps. inputs: u, v, k_u, k_v."""
-    at, whole = {**inputs, "epsilon": steps}, central(HEIGHT_FIELDS[field])
-    where, given = _split(field)
+    at, (whole, where, given) = {**inputs, "epsilon": steps}, _split(field)
     slope, exact, computed = (
         in_balls(gradient(HEIGHT_FIELDS[field]), inputs),
         in_balls(whole, at),

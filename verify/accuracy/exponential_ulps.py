@@ -11,7 +11,7 @@ import math
 from functools import cache
 from itertools import pairwise
 
-from flint import arb, ctx
+from flint import arb, arb_series, ctx
 
 from proofs.engine.program import Program
 from proofs.formulas import exponential as e
@@ -32,7 +32,7 @@ def exponential_pieces(program: Program = e.exponential_of_sum, moved: float = 0
     with ctx.workprec(PRECISION):
         code = code_of(lines(program, [*e.exponential_reduction], (e.exponential_near,)))
         polynomial = program.expand(e.exponential_near, until=(e.away, e.away_error)) - e.away_error
-        series = Series(polynomial, e.away, lambda n: 1 / arb.fac_ui(n))
+        series = Series(polynomial, e.away, arb_series.exp)
         end = arb.const_log2() / 2 + arb((1, -41))  # n is that of a rounded product, without the argument's error
         ends = [end * n / PIECES for n in range(-PIECES, PIECES + 1)]
         return [_exponential_piece(code, series, moved, *ends) for ends in pairwise(ends)]
@@ -54,7 +54,7 @@ def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
         given = [*e.logarithm_reduction, e.quotient, e.log_whole, e.log_quotient]
         code = code_of(lines(program, given, (e.log_rest,)))
         tail = program.expand(e.log_tail, until=(e.quotient,))
-        series = Series(tail, e.quotient, lambda n: arb(2) / n if n % 2 and n > 1 else ZERO)
+        series = Series(tail, e.quotient, lambda q: ((1 + q) / (1 - q)).log() - 2 * q)
         root, pieces = arb(2).sqrt() * (1 + SLACK), []
         mantissas = (1 / root, ball(e.NODE_1_FROM), ball(e.NODE_1_BELOW), root)
         for number, ends in enumerate(pairwise(mantissas)):

@@ -15,6 +15,7 @@ from proofs.formulas.certified import ALGEBRAIC_GRADIENT
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, factors, gradient, sin_u, sin_v
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v
+from renderer import kernels
 from renderer.operations import UNIT
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import Inputs, distance, in_balls, in_float64
@@ -30,8 +31,7 @@ def image_points(rng: np.random.Generator, eye: float, radius: float, count: int
 
     A third of them has an azimuth that is a multiple of π/64: of the creases of ridges.
     """
-    rim = eye * radius / math.sqrt((eye - radius) * (eye + radius))
-    rho = rim * math.sqrt(0.9) * np.sqrt(rng.random(count)) * (1 - 1e-12)
+    rho = kernels.silhouette_of_a(eye, radius) * math.sqrt(0.9) * np.sqrt(rng.random(count)) * (1 - 1e-12)
     # Near the pole ρ = e R sin φ/(e − R cos φ), which is e R sin φ/(e − R) to first order.
     toward_pole = np.minimum(eye * radius * 10.0 ** rng.uniform(-149.9, -1, count) / (eye - radius), rho)
     rho = np.where((np.arange(count) % 2 == 0) & (toward_pole > 2e-150 * eye), toward_pole, rho)

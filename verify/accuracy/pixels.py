@@ -7,25 +7,22 @@ that the frame has of it. A pixel whose chamber or side of a crease is open ther
 from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import replace
-from functools import lru_cache
+from functools import partial
 from itertools import cycle, product
 from typing import NamedTuple
 
 import numpy as np
 from flint import arb, ctx
 
-from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.pixel import CHANNELS, pixel
 from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Scene, render
 from renderer.picture.frame import Frame
 from verify.evaluate.balls import Balls
-from verify.reference import lights_on, scene_values
+from verify.reference import COLORS, chamber_code, lights_on, lines_of, scene_values
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 WIDEST = 1e-40
-COLORS = tuple(f"rgb_{c}" for c in CHANNELS)
 SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
 SHININESSES = {
     f"shininess {p:g}": Scene(model=model, shininess=p)
@@ -57,8 +54,12 @@ def _kinds(scene, frame):
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
-    lights, flat = range(len(scene.lights)), copy(frame)
+    flat = copy(frame)
     flat.scene = replace(scene, beta=0.0)  # its light's cosines are of the same points, without the bump
+
+    def least_cosine(frame):
+        return np.min([np.abs(frame.light_cosines(number)) for number in range(len(scene.lights))], axis=0)
+
     return {
         "at random": np.zeros(surface.shape),
         "silhouette": np.where(_edges(surface), 0.0, np.inf),
@@ -66,8 +67,8 @@ def _kinds(scene, frame):
         "next to the pole": v,
         "next to the seam": np.minimum(u, 1 - u),
         "next to a crease": np.minimum(*np.abs(waves)),
-        "terminator": np.min([np.abs(frame.light_cosines(i)) for i in lights], axis=0),
-        "grazing light": np.min([np.abs(flat.light_cosines(i)) for i in lights], axis=0),
+        "terminator": least_cosine(frame),
+        "grazing light": least_cosine(flat),
     }
 
 
@@ -77,15 +78,12 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     for kind, plane in _kinds(scene, frame).items():
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
-        found += [(kind, int(c), int(r)) for c, r in zip(columns, rows, strict=True)]
+        found += [(kind, *place) for place in zip(columns.tolist(), rows.tolist(), strict=True)]
     return found
 
 
-@lru_cache(maxsize=64)
-def balls_of(field: str, model: str, lights: int, method: str = "exact") -> Balls:
-    """Return the Balls of a whole pixel by a gradient method, the exact one in its general form."""
-    by = [METHODS[method](HEIGHT_FIELDS[field])] if method != "exact" else []
-    return Balls(pixel(HEIGHT_FIELDS[field], model, lights, *by))
+balls_of = partial(lines_of, Balls)
+"""The Balls of a whole pixel."""
 
 
 def truth_of(
@@ -107,18 +105,12 @@ def truth_of(
 def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> list[arb]:
     """Return how far each channel of a pixel is from the truth."""
     with ctx.workprec(BITS):
-        return [abs(arb(float(c)) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
+        return [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
 
 
 def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
     """Return the true chamber code of a pixel of a scene."""
-
-    def whole(name):
-        return int(truth[name].unique_fmpz() or 0)
-
-    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    shadows = sum(whole(f"occluded_{n}") << (2 + number) for n, number in enumerate(on))
-    return whole("surface") | shadows | whole("dark_square") << 7
+    return chamber_code(scene, lambda name: int(truth[name].unique_fmpz() or 0))
 
 
 def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> Checked:
@@ -126,7 +118,7 @@ def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> 
     truth, bounds = truth_of(frame, column, row), frame.bounds[row, column]
     errors = [float(error.upper()) for error in errors_of(frame, column, row, truth)]
     undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
-    same_chamber = code_of(frame.scene, truth) == int(frame.chambers[row, column])
+    same_chamber = bool(code_of(frame.scene, truth) == frame.chambers[row, column])
     return Checked(name, kind, column, row, max(errors), bounds.max(), undecided, same_chamber)
 
 

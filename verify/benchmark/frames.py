@@ -3,7 +3,6 @@
 A case's name is renderer_side_threads. No frame is kept: two of 8192² at once would not fit everywhere.
 """
 
-import itertools
 import os
 import subprocess
 import sys
@@ -11,6 +10,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import cycle, product
 from typing import Any
 
 from renderer import Scene, central, exact, render, stage_of
@@ -39,40 +39,36 @@ def calls(side: int) -> int:
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def frame_case(name: str, side: int, threads: int) -> Case:
-    """Return the case of one whole frame, from nothing, by a renderer of SIDES; the slow ones get fewer visits."""
-    label, frame = f"{name}_{side}_{threads}", (SCENE, side, side)
-    if name.startswith("seed"):
-        return Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3)
-    if name == "numpy":
-        return Case(label, partial(numpy_tiles, *frame, threads), max(1, calls(side) // 8), 5)
-    return Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side))
-
-
 def frame_cases(largest: int) -> list[Case]:
-    """Return every case of a whole frame up to a side of `largest`."""
-    return [
-        frame_case(name, side, threads)
-        for name, sides in SIDES.items()
-        for side in sides
-        for threads in ((1,) if name.startswith("seed") else THREADS)
-        if side <= largest
-    ]
+    """Return every case of a whole frame, from nothing, up to a side of `largest`; the slow ones get fewer visits."""
+    cases = []
+    for name, sides in SIDES.items():
+        for side, threads in product((side for side in sides if side <= largest), THREADS):
+            label, frame = f"{name}_{side}_{threads}", (SCENE, side, side)
+            if name in METHODS:
+                cases.append(Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side)))
+            elif name == "numpy":
+                cases.append(Case(label, partial(numpy_tiles, *frame, threads), max(1, calls(side) // 8), 5))
+            elif threads == 1:
+                cases.append(Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3))
+    return cases
 
 
 def bounds_cases() -> list[Case]:
     """Return the cases of a frame of sine on all threads, with bounds and without."""
-    cases = {f"bounds_{side}": (side, True) for side in (256, 1024)}
-    cases |= {f"no_bounds_{side}": (side, False) for side in (256, 1024, 2048)}
-    sine = replace(SCENE, field="sine")
-    return [Case(n, partial(render, sine, side, side, bounds=b), calls(side)) for n, (side, b) in cases.items()]
+    sine, sides = replace(SCENE, field="sine"), {"bounds": (256, 1024), "no_bounds": (256, 1024, 2048)}
+    return [
+        Case(f"{name}_{side}", partial(render, sine, side, side, bounds=name == "bounds"), calls(side))
+        for name in sides
+        for side in sides[name]
+    ]
 
 
 def stepping(scene: Scene, frames: Sequence[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], None]:
     """Return a function that draws the next of `frames`, (scene, method), over the one before, its chambers given."""
     stage = stage_of(scene, STEP, STEP, threads=threads)
     frame = render(scene, STEP, STEP, threads=threads, stage=stage)
-    following = itertools.cycle(frames)
+    following = cycle(frames)
 
     def step():
         nonlocal frame

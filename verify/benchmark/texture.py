@@ -42,7 +42,7 @@ RATIOS = {"central_to_exact": ("central", "exact"), "central_to_algebraic": ("ce
 
 def _from_formula(program):
     """Return the compiled loop from the points to N', by a program of the gradient."""
-    return compiled_loop(chain(f"normal_{program.name}", program, bumped_in_frame), SCALARS)
+    return compiled_loop(chain(f"normal_{program.name}", program, bumped_in_frame), **SCALARS)
 
 
 def _texel(table, row, column):

@@ -31,9 +31,9 @@ class Case:
     unit: str = "ms"
     points: int = 1
 
-    def in_units(self, seconds: Sequence[float] | np.ndarray) -> np.ndarray:
-        """Return the seconds of calls in its unit."""
-        return np.array(seconds) * (UNITS[self.unit] / self.points)
+    def numbers(self, seconds: Sequence[float] | np.ndarray) -> dict[str, float]:
+        """Return the median of seconds in its unit, with quartiles."""
+        return with_quartiles(f"{self.name}_{self.unit}", np.array(seconds) * (UNITS[self.unit] / self.points))
 
 
 def load() -> float:
@@ -76,10 +76,7 @@ def with_quartiles(name: str, values: Sequence[float] | np.ndarray) -> dict[str,
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
     """Time the cases; return {NAME_UNIT: the median of all calls}, with quartiles."""
     seconds = timings(cases, title)
-    numbers: dict[str, float] = {}
-    for case in cases:
-        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(seconds[case.name]))
-    return numbers
+    return {key: number for case in cases for key, number in case.numbers(seconds[case.name]).items()}
 
 
 def numbers_by_rounds(cases: Collection[Case], title: str, ratios: Mapping[str, tuple[str, str]]) -> dict[str, float]:
@@ -92,7 +89,7 @@ def numbers_by_rounds(cases: Collection[Case], title: str, ratios: Mapping[str, 
     numbers = {"load": before, "rounds": max(case.visits for case in cases)}
     least = {case.name: np.reshape(seconds[case.name], (-1, case.repeats)).min(axis=1) for case in cases}
     for case in cases:
-        numbers |= with_quartiles(f"{case.name}_{case.unit}", case.in_units(least[case.name]))
+        numbers |= case.numbers(least[case.name])
     for name, (slow, fast) in ratios.items():
         numbers |= with_quartiles(name, least[slow] / least[fast])
     return numbers

@@ -15,23 +15,23 @@ from itertools import groupby
 from typing import Any
 
 import numpy as np
+from flint import arb
 from tqdm import tqdm
 
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
+from renderer.picture.differences import rms
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
-from verify.evaluate.balls import ball_of
 from verify.records import command
-from verify.reference import reference_pixel
+from verify.reference import COLORS, reference_pixel
 
 CHECKED, ROUNDS, SEED = 4096, 15, 3
 SIDE, PIXELS = 256, 600
 FRAMES = {"forward": forward, "central": central, "central, 4th order": central4}
-CHANNELS = ("red", "green", "blue")
 
 Row = dict[str, Any]
 
@@ -54,28 +54,31 @@ def largest_error(found: Sequence[np.ndarray], count: int) -> float:
     """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
     truth = truth_at(count)
     if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
-        found = [np.frompyfunc(ball_of, 1, 1)(f) for f in found]
+        found = [np.frompyfunc(arb, 1, 1)(f) for f in found]
     return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
+
+
+def _timed(rows, title):
+    """Return [(row, its case)] as rows: where its case's time belongs a row has the unit's name. Each is timed once."""
+    cases = {case.name: case for _, case in rows[::-1]}
+    numbers = numbers_by_calls(cases.values(), title)
+    return [row | {case.unit: numbers[f"{case.name}_{case.unit}"]} for row, case in rows]
 
 
 def gradient_rows(rounds: int) -> list[Row]:
     """Return the rows of the gradient's diagram: method, its parameter, ns a gradient, largest error."""
-    cases, rows = {}, []
+    rows = []
     for method in tqdm([m for m in METHODS if m.available], desc="errors", unit="method"):
-        checked = min(CHECKED, method.points)
+        checked, many = min(CHECKED, method.points), points_for(method, method.points)
         inputs = points_for(method, checked)
         for value in method.values:
             function = method.make(value)
-            case = method.name if method.timed_once else f"{method.name}, {value}"
-            error = largest_error(function(*inputs), checked)
-            rows.append({"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
-                         "error": error, "points": checked, "ns": case})  # fmt: skip
-            if case not in cases:
-                kind = getattr(function, "kind", np.float64)
-                many = [np.ascontiguousarray(a, kind) for a in points_for(method, method.points)]
-                cases[case] = Case(case, partial(function, *many), 1, rounds, "ns", method.points)
-    numbers = numbers_by_calls(cases.values(), "gradients")
-    return [row | {"ns": numbers[f"{row['ns']}_ns"]} for row in rows]
+            row = {"method": method.name, "parameter": method.parameter, "value": value, "ours": method.ours,
+                   "error": largest_error(function(*inputs), checked), "points": checked, "ns": None}  # fmt: skip
+            given = [np.ascontiguousarray(a, getattr(function, "kind", np.float64)) for a in many]
+            name = method.name if method.timed_once else f"{method.name}, {value}"
+            rows.append((row, Case(name, partial(function, *given), 1, rounds, "ns", method.points)))
+    return _timed(rows, "gradients")
 
 
 def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
@@ -104,7 +107,7 @@ def key_of(method: str) -> str:
 def image_error(frame: Frame, places: np.ndarray, colours: np.ndarray) -> tuple[float, float]:
     """Return (largest, RMS) |ΔI| of a frame at pixels (n, 2), (row, column), whose colours are `colours` (n, 3)."""
     off = np.abs(frame.rgb[tuple(places.T)] - colours)
-    return float(off.max()), float(np.sqrt(np.mean(off**2)))
+    return float(off.max()), rms(off)
 
 
 def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -113,12 +116,11 @@ def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
     places = on_a[np.random.default_rng(SEED).choice(len(on_a), count, replace=False)]
     found = [reference_pixel(scene, SIDE, SIDE, column, row)
              for row, column in tqdm(places.tolist(), desc=f"50 digits, {scene.field}", unit="pixel")]  # fmt: skip
-    return places, np.array([[float(pixel[f"rgb_{c}"]) for c in CHANNELS] for pixel in found])
+    return places, np.array([[float(pixel[c]) for c in COLORS] for pixel in found])
 
 
 def frame_rows(rounds: int, count: int) -> list[Row]:
     """Return the rows of the frames' diagram: field, method, its parameter, ms a frame, largest and RMS error."""
-    cases: dict[str, Case] = {}
     rows = []
     methods = [(name, eps, make(eps)) for name, make in FRAMES.items() for eps in STEPS]
     methods += [(f"exact, {form}", None, exact(form)) for form in ("general", "algebraic")]
@@ -128,12 +130,10 @@ def frame_rows(rounds: int, count: int) -> list[Row]:
         for name, eps, method in methods:
             draw = partial(render, scene, SIDE, SIDE, method, threads=1, stage=stage)
             largest, rms = image_error(draw(), *reference)
-            case = f"{field}, {name}"
-            cases.setdefault(case, Case(case, draw, visits=rounds))
-            rows.append({"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
-                         "largest": largest, "rms": rms})  # fmt: skip
-    numbers = numbers_by_calls(cases.values(), "frames")
-    return [row | {"ms": numbers[f"{row['field']}, {row['method']}_ms"]} for row in rows]
+            row = {"field": field, "method": name, "value": eps, "ours": name.startswith("exact"),
+                   "largest": largest, "rms": rms}  # fmt: skip
+            rows.append((row, Case(f"{field}, {name}", draw, visits=rounds)))
+    return _timed(rows, "frames")
 
 
 def unbeaten_by_ours(rows: Sequence[Row]) -> list[Row]:

@@ -90,15 +90,11 @@ def stored() -> dict[str, dict]:
     }
 
 
-def short_pairs() -> list[list]:
-    """Return the stored [statement, certificate] pairs of at most LARGEST characters."""
-    pairs = [[entry["statement"], entry["certificate"]] for entry in stored().values()]
-    return [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
-
-
 def campaign(count: int, seed: int) -> int:
     """Break `count` pairs; return how many all kernels accept. Raises AssertionError where two kernels differ."""
-    rng, pairs, good = random.Random(seed), short_pairs(), 0
+    rng, good = random.Random(seed), 0
+    pairs = [[entry["statement"], entry["certificate"]] for entry in stored().values()]
+    pairs = [pair for pair in pairs if len(json.dumps(pair)) <= LARGEST]
     for start in range(0, count, BATCH):
         texts = [broken(rng.choice(pairs), rng) for _ in range(min(BATCH, count - start))]
         for text, verdicts in zip(texts, accepted(texts), strict=True):

@@ -20,11 +20,17 @@ def assume(of: object, relation: str) -> tuple:
     return show(of, relation, "assume")
 
 
+def pair_of(steps: Iterable[tuple], proof: dict) -> list:
+    """Return the derivation of some steps, and a certificate that has the proof for each that needs one."""
+    return [derivation(*steps), {"proofs": [proof for step in steps if step[0] in ("show", "root", "inverse")]}]
+
+
 ONE, X = {"": "1"}, {"x": "1"}
 BY_FIRST_FACT = {"rule": "ideal", "cofactors": [[0, ONE]]}
 NOTHING = {"rule": "ideal", "cofactors": []}
-NEGATIVE = {"rule": "contradiction", "positive": [0], "sum": [["-1", X, []]], "cofactors": []}
 EMPTY = {"rule": "contradiction", "positive": [], "sum": [], "cofactors": []}
+SQUARES = EMPTY | {"positive": [0], "sum": [["1", X, []]]}
+NEGATIVE = SQUARES | {"sum": [["-1", X, []]]}
 BY_CASES = {"rule": "cases", "on": X, "branches": {">": NOTHING}}
 UNSOUND: list[tuple[list, dict, str]] = [
     ([show(X, "=")], NOTHING, "the two sides differ"),
@@ -50,47 +56,50 @@ UNSOUND: list[tuple[list, dict, str]] = [
 """[(steps, the proof of each, what the page's kernel says of it)]"""
 
 
-SQUARE = show({"x^2": "1"}, ">=")
-SQUARES = {"rule": "contradiction", "positive": [0], "sum": [["1", X, []]], "cofactors": []}
-GOOD = [derivation(SQUARE), {"proofs": [SQUARES]}]
-ONE_IS_ZERO = show(ONE, "=")
+STATEMENT, CERTIFICATE = GOOD = [derivation(show({"x^2": "1"}, ">=")), {"proofs": [SQUARES]}]
 
 
 def inverse(new: object) -> list:
     """Return the attack that took "" for a name of its own: an inverse of 1 called `new`, then 1 = 0."""
     named = {} if new is None else {"new": new}
     proofs = [EMPTY, BY_FIRST_FACT]
-    return [derivation(("inverse", {"": "2"}, named), ONE_IS_ZERO), {"proofs": proofs}]
+    return [derivation(("inverse", {"": "2"}, named), show(ONE, "=")), {"proofs": proofs}]
+
+
+def refuted(point: dict, *steps: tuple, variables: Iterable[str] | None = None) -> list:
+    """Return the counterexample at a point, whose names are the variables if none are given, to what steps show."""
+    return [derivation(*steps, variables=point if variables is None else variables) | {"kind": "refutation"},
+            {"point": point}]  # fmt: skip
 
 
 def refutation(of: dict, point: dict, variables: Iterable[str] | None = None) -> list:
-    """Return the counterexample to of > 0 at a point, whose names are the variables if none are given."""
-    return [derivation(show(of, ">"), variables=variables or point) | {"kind": "refutation"}, {"point": point}]
+    """Return that to of > 0."""
+    return refuted(point, show(of, ">"), variables=variables)
 
 
-ABOVE = derivation(assume(X, ">"), show({"x": "1", "": "-1"}, ">="), variables=["x"])
-ABOVE |= {"kind": "refutation"}
-ZERO = [
-    derivation(("define", {}, {"new": "y"}), show({"y": "1"}, r), variables=()) | {"kind": "refutation"}
-    for r in (">", ">=")
-]
+def above(point: dict) -> list:
+    """Return that to x ≥ 1 where x > 0."""
+    return refuted(point, assume(X, ">"), show({"x": "1", "": "-1"}, ">="), variables=["x"])
+
+
+def zero(relation: str) -> list:
+    """Return that to a relation of 0 to 0, which leaves no name open."""
+    return refuted({}, ("define", {}, {"new": "y"}), show({"y": "1"}, relation))
+
+
 LINES = {"version": 1, "kind": "separation", "lines": [["b", ["a"]], ["c", ["b"]]], "outputs": ["c"], "avoid": ["a"]}
-EMPTY_INDUCTION: dict[str, Any] = {key: [] for key in ("variables", "state", "assume", "show")} | {
-    "start": {},
-    "next": {},
-}
-EMPTY_INDUCTION |= {"version": 1, "kind": "induction"}
+EMPTY_INDUCTION: dict[str, Any] = {key: [] for key in ("variables", "state", "assume", "show")}
+EMPTY_INDUCTION |= {"version": 1, "kind": "induction", "start": {}, "next": {}}
 COUNT = EMPTY_INDUCTION | {"state": ["x"], "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [X]}
 BY_ITSELF = {"base": [NOTHING], "step": [BY_FIRST_FACT]}
 WELL_FORMED: list[list] = [
     GOOD,
     [COUNT | {"next": {"x": X}}, BY_ITSELF],
     [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
-    [ABOVE, {"point": {"x": "1/2"}}],
-    [ZERO[0], {"point": {}}],  # what is claimed is the polynomial 0, which leaves no name open
+    above({"x": "1/2"}),
+    zero(">"),
     [EMPTY_INDUCTION | {"show": [{}]}, {"base": [NOTHING], "step": [NOTHING]}],
 ]
-STATEMENT, CERTIFICATE = GOOD
 nested: list = []
 for _ in range(900):
     nested = [nested]
@@ -100,19 +109,13 @@ def huge(power: int) -> list:
     """Return powers of powers of a sum, which nobody waits for."""
     steps = [("define", {"x": "1", "y": "1", "": "9" * 500}, {"new": "a0"})]
     steps += [("define", {f"a{i}^{power}": "1", "x": "1"}, {"new": f"a{i + 1}"}) for i in range(5)]
-    return [derivation(*steps, show({"a5": "1"}, "=")), {"proofs": [NOTHING]}]
+    return pair_of([*steps, show({"a5": "1"}, "=")], NOTHING)
 
 
 BROKEN = {
     **{f"inverse {new!r}": inverse(new) for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")},
-    "x > 0, as x ≥ 0": [
-        derivation(assume(X, ">="), show(X, ">")),
-        {"proofs": [{"rule": "contradiction", "positive": [0], "sum": [["1", ONE, [1]]], "cofactors": []}]},
-    ],
-    "an assumption refuted": [
-        derivation(show(X, ">"), assume(X, "="), variables=["x"]) | {"kind": "refutation"},
-        {"point": {"x": "1"}},
-    ],
+    "x > 0, as x ≥ 0": pair_of([assume(X, ">="), show(X, ">")], SQUARES | {"sum": [["1", ONE, [1]]]}),
+    "an assumption refuted": refuted({"x": "1"}, show(X, ">"), assume(X, "=")),
     "no show": [derivation(assume(X, ">")), {"proofs": []}],
     "no steps": [derivation(), {"proofs": []}],
     "a proof left over": [STATEMENT, {"proofs": [SQUARES, NOTHING]}],
@@ -156,23 +159,18 @@ BROKEN = {
     "its claim assumed": [COUNT | {"assume": [{"of": X, "is": "="}]}, BY_ITSELF],
     "a set that is not closed": [LINES, {"reached": ["b", "c"]}],
     "a name to avoid": [LINES, {"reached": ["a", "b", "c"]}],
-    **{f"no counterexample at x = {x}": [ABOVE, {"point": {"x": x}}] for x in ("-1", "1")},
-    "no point": [ABOVE, {"point": {}}],
-    "0 ≥ 0 refuted": [ZERO[1], {"point": {}}],
+    **{f"no counterexample at x = {x}": above({"x": x}) for x in ("-1", "1")},
+    "no point": above({}),
+    "0 ≥ 0 refuted": zero(">="),
     **{f"powers of powers, {power}": huge(power) for power in (998, 999)},
     "a large power at a point": refutation({"x^999": "1"}, {"x": "9" * 500}),
     "an induction over large powers": [
         COUNT | {"next": {"x": {"x^999": "1", "": "1"}}, "show": [{"x^999": "1"}]},
         BY_ITSELF,
     ],
-    "nested lists": [derivation(show({"x": nested}, "=")), {"proofs": [NOTHING]}],
+    "nested lists": pair_of([show({"x": nested}, "=")], NOTHING),
     "a name too many": refutation(X, {"x": "0", "y": "0"}, variables=("x",)),
 }
-
-
-def pair_of(steps: Iterable[tuple], proof: dict) -> list:
-    """Return the derivation of some steps, and a certificate that has the proof for each that needs one."""
-    return [derivation(*steps), {"proofs": [proof for step in steps if step[0] in ("show", "root", "inverse")]}]
 
 
 def wrong_verdicts(checkers: Mapping[str, Callable]) -> list[str]:

@@ -38,7 +38,7 @@ try:
     from verify.checkers.second_checker import why_refused
 
     CHECKERS["the second checker"] = why_refused
-except ImportError:  # no python-flint: every grade that rests on a certificate says so
+except ImportError:  # no python-flint, or no jsonschema: every grade that rests on a certificate says so
     pass
 
 
@@ -53,25 +53,21 @@ def why_rejected(statement: dict, certificate: dict) -> str | None:
     return None
 
 
-def examine(
-    theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS, prove: Callable | None = None
-) -> Examination:
+def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS) -> Examination:
     """Return the Examination of a theorem.
 
-    prove: a search, `proofs.engine.certificate.prove` if none is given. Nobody has to trust it: it is asked whether it
-    proves a mutant, what a formula that changed left over, and, with anew, for every certificate, whatever is stored.
+    Nobody has to trust the search: it is asked whether it proves a mutant, what a formula that changed left over, and,
+    with anew, for every certificate, whatever is stored.
     """
     if not theorem.claims and theorem.expected in WITHOUT_CLAIMS:
         return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
-    prove = prove or importlib.import_module("proofs.engine.certificate").prove
+    prove = importlib.import_module("proofs.engine.certificate").prove
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.problems += incomplete(theorem, theorems)
     _check_certificates(examination, theorem, theorems, prove, anew)
     examination.check_sources(theorem)
     examination.record["witness"] = [_sampled(examination, theorem, claim, points) for claim in theorem.claims]
-    examination.record["side_conditions"] = [
-        _edges(examination, theorem, condition) for condition in theorem.side_conditions
-    ]
+    examination.record["side_conditions"] = [_edges(examination, theorem, each) for each in theorem.side_conditions]
     examination.mutants += len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
     examination.record["mutants"] = [
@@ -108,8 +104,8 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
         "statements": len(said),
         "by_definition": {name: relations for name, relations in nothing.items() if relations},
         "argued": examination.argued,
+        "hypotheses": given,
     }
-    examination.record |= {"hypotheses": given}
     if len(CHECKERS) < 2:
         examination.record["second_checker"] = "not run"
 

@@ -1,24 +1,24 @@
 """A second checker of certificates, independent of `proofs.engine.kernel`: from the JSON alone, with FLINT's
 polynomials.
 
-It shares no code with the kernel, neither its arithmetic (fmpq_mpoly) nor its reading of the data.
+It shares no code with the kernel, neither its arithmetic (fmpq_mpoly) nor its reading of the data: what form a
+statement and a certificate have says `proofs/certificates.schema.json`.
 """
 
-import re
-from collections.abc import Callable, Iterable
-from typing import Any
+import json
+from collections.abc import Iterable
+from pathlib import Path
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from jsonschema import Draft202012Validator
+
+SCHEMA = json.loads((Path(__file__).parents[2] / "proofs" / "certificates.schema.json").read_text(encoding="utf-8"))
+FORM = Draft202012Validator({"$defs": SCHEMA["$defs"], "$ref": "#/$defs/pair"})
+MOST = 10**5
 
 
 class Refused(Exception):
     """The certificate proves nothing; the message says why, with the difference where two sides differ."""
-
-
-WORD = r"(?:[A-Za-z][A-Za-z0-9_]{0,99}|(?:cos|sin)\([-A-Za-z0-9_*/()+]{1,99}\))"
-MONOMIAL = re.compile(rf"(?:{WORD}(?:\^(?:[2-9]|[1-9][0-9][0-9]?))?(?: (?!$)|$))*")
-RATIONAL = re.compile(r"(-?[0-9]{1,500})(?:/([0-9]{1,500}))?")
-MOST = 10**5
 
 
 def _need(condition, what):
@@ -26,94 +26,28 @@ def _need(condition, what):
         raise Refused(what)
 
 
-# The form
-
-
-def _form(data: Any, shape: Any) -> None:
-    """Refuse what has not a shape: a test, {key: shape}, [the shape of each item], (the shapes of the items, …)."""
-    match shape:
-        case dict():
-            _need(type(data) is dict and sorted(data) == sorted(shape), f"other keys than {', '.join(shape)}")
-            for key, of in shape.items():
-                _form(data[key], of)
-        case list() | tuple():
-            lengths = range(MOST + 1) if isinstance(shape, list) else (len(shape),)
-            _need(type(data) is list and len(data) in lengths, "not a list of that length")
-            for i, item in enumerate(data):
-                _form(item, shape[0] if isinstance(shape, list) else shape[i])
-        case test:
-            test(data)
-
-
-def _one_of(*texts):
-    return lambda data: _need(type(data) is str and data in texts, f"{data!r} is not one of {', '.join(texts)}")
+def _form(statement, certificate):
+    """Refuse what has not the schema's form, which takes 1.0 for 1, and in Python lets a line end behind a pattern."""
+    point = {} if statement["kind"] == "induction" else None
+    pair = {"sha256": "0" * 64, "statement": statement, "certificate": certificate, "point": point}
+    _need(FORM.is_valid(pair) and "\\n" not in json.dumps(pair), "another form than the schema's")
+    _need(type(statement["version"]) is int, "another version than 1")
 
 
 def _rational(text):
-    parts = RATIONAL.fullmatch(text) if type(text) is str else None
-    _need(parts, f"{text!r} is no number")
-    value = fmpq(int(parts[1]), int(parts[2] or 1))
+    value = fmpq(*map(int, text.split("/")))
     _need(str(value) == text, f"{text} is not in lowest terms")
     return value
-
-
-def _name(text):
-    _need(type(text) is str and re.fullmatch(WORD, text), f"{text!r} is no name")
-
-
-def _index(i):
-    _need(type(i) is int and 0 <= i <= MOST, f"{i!r} is no index")
-
-
-def _polynomial(p):
-    _need(type(p) is dict and len(p) <= MOST, "not a polynomial")
-    for monomial, coefficient in p.items():
-        _need(type(monomial) is str and MONOMIAL.fullmatch(monomial), f"{monomial!r} is no product of powers")
-        words = [factor.partition("^")[0] for factor in monomial.split()]
-        _need(len(words) == len(set(words)), f"{monomial} names something twice")
-        _need(_rational(coefficient) != 0, "a term without a coefficient")
-
-
-def _by_name(test):
-    def each(data):
-        _need(type(data) is dict and len(data) <= MOST, "not an object")
-        for name, value in data.items():
-            _name(name)
-            test(value)
-
-    return each
-
-
-def _proof(data):
-    rule, shape = data["rule"], {"rule": _one_of("ideal", "contradiction"), "cofactors": [(_index, _polynomial)]}
-    if rule == "contradiction":
-        shape |= {"positive": [_index], "sum": [(_rational, _polynomial, [_index])]}
-    _form(data, shape)
-
-
-def _step(data):
-    kind = data["step"]
-    rest = {"is": _relation} if kind in ("assume", "show") else {"new": _name}
-    _form(data, {"step": _one_of("assume", "show", "define", "root", "inverse"), "of": _polynomial} | rest)
-
-
-_relation = _one_of("=", "!=", ">", ">=")
-STEPS = {"variables": [_name], "steps": [_step]}
-STATE = {"state": [_name], "start": _by_name(_polynomial), "next": _by_name(_polynomial)}
-FACTS = {"variables": [_name], "assume": [{"of": _polynomial, "is": _relation}], "show": [_polynomial]}
-LINES = {"lines": [(_name, [_name])], "outputs": [_name], "avoid": [_name]}
-
-# The meaning
 
 
 class Names:
     """All names of a statement as the variables of one FLINT ring, and the values of those that may be used yet."""
 
-    def __init__(self, free: Iterable[str], new: Iterable[str]):
+    def __init__(self, free: Iterable[str], new: Iterable[str] = ()):
         self.all = [*free, *new]
         _need(len(set(self.all)) == len(self.all), f"a name is introduced twice among {self.all}")
         self.ring = fmpq_mpoly_ctx.get([f"v{i}" for i in range(len(self.all))] or ["v0"], Ordering.degrevlex)
-        self.variable = {n: self.ring.gen(i) for i, n in enumerate(self.all)}
+        self.variable = dict(zip(self.all, self.ring.gens(), strict=False))
         self.value = {n: self.variable[n] for n in free}
 
     def constant(self, text: str) -> fmpq_mpoly:
@@ -122,10 +56,12 @@ class Names:
     def __call__(self, data: dict[str, str], values: dict[str, fmpq_mpoly] | None = None) -> fmpq_mpoly:
         values, total = self.value if values is None else values, self.constant("0")
         for monomial, coefficient in data.items():
-            term = self.constant(coefficient)
+            term, seen = self.constant(coefficient), set()
             for factor in monomial.split():
                 name, _, power = factor.partition("^")
+                _need(name not in seen, f"{monomial} names something twice")
                 _need(name in values, f"{name} is used before it is introduced")
+                seen.add(name)
                 for _ in range(int(power or 1)):
                     term = _product(term, values[name])
             total += term
@@ -174,23 +110,19 @@ def _steps(statement, prove):
     steps = statement["steps"]
     names, facts = Names(statement["variables"], [s["new"] for s in steps if "new" in s]), []
     for s in steps:
-        of, new = names(s["of"]), s.get("new")
-        match s["step"]:
-            case "assume":
-                facts.append((s["is"], of))
-            case "show":
-                prove(names, facts, (s["is"], of))
-                facts.append((s["is"], of))
-            case "define":
-                names.value[new] = of
+        kind, of, new = s["step"], names(s["of"]), s.get("new")
+        goal = ({"root": ">=", "inverse": "!="}.get(kind) or s.get("is"), of)
+        if kind in ("show", "root", "inverse"):
+            prove(names, facts, goal)
+        if new:
+            names.value[new] = value = of if kind == "define" else names.variable[new]
+        match kind:
+            case "assume" | "show":
+                facts.append(goal)
             case "root":
-                prove(names, facts, (">=", of))
-                names.value[new] = w = names.variable[new]
-                facts += [("=", w**2 - of), (">=", w)]
+                facts += [("=", value**2 - of), (">=", value)]
             case "inverse":
-                prove(names, facts, ("!=", of))
-                names.value[new] = names.variable[new]
-                facts.append(("=", _product(names.value[new], of) - 1))
+                facts.append(("=", _product(value, of) - 1))
     return names, facts
 
 
@@ -227,50 +159,39 @@ def _refutation(statement, certificate):
 
 
 def _induction(statement, certificate):
-    state = statement["state"]
-    parameters, names = Names(statement["variables"], []), Names([*statement["variables"], *state], [])
-    facts = [(a["is"], names(a["of"])) for a in statement["assume"]]
-    for of in [*(a["of"] for a in statement["assume"]), *statement["start"].values()]:
+    state, assumed = statement["state"], statement["assume"]
+    parameters, names = Names(statement["variables"]), Names([*statement["variables"], *state])
+    facts = [(a["is"], names(a["of"])) for a in assumed]
+    for of in [*(a["of"] for a in assumed), *statement["start"].values()]:
         parameters(of)  # refuses an assumption about the state, or a start that depends on it
     said = statement["show"]
-    claims = [names(p) for p in said]
-    _need(claims, "nothing is claimed")
-    _need(len(claims) == len(certificate["base"]) == len(certificate["step"]), "a base or a step is missing")
+    claims = [("=", names(p)) for p in said]
 
     def moved(p, values):
         _need(sorted(values) == sorted(state), "a state is not given")
-        return names(p, names.value | {n: names(values[n]) for n in state})
+        return "=", names(p, names.value | {n: names(values[n]) for n in state})
 
     for p, base, step in zip(said, certificate["base"], certificate["step"], strict=True):
-        _prove(names, facts, ("=", moved(p, statement["start"])), base)
-        _prove(names, [*facts, *(("=", q) for q in claims)], ("=", moved(p, statement["next"])), step)
+        _prove(names, facts, moved(p, statement["start"]), base)
+        _prove(names, [*facts, *claims], moved(p, statement["next"]), step)
 
 
 def _separation(statement, certificate):
     closed = set(certificate["reached"])
-    _need(statement["outputs"] and statement["avoid"], "nothing is claimed")
     for name, used in statement["lines"]:
         _need(name not in closed or closed.issuperset(used), f"{name} uses what is not listed")
     _need(closed.issuperset(statement["outputs"]), "an output is missing")
     _need(not closed.intersection(statement["avoid"]), "a name to avoid is there")
 
 
-KINDS: dict[str, tuple[Callable, dict, dict]] = {
-    "derivation": (_derivation, STEPS, {"proofs": [_proof]}),
-    "refutation": (_refutation, STEPS, {"point": _by_name(_rational)}),
-    "induction": (_induction, FACTS | STATE, {"base": [_proof], "step": [_proof]}),
-    "separation": (_separation, LINES, {"reached": [_name]}),
-}
+KINDS = {"derivation": _derivation, "refutation": _refutation, "induction": _induction, "separation": _separation}
 
 
 def why_refused(statement: dict, certificate: dict) -> Exception | None:
     """Return None if the certificate proves the statement, else the exception that says why it does not."""
     try:
-        _need(type(statement["version"]) is int and statement["version"] == 1, "only version 1 is known")
-        rule, said, shown = KINDS[statement["kind"]]
-        _form(statement, {"version": id, "kind": id} | said)
-        _form(certificate, shown)
-        rule(statement, certificate)
+        _form(statement, certificate)
+        KINDS[statement["kind"]](statement, certificate)
     except Exception as why:  # malformed data proves nothing either
         return why
     return None

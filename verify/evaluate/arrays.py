@@ -1,7 +1,7 @@
 """One program, three evaluations over arrays of inputs: float64, balls of 50 digits, float64 with bounds."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import Any
 
 import flint
@@ -109,8 +109,5 @@ def distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
 
 
 def length(parts: Sequence[np.ndarray]) -> np.ndarray:
-    """Return the length of a vector of components, none of which is negative: √ of the sum of squares."""
-    largest = np.max(parts, axis=0)
-    with np.errstate(all="ignore"):
-        scaled = np.sqrt(((parts / largest) ** 2).sum(axis=0)) * largest
-    return np.where((largest > 0) & (largest < np.inf), scaled, largest)
+    """Return the length of a vector of components."""
+    return reduce(np.hypot, parts)

@@ -7,16 +7,9 @@ takes both branches.
 from collections.abc import Callable, Mapping
 from functools import reduce
 
-import mpmath
 from flint import arb, ctx, fmpq
 
 from verify.evaluate import ANY_NUMBERS, Evaluator, compare
-
-
-def ball_of(number: mpmath.mpf) -> arb:
-    """Return an mpf as a ball of its exact value."""
-    negative, mantissa, exponent, _ = number._mpf_
-    return arb((-int(mantissa) if negative else int(mantissa), int(exponent)))
 
 
 def power(base: arb, exponent: arb) -> arb:

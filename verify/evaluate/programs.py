@@ -3,8 +3,6 @@
 A difference is Σ wᵢ (h(u + cᵢε) − h(u − cᵢε))/2cᵢε. No wrapping, no clamping: for points clear of the chart's ends.
 """
 
-from collections.abc import Sequence
-
 from sympy import Rational, prod
 
 from proofs.engine.program import Program, chain
@@ -68,15 +66,14 @@ def algebraic_gradient(field: HeightField, ku: float, kv: float) -> Program:
     return chain(f"algebraic_{field.name}", *of_u, *of_v, factors, tail).keep(h_u, h_v)
 
 
-def extrapolated(steps: Sequence[Rational]) -> dict[Rational, Rational]:
-    """Return the weight of each step cᵢ that leaves the error's terms ε², ε⁴ … out: Lagrange's at 0, in c²."""
-    return {c: prod(d**2 / (d**2 - c**2) for d in steps if d != c) for c in steps}
-
-
 def _extrapolated_difference(name, field, steps):
-    """Return the program (u, v, k_u, k_v, ε) → h_u, h_v that extrapolates central differences of steps cε to 0."""
+    """Return the program (u, v, k_u, k_v, ε) → h_u, h_v that extrapolates central differences of steps cε to 0.
+
+    The weight of a step leaves the error's terms ε², ε⁴ … out: Lagrange's at 0, in c².
+    """
     lines, sums = [], {h_u: 0, h_v: 0}
-    for number, (step, weight) in enumerate(extrapolated(steps).items()):
+    for number, step in enumerate(steps):
+        weight = prod(other**2 / (other**2 - step**2) for other in steps if other != step)
         for result, coordinate in ((h_u, u), (h_v, v)):
             above, below, quotient = (real(f"{kind}_{result}_{number}") for kind in ("above", "below", "quotient"))
             lines += [

@@ -6,7 +6,7 @@ inherits and half a unit in the last place of the largest result that it can hav
 
 from collections.abc import Iterable, Mapping
 from types import CodeType
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb
 
@@ -44,13 +44,33 @@ def half_a_unit(magnitude: arb, inherited: arb) -> arb:
     return unit / 2 + magnitude * TINY
 
 
-class Rounded(Bounded):
-    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|.
+class Running(Bounded):
+    """A number of a running error analysis; `error`: at least how far the computed number is from the exact one."""
 
-    names: what the text calls, constants that float64 holds and nothing but arithmetic.
-    """
+    names: ClassVar = ANY_NUMBERS | {"rational": lambda p, q: p / q}
+    """What the text calls: constants that float64 holds, and nothing but arithmetic."""
 
-    names: Mapping[str, Any] = ANY_NUMBERS | {"rational": lambda p, q: p / q}
+    @classmethod
+    def of(cls, number: Any) -> Any:
+        """Return a number as one of this kind."""
+        return number if isinstance(number, cls) else cls(number)
+
+    @property
+    def size(self) -> Any:
+        """How large the float64 number can be."""
+        return abs(self.value) + self.error
+
+    @staticmethod
+    def size_of_quotient(quotient: Any) -> Any:
+        """Return the size of a quotient."""
+        return abs(quotient)
+
+    def __neg__(self):
+        return type(self)(-self.value, self.error)
+
+
+class Rounded(Running):
+    """`value`: a ball around what exact arithmetic gives; `error`: an upper bound of |computed − exact|."""
 
     def __init__(
         self, value: arb | float, moved: arb = ZERO, rounds: bool = False, ends: tuple[arb, arb] | None = None
@@ -80,11 +100,6 @@ class Rounded(Bounded):
         """Return a ball around the float64 number."""
         return self.value + arb(0, self.error)
 
-    @staticmethod
-    def of(number: "Rounded | arb | float") -> "Rounded":
-        """Return a number as Rounded."""
-        return number if isinstance(number, Rounded) else Rounded(number)
-
     def rounded(self, value: arb, moved: arb, rounds: bool) -> "Rounded":
         """Return a result."""
         return Rounded(value, moved, rounds)
@@ -97,19 +112,9 @@ class Rounded(Bounded):
         """Return whether a product does: not by 0, nor by a power of two."""
         return not any(n.computed().is_exact() and abs(int(n.value.man_exp()[0])) <= 1 for n in (self, other))
 
-    @staticmethod
-    def size_of_quotient(quotient: arb) -> arb:
-        """Return the size of a quotient."""
-        return abs(quotient)
-
     def lost_in_quotient(self, _: arb) -> bool:
         """Return whether a quotient does."""
         return True
-
-    @property
-    def size(self) -> arb:
-        """Return how large the float64 number can be."""
-        return abs(self.value) + self.error
 
     def inverse(self) -> arb:
         """Return how large the inverse of the float64 number can be. Raises Undecided where that may be 0."""
@@ -117,9 +122,6 @@ class Rounded(Bounded):
         if not least > 0:
             raise Undecided("a division by what may be zero")
         return 1 / least
-
-    def __neg__(self):
-        return Rounded(-self.value, self.error)
 
     def __gt__(self, other):
         mine, others = self.computed(), self.of(other).computed()

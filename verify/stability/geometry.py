@@ -1,21 +1,58 @@
-"""Toward the pole, toward the silhouette, from the nearest eye to the furthest: the normal and the tangent vector."""
+"""Toward the pole and the silhouette, from the nearest eye to the furthest, B small and far: the normal, the vector g.
 
+Of the pipeline from the image point to g there are our two forms, and the seed's.
+"""
+
+from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from sympy import Symbol
 
-from proofs.formulas.bump import g
-from proofs.formulas.camera import parallel_radius, silhouette_of_a
+from proofs.engine.program import Program, chain
+from proofs.formulas.bump import bumped_normal, g
+from proofs.formulas.camera import angles_on_a, normal_of_b, parallel_radius
+from proofs.formulas.chart import chart, seed_chart
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.seed_hit import seed_normal
-from proofs.formulas.symbols import normal
-from verify.evaluate.arrays import in_float64, with_bounds
-from verify.stability.pipelines import our_normal, seed_tangent_vector, tangent_vector
-from verify.stability.sweep import Sweep, measured
+from proofs.formulas.symbols import ball_center, h_u, h_v, normal
+from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
+from renderer import kernels
+from verify.evaluate.arrays import Inputs, in_float64, with_bounds
+from verify.evaluate.programs import algebraic_gradient, naive_gradient
+from verify.stability.sweep import SHAPE, Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
 SINES = np.logspace(np.log10(0.84), -149, 76)
-VECTOR, NORMAL = ({s.name: 1.0 for s in triple} for triple in (g, normal))
+SEED_FALLBACK = 1e-4
+our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
+"""Ours: N from the angles."""
+
+
+@lru_cache
+def tangent_vector(field: str, form: str, ku: float = 8.0, kv: float = 4.0) -> Program:
+    """Return the program (image point, scene) → g by the "general" or the "algebraic" form of the exact gradient."""
+    known = HEIGHT_FIELDS[field]
+    middle = [chart, gradient(known)] if form == "general" else [algebraic_gradient(known, ku, kv)]
+    return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
+
+
+@lru_cache
+def _seed_program(field):
+    outputs = (h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
+    return chain("seed_g", seed_normal, seed_chart, naive_gradient(HEIGHT_FIELDS[field]), seed_frame, outputs=outputs)
+
+
+def seed_tangent_vector(field: str, inputs: Inputs, fallback: bool = True) -> dict[str, np.ndarray]:
+    """Return {component of g: array} as the seed computes it, with or without its fixed frame near the pole."""
+    v = in_float64(_seed_program(field), inputs)
+    near = ~(v["seed_sin_phi"] > SEED_FALLBACK) & fallback
+    fixed = (v["h_u"], v["h_v"], np.zeros_like(v["h_u"]))
+    with np.errstate(invalid="ignore"):  # without the fallback it divides by zero below 10⁻⁸
+        framed = [v["h_u"] * v[t.name] + v["h_v"] * v[p.name] for t, p in zip(e_theta, e_phi, strict=True)]
+    return {n.name: np.where(near, *both) for n, *both in zip(g, fixed, framed, strict=True)}
 
 
 def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE) -> dict[str, Any]:
@@ -25,8 +62,7 @@ def image_points(rho: np.ndarray, samples: int, seed: int, eye: ArrayLike = EYE)
 
 
 def _of_normal(parameter, inputs):
-    seed = {"seed": in_float64(seed_normal, inputs)}
-    return measured(parameter, with_bounds(our_normal, inputs), our_normal, inputs, NORMAL, seed)
+    return measured(parameter, our_normal, inputs, others={"seed": in_float64(seed_normal, inputs)})
 
 
 def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples: int = 12, seed: int = 1) -> Sweep:
@@ -39,7 +75,7 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     inputs = image_points(rho, samples, seed) | {"k_u": 8.0, "k_v": 4.0}
     others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
     ours = with_bounds(tangent_vector("ridges", form), inputs)
-    return measured(sines, ours, tangent_vector("ridges", "general"), inputs, VECTOR, others)
+    return measured(sines, tangent_vector("ridges", "general"), inputs, ours, others=others)
 
 
 def toward_the_silhouette() -> Sweep:
@@ -49,8 +85,8 @@ def toward_the_silhouette() -> Sweep:
     ρ_s; the root turns δ/s into δ/√s, and no form can do better, since ρ_s itself is rounded.
     """
     share = np.logspace(np.log10(0.99), -14, 57)
-    (edge,) = in_float64(silhouette_of_a, {"eye": EYE, "radius": RADIUS}).values()
-    return _of_normal(share, image_points(edge * np.sqrt(1 - share), samples=40, seed=2))
+    rho = kernels.silhouette_of_a(EYE, RADIUS) * np.sqrt(1 - share)
+    return _of_normal(share, image_points(rho, samples=40, seed=2))
 
 
 def from_near_to_far() -> Sweep:
@@ -61,7 +97,22 @@ def from_near_to_far() -> Sweep:
     samples, seed = 60, 3
     above = np.logspace(-9 + 1e-6, 6 - 1e-6, 61)
     eye = RADIUS + above
-    edge = in_float64(silhouette_of_a, {"eye": eye, "radius": RADIUS})["rho_silhouette"]
-    inputs = image_points(edge, samples, seed, eye[:, None])
+    inputs = image_points(kernels.silhouette_of_a(eye, RADIUS), samples, seed, eye[:, None])
     inside = np.random.default_rng(seed).uniform(0, 0.9, inputs["x"].shape)
     return _of_normal(above, inputs | {axis: inputs[axis] * np.sqrt(inside) for axis in "xy"})
+
+
+def smaller_and_smaller_b(outputs: Iterable[Symbol], program: Program = normal_of_b) -> Sweep:
+    """B's point or normal against its radius from 0.32 to 10⁻⁸; R/e from 10⁻⁶ to 1/4, within 0.9 of the silhouette.
+
+    Reason of the bound: the vector from B's centre to the point is made of products of its own size, and is not what
+    is left of the two points. program: what computes them.
+    """
+    random, radii = np.random.default_rng(9), np.geomspace(0.32, 1e-8, SHAPE[0])[:, None]
+    x, y, away, turn = random.uniform(-1, 1, (4, *SHAPE))
+    eye, reach = 10.0 ** random.uniform(0.61, 6, x.shape), 0.9 * radii * np.abs(away)
+    along = 1 - 1.6 / eye  # of the ray, at the height 1.6
+    center = along * x + reach * np.cos(np.pi * turn), along * y + reach * np.sin(np.pi * turn), 1.6
+    inputs = {"x": x, "y": y, "eye": eye, "ball_radius": radii, "ball_on": 1.0}
+    inputs |= {s.name: c for s, c in zip(ball_center, center, strict=True)}
+    return measured(radii[:, 0], normal_of_b.keep(*outputs), inputs, with_bounds(program, inputs))

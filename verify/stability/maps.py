@@ -2,14 +2,12 @@
 
 import numpy as np
 
-from proofs.formulas.camera import silhouette_of_a
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from renderer import Scene
+from renderer import Scene, kernels
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls, in_float64, length
 from verify.evaluate.programs import naive_gradient
-from verify.stability.geometry import VECTOR
-from verify.stability.pipelines import seed_tangent_vector, tangent_vector
+from verify.stability.geometry import seed_tangent_vector, tangent_vector
 
 RIDGES = HEIGHT_FIELDS["ridges"]
 MISSED_ZERO = 1 / UNIT  # all bits lost: a number where there is an exact zero
@@ -32,10 +30,8 @@ def over_the_chart(side: int = 128) -> dict[str, np.ndarray]:
     inside = random.uniform(0, 1, (2, side, side))
     inside[0][:, :: side // 32] = 0
     inputs = {"u": (columns + inside[0]) / side, "v": (rows + inside[1]) / side, "k_u": 8.0, "k_v": 4.0}
-    programs, truth = (
-        {"seed": naive_gradient(RIDGES), "ours": gradient(RIDGES)},
-        in_balls(gradient(RIDGES), inputs)["h_u"],
-    )
+    programs = {"seed": naive_gradient(RIDGES), "ours": gradient(RIDGES)}
+    truth = in_balls(programs["ours"], inputs)["h_u"]
     return {name: relative(in_float64(program, inputs)["h_u"], truth) for name, program in programs.items()}
 
 
@@ -45,7 +41,7 @@ def over_the_image(size: int, reach: float = 1.0) -> dict[str, np.ndarray]:
     reach: the half-width of the view in silhouette radii, centred on the axis; the pole is the centre.
     """
     scene = Scene()
-    (edge,) = in_float64(silhouette_of_a, {"eye": scene.eye, "radius": scene.radius}).values()
+    edge = kernels.silhouette_of_a(scene.eye, scene.radius)
     offsets = reach * edge * (2 * np.arange(size) + 1 - size) / size
     x, y = np.broadcast_arrays(offsets[None, :], -offsets[:, None])
     on_a = np.hypot(x, y) < edge * (1 - 1e-12)
@@ -54,7 +50,7 @@ def over_the_image(size: int, reach: float = 1.0) -> dict[str, np.ndarray]:
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
     maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)
     for plane, vector in zip(maps, (seed_tangent_vector(str(scene.field), inputs), ours), strict=True):
-        plane[on_a] = length([distance(vector[name], truth[name]) for name in VECTOR]) / unit
+        plane[on_a] = length([distance(vector[name], truth[name]) for name in truth]) / unit
     return dict(zip(("seed", "ours"), maps, strict=True))
 
 

@@ -6,7 +6,7 @@ from functools import lru_cache, partial
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import normal, point
-from verify.stability import bodies, geometry, shading
+from verify.stability import geometry, shading
 from verify.stability.sweep import Sweep
 from verify.stability.wave_numbers import EDGES, large_wave_numbers
 
@@ -22,9 +22,9 @@ SWEEPS: dict[str, Callable[..., Sweep]] = {
     "pole_general": partial(geometry.toward_the_pole, form="general"),
     "silhouette": geometry.toward_the_silhouette,
     "near_to_far": geometry.from_near_to_far,
-    "hit_of_b": partial(bodies.smaller_and_smaller_b, point),
-    "normal_of_b": partial(bodies.smaller_and_smaller_b, normal),
-    "shadow": bodies.beside_a_shadow,
+    "hit_of_b": partial(geometry.smaller_and_smaller_b, point),
+    "normal_of_b": partial(geometry.smaller_and_smaller_b, normal),
+    "shadow": shading.beside_a_shadow,
     "wave_numbers_edges": partial(large_wave_numbers, "ridges", [(k, k) for k in EDGES], samples=200),
     "amplitude": shading.any_amplitude,
     "light_distance": shading.near_and_far_lights,

@@ -1,4 +1,4 @@
-"""The normal under any amplitude, and the light: close, far, opposite to the eye, with any shininess."""
+"""The normal under any amplitude, and the light: close, far, at a shadow's edge, opposite to the eye, any shininess."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.bump import g, perturbed
+from proofs.formulas.bump import bumped_normal, g, perturbed
 from proofs.formulas.camera import point_on_a
 from proofs.formulas.shading import LIGHT_MODELS, highlight, light_direction
-from proofs.formulas.symbols import beta, bumped, mu, normal, specular, specular_base
-from proofs.formulas.tangent_frame import tangent_frame, unit_normal
+from proofs.formulas.shadow import shadow, shadow_discriminant
+from proofs.formulas.symbols import bumped, mu, normal, specular, specular_base
+from proofs.formulas.tangent_frame import unit_normal
 from renderer.machines.enclosing import Enclosed
 from verify.evaluate.arrays import in_float64, with_bounds
-from verify.stability.sweep import Sweep, measured
+from verify.stability.sweep import SHAPE, Sweep, measured
 
-SAMPLES = 24  # at each value of a sweep's parameter
+SAMPLES = SHAPE[1]
 
 
 def angles(random: np.random.Generator, shape: tuple[int, ...]) -> dict[str, np.ndarray]:
@@ -37,13 +38,10 @@ def any_amplitude() -> Sweep:
     """
     random, sizes = np.random.default_rng(5), np.concatenate([[2.0**-1074, 1e-310], np.logspace(-300, 100, 107)])
     at = angles(random, shape := (len(sizes), SAMPLES))
-    tangents = chain("tangents", unit_normal, tangent_frame, outputs=(*normal, *tangent_frame.outputs))
-    frame = in_float64(tangents, at)
     slopes = random.uniform(-1, 1, (2, *shape)) * 10.0 ** random.uniform(0, 6.5, shape)
-    along, down = np.array([frame[t.name] for t in tangent_frame.outputs]).reshape(2, 3, *shape)
-    inputs = frame | dict(zip((n.name for n in g), slopes[0] * along + slopes[1] * down, strict=True))
-    inputs[beta.name] = sizes[:, None] * random.choice([-1.0, 1.0], shape)
-    return measured(sizes, with_bounds(perturbed, inputs), perturbed, inputs, {s.name: 1.0 for s in bumped})
+    tangents = at | {"h_u": slopes[0], "h_v": slopes[1]}
+    inputs = in_float64(bumped_normal.keep(*normal, *g), tangents)
+    return measured(sizes, perturbed, inputs | {"beta": sizes[:, None] * random.choice([-1.0, 1.0], shape)})
 
 
 def near_and_far_lights() -> Sweep:
@@ -61,7 +59,23 @@ def near_and_far_lights() -> Sweep:
     inputs = at | {"radius": 1.0} | coordinates({"light": light})
     onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
     lit_point = chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
-    return measured(distances, with_bounds(lit_point, inputs), lit_point, inputs, {mu.name: 1.0})
+    return measured(distances, lit_point, inputs)
+
+
+def beside_a_shadow() -> Sweep:
+    """The discriminant of a shadow against s = 1 − (ρ/r)² from 0.99 to 10⁻¹⁴; ρ is how far the ray passes the centre.
+
+    It is taken over r² times the light's squared distance, the largest that it can be. Reason of the bound: it is a
+    difference of squares, each of a few roundings of the products in it.
+    """
+    random, share = np.random.default_rng(10), np.logspace(np.log10(0.99), -14, SHAPE[0])[:, None]
+    start, light, aside = random.normal(size=(3, 3, *SHAPE))
+    radius, way = 10.0 ** random.uniform(-8, 0, SHAPE), light - start
+    squared = (way**2).sum(axis=0)
+    passed = radius * np.sqrt(1 - share) * across(way / np.sqrt(squared), aside)
+    vectors = {"point": start, "light": light, "center": start + random.uniform(0.1, 0.9, squared.shape) * way + passed}
+    inputs, largest = coordinates(vectors) | {"body_radius": radius}, {shadow_discriminant.name: radius**2 * squared}
+    return measured(share[:, 0], shadow.keep(shadow_discriminant), inputs, scales=largest)
 
 
 def opposite_light(model: str) -> Sweep:
@@ -75,8 +89,7 @@ def opposite_light(model: str) -> Sweep:
     view, up = (vector / np.sqrt((vector**2).sum(axis=0)) for vector in (view, up))
     towards = -view + gaps[:, None] * across(view, aside)
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
-    inputs, program = coordinates(vectors), LIGHT_MODELS[model].program
-    found = measured(gaps, with_bounds(program, inputs), program, inputs, {specular_base.name: 1.0})
+    found = measured(gaps, LIGHT_MODELS[model].program.keep(specular_base), coordinates(vectors))
     return replace(found, bounds=np.minimum(found.bounds, 2.0))
 
 
@@ -110,4 +123,4 @@ def any_shininess(whole: bool = True) -> Sweep:
     for row in np.flatnonzero(powers == np.rint(powers)):
         raised = by_squaring(Enclosed(base[row]), int(powers[row]))
         ours[specular.name].value[row], ours[specular.name].error[row] = raised.value, raised.error
-    return measured(powers, ours, highlight, inputs, {specular.name: 1.0})
+    return measured(powers, highlight, inputs, ours)

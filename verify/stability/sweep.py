@@ -8,7 +8,9 @@ import numpy as np
 
 from proofs.engine.program import Program
 from renderer.machines.enclosing import Enclosed
-from verify.evaluate.arrays import Inputs, distance, in_balls, length, response
+from verify.evaluate.arrays import Inputs, distance, in_balls, length, response, with_bounds
+
+SHAPE = 61, 24  # of a sweep whose own is not said: values of its parameter, and samples at each
 
 
 @dataclass(frozen=True)
@@ -52,27 +54,27 @@ class Sweep:
         return np.where(finite < 0, np.nan, finite)
 
 
-def _apart(values, others, scales, norm):
-    return norm([distance(values[name], others[name]) / scale for name, scale in scales.items()])
-
-
 def measured(
     parameter: np.ndarray,
-    ours: Mapping[str, Enclosed],
     exact: Program,
     inputs: Inputs,
-    scales: Mapping[str, Any],
+    ours: Mapping[str, Enclosed] | None = None,
+    scales: Mapping[str, Any] | None = None,
     others: Mapping[str, Mapping[str, np.ndarray]] | None = None,
     norm: Callable = length,
 ) -> Sweep:
     """Return the Sweep of our numbers, with bounds, against what a program computes without rounding.
 
-    scales: {output: by what its errors are divided}. others: {name: {output: array}} of other ways to compute the
-    same. norm: what is taken of the outputs' errors, given all of them.
+    ours: by default the program's own. scales: {output: by what its errors are divided}, if not by 1. others: {name:
+    {output: array}} of other ways to compute the same. norm: what is taken of the outputs' errors, given all of them.
     """
+    ours, scales = ours or with_bounds(exact, inputs), scales or {s.name: 1.0 for s in exact.outputs}
     truth, values = in_balls(exact, inputs), {name: ours[name].value for name in scales}
-    off = _apart(values, truth, scales, norm)
-    errors = {name: _apart(numbers, truth, scales, norm) for name, numbers in (others or {}).items()}
+
+    def apart(values, truth=truth, scales=scales):
+        return norm([distance(values[name], truth[name]) / scale for name, scale in scales.items()])
+
+    off = apart(values)
     bounds = norm([ours[name].bound / scale for name, scale in scales.items()])
     worst = np.arange(len(off)), off.argmax(axis=1)
 
@@ -80,9 +82,6 @@ def measured(
         return {name: np.broadcast_to(array, off.shape)[worst] for name, array in arrays.items()}
 
     there, true, sizes = at_worst(inputs), at_worst(truth), at_worst(scales)
-
-    def change(taken):
-        return _apart(in_balls(exact, there, taken), true, sizes, norm)
-
     size = norm([abs(number) / sizes[name] for name, number in at_worst(values).items()])
-    return Sweep(parameter, off, bounds, response(size, change), errors)
+    responses = response(size, lambda taken: apart(in_balls(exact, there, taken), true, sizes))
+    return Sweep(parameter, off, bounds, responses, {name: apart(other) for name, other in (others or {}).items()})

@@ -13,9 +13,7 @@ from renderer import Scene
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls
 from verify.stability import attribution, maps, symmetry
-from verify.stability.bodies import smaller_and_smaller_b
-from verify.stability.geometry import image_points
-from verify.stability.pipelines import our_normal
+from verify.stability.geometry import image_points, our_normal, smaller_and_smaller_b
 from verify.stability.rows import SWEEPS, sweep
 
 ALLOWED = 8 * UNIT

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from verify.evaluate.arrays import in_float64, with_bounds
+from verify.evaluate.arrays import in_float64
 from verify.evaluate.programs import naive_gradient, rounded_product_gradient
 from verify.stability.sweep import Sweep, measured
 
@@ -45,11 +45,10 @@ def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int 
     waves = np.broadcast_to(wave_numbers(74, random), (2, 74)) if pairs is None else np.array(pairs).T
     inputs = dict(zip(("u", "v"), points_of_the_chart(waves, samples, random), strict=True))
     inputs |= dict(zip(("k_u", "k_v"), waves[..., None], strict=True))
-    program, known = gradient(HEIGHT_FIELDS[field]), HEIGHT_FIELDS[field]
+    known = HEIGHT_FIELDS[field]
     scales = dict(zip(("h_u", "h_v"), np.pi * np.maximum(1, np.abs(waves))[..., None], strict=True))
     others = {
         "libm, rounded argument": in_float64(naive_gradient(known), inputs),
         "reduced, rounded product": in_float64(rounded_product_gradient(known), inputs),
     }
-    ours, larger = with_bounds(program, inputs), partial(np.max, axis=0)
-    return measured(np.abs(waves[0]), ours, program, inputs, scales, others, larger)
+    return measured(np.abs(waves[0]), gradient(known), inputs, None, scales, others, partial(np.max, axis=0))

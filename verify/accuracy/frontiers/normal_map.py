@@ -35,8 +35,11 @@ EPS = 1e-3
 
 def tangent_normal(scene: Scene, u: np.ndarray, v: np.ndarray, method: GradientMethod) -> np.ndarray:
     """Return the bumped normal in the tangent frame, (3, …), at points of the chart."""
-    h_u, h_v = gradient_at(scene, u, v, method)
-    return np.array(list(in_float64(bumped_in_frame, {"h_u": h_u, "h_v": h_v, "beta": scene.beta}).values()))
+    return _in_frame(bumped_in_frame, scene, *gradient_at(scene, u, v, method))
+
+
+def _in_frame(program, scene, h_u, h_v):
+    return np.array([*in_float64(program, {"h_u": h_u, "h_v": h_v, "beta": scene.beta}).values()])
 
 
 def baked(scene: Scene, texels: int, method: GradientMethod) -> np.ndarray:
@@ -91,12 +94,8 @@ def derivative_errors(field: str, texels: int) -> np.ndarray:
     """Return how far ∂N'/∂β is off, (n,), over the sample, if g is what a fetched normal says: (N'_x, N'_y)/βN'_z."""
     scene, points = Scene(field=field), sample()
     x, y, z = fetched(baked(scene, texels, exact()), *points)
-
-    def by_beta(slopes):
-        given = dict(zip(("h_u", "h_v"), slopes, strict=True)) | {"beta": scene.beta}
-        return np.array(list(in_float64(by_beta_in_frame, given).values()))
-
-    return apart(by_beta((x / (scene.beta * z), y / (scene.beta * z))), by_beta(gradient_at(scene, *points, exact())))
+    slopes = (x / (scene.beta * z), y / (scene.beta * z)), gradient_at(scene, *points, exact())
+    return apart(*(_in_frame(by_beta_in_frame, scene, *each) for each in slopes))
 
 
 def without_a_map(field: str) -> float:

@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
+from renderer import Scene, exact, gradient_at
+from renderer.kernels import FIELDS
 from renderer.picture.differences import rms
 from verify.accuracy.orders import fitted_slope
-from verify.evaluate.arrays import in_float64
 
-KU, KV = 8.0, 4.0
+KU, KV = Scene().ku, Scene().kv
 POINTS, SEED = 10_000, 8
 TEXELS = (33, 65, 129, 257, 513)  # odd, so that creases lie inside texels, as they do in a picture
 
@@ -28,7 +28,7 @@ def linear(share: np.ndarray) -> tuple[np.ndarray, ...]:
 
 def _linear_slope(share):
     """Return their derivatives by the share."""
-    return -np.ones_like(share), np.ones_like(share)
+    return np.full_like(share, -1), np.ones_like(share)
 
 
 def _cubic(share):
@@ -45,11 +45,8 @@ def _cubic_slope(share):
 
 def _spline_coefficients(table):
     """Return the coefficients of the periodic cubic B-spline through a table: its samples are (c₋ + 4c + c₊)/6."""
-    spectrum = np.fft.rfft2(table)
-    for axis, frequencies in ((0, np.fft.fftfreq(table.shape[0])), (1, np.fft.rfftfreq(table.shape[1]))):
-        response = (4 + 2 * np.cos(2 * np.pi * frequencies)) / 6
-        spectrum /= response[:, None] if axis == 0 else response[None, :]
-    return np.fft.irfft2(spectrum, table.shape)
+    down, across = ((4 + 2 * np.cos(2 * np.pi * np.fft.fftfreq(count))) / 6 for count in table.shape)
+    return np.fft.ifft2(np.fft.fft2(table) / down[:, None] / across).real
 
 
 def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) -> np.ndarray:
@@ -77,9 +74,8 @@ KINDS = {
 
 def slope(field: str, texels: int, kind: str, points: Pair) -> np.ndarray:
     """Return h_u of an interpolation of a field's table, of one of the KINDS."""
-    (i, j), (coefficients, of_u, of_v) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
-    table = in_float64(height(HEIGHT_FIELDS[field]), {"u": i, "v": j, "k_u": KU, "k_v": KV})["h"]
-    return texels * interpolated(coefficients(table), of_u, of_v, points)
+    at, (coefficients, of_u, of_v) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
+    return texels * interpolated(coefficients(FIELDS[field]["height"](*at, KU, KV)), of_u, of_v, points)
 
 
 def sample() -> Pair:
@@ -89,9 +85,8 @@ def sample() -> Pair:
 
 def errors(field: str, kind: str, texels: Sequence[int] = TEXELS) -> Pair:
     """Return (largest, RMS) error of h_u for each number of texels across, over the sample."""
-    u, v = sample()
-    right = in_float64(gradient(HEIGHT_FIELDS[field]), {"u": u, "v": v, "k_u": KU, "k_v": KV})["h_u"]
-    off = [np.abs(slope(field, n, kind, (u, v)) - right) for n in texels]
+    right, _ = gradient_at(Scene(field=field), *sample(), exact())
+    off = [np.abs(slope(field, n, kind, sample()) - right) for n in texels]
     return np.array([e.max() for e in off]), np.array([rms(e) for e in off])
 
 

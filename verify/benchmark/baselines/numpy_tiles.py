@@ -4,9 +4,10 @@ The lines are the proofs', printed as NumPy with its own sin, cos and arctan2. A
 that is seen, and each surface is shaded by the lines that it needs; equal lines are computed once.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from typing import Any
 
 import numpy as np
 from sympy import Expr, Function, Symbol
@@ -61,14 +62,14 @@ def on_surface(program: Program, number: int) -> Program:
     return without_repeats(Program(f"surface_{number}", (x, y, *program.inputs), lines, rgb).keep(*rgb))
 
 
-def numpy_function(program: Program) -> tuple[Callable, list[str]]:
-    """Return (the program as a function of its inputs, a square by `np.square`, the inputs' names)."""
+def numpy_function(program: Program) -> Callable[[Mapping[str, Any]], Any]:
+    """Return the program as a function of {input: value}, a square by `np.square`."""
     squared = tuple(
         (s, e.replace(lambda power: power.is_Pow and power.exp == 2, lambda power: SQUARE_OF(power.base)))
         for s, e in program.definitions
     )
-    by_numpy = Program(program.name, program.inputs, squared, program.outputs)
-    return function_of(by_numpy, names=NUMPY), [s.name for s in program.inputs]
+    function = function_of(Program(program.name, program.inputs, squared, program.outputs), names=NUMPY)
+    return lambda values: function(*(values[s.name] for s in program.inputs))
 
 
 @cache
@@ -82,25 +83,20 @@ def tile_functions(field: str, model: str, lights: int) -> tuple:
 def numpy_tiles(scene: Scene, wide: int, high: int, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
     """Return (rgb (high, wide, 3) in [0, 1], surface (high, wide)) of a scene with both spheres and a floor."""
     extent, point, visible, shades = tile_functions(scene.field, scene.model, len(scene.lights))
-    values = scene_values(scene, width=float(wide), height=float(high))
-
-    def call(function, **more):
-        return function[0](*((values | more)[name] for name in function[1]))
-
-    half = call(extent)
+    values = scene_values(scene, width=float(wide), height=float(high), column=np.arange(wide, dtype=np.float64))
+    values["half"] = extent(values)
     planes, surfaces = np.empty((3, high, wide)), np.empty((high, wide), np.uint8)
-    columns = np.arange(wide, dtype=np.float64)
 
     @np.errstate(all="ignore")  # a thread starts with NumPy's own settings
     def tile(top):
         rows = np.arange(top, min(high, top + step), dtype=np.float64)[:, None]
-        at_x, at_y = np.broadcast_arrays(*call(point, half=half, column=columns, row=rows))
+        at_x, at_y = np.broadcast_arrays(*point(values | {"row": rows}))
         band, here = planes[:, top : top + step], surfaces[top : top + step]
-        here[:] = call(visible, x=at_x, y=at_y)
+        here[:] = visible(values | {"x": at_x, "y": at_y})
         for number, shade in shades.items():
             seen = here == number
             if seen.any():
-                for plane, channel in zip(band, call(shade, x=at_x[seen], y=at_y[seen]), strict=True):
+                for plane, channel in zip(band, shade(values | {"x": at_x[seen], "y": at_y[seen]}), strict=True):
                     plane[seen] = channel
 
     step = max(1, TILE_PIXELS // wide)

@@ -1,6 +1,6 @@
 """A kernel or program as a compiled loop over points: one thread, no fast-math, float64 or float32."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache, partial
 
 import llvmlite.ir as ir
@@ -13,8 +13,8 @@ from renderer.machines.native import machine_code
 from renderer.machines.points_code import emit_points
 from renderer.machines.traced import FLOAT
 
-LANES: dict[type, int] = {np.float64: 16, np.float32: 32}
-TYPES: dict[type, ir.Type] = {np.float64: FLOAT, np.float32: ir.FloatType()}
+KINDS: dict[type, tuple[int, ir.Type]] = {np.float64: (16, FLOAT), np.float32: (32, ir.FloatType())}
+"""{kind of number: (lanes, LLVM's type of it)}"""
 NAMES = vars(kernels) | {
     "sin": lambda value: value.machine.call("sin", value),
     "cos": lambda value: value.machine.call("cos", value),
@@ -27,11 +27,12 @@ def loop_of(kernel: Callable, outputs: int, kind: type = np.float64) -> Callable
 
     kernel: it is traced, as those of renderer/kernels.py can be. kind: of the numbers.
     """
-    code, alive = machine_code(emit_points, kernel, LANES[kind], TYPES[kind])
+    lanes, number = KINDS[kind]
+    code, alive = machine_code(emit_points, kernel, lanes, number)
 
     def run(*arrays):
         count = len(arrays[0])
-        whole = -(-count // LANES[kind]) * LANES[kind]
+        whole = -(-count // lanes) * lanes
         arrays = [np.ascontiguousarray(a if whole == count else np.resize(a, whole), kind) for a in arrays]
         filled = np.empty((outputs, whole), kind)
         given = np.array([whole, *(a.ctypes.data for a in (*arrays, *filled))], np.int64)
@@ -43,18 +44,13 @@ def loop_of(kernel: Callable, outputs: int, kind: type = np.float64) -> Callable
 
 
 @lru_cache
-def _compiled(program, scalars, kind):
-    points = [s for s in program.inputs if s.name not in dict(scalars)]
-    last = [s for s in program.inputs if s.name in dict(scalars)]
-    ordered = Program(program.name, (*points, *last), program.definitions, program.outputs)
-    return loop_of(partial(function_of(ordered, names=NAMES), **dict(scalars)), len(program.outputs), kind)
-
-
-def compiled_loop(program: Program, scalars: Mapping[str, float], kind: type = np.float64) -> Callable:
+def compiled_loop(program: Program, kind: type = np.float64, **scalars: float) -> Callable:
     """Return a function of arrays (the program's inputs, in order, without the scalars) → array (outputs, n).
 
-    scalars: {input's name: value}, constants of the code; of those that are no inputs nothing is asked. kind: float32
-    for a program that calls no function.
+    scalars: constants of the code; of those that are no inputs nothing is asked. kind: float32 for a program that calls
+    no function.
     """
-    asked = {s.name for s in program.inputs}
-    return _compiled(program, tuple((name, value) for name, value in scalars.items() if name in asked), kind)
+    inputs = sorted(program.inputs, key=lambda s: s.name in scalars)  # those that only a name gives come last
+    ordered = Program(program.name, tuple(inputs), program.definitions, program.outputs)
+    constants = {s.name: scalars[s.name] for s in inputs if s.name in scalars}
+    return loop_of(partial(function_of(ordered, names=NAMES), **constants), len(program.outputs), kind)

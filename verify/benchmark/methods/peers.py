@@ -1,14 +1,22 @@
-"""Other ways and other people's libraries, on the same expression of the height field, in NumPy or their own arrays."""
+"""Other ways and other people's libraries, on the expression of one height field, in NumPy or their own arrays.
+
+Each is given the value of its parameter, if it has one.
+"""
 
 from collections.abc import Callable
-from typing import Any
 
 import mpmath
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Expr, lambdify
+from sympy import lambdify
 
-from proofs.formulas.symbols import u, v
+from proofs.formulas.half_turns import ordinary
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.formulas.symbols import k_u, k_v, u, v
+
+FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
+EXPRESSION = ordinary(FIELD.expression.subs({k_u: int(KU), k_v: int(KV)}))
+SLOPES = EXPRESSION.diff(u), EXPRESSION.diff(v)
 
 
 class Dual:
@@ -34,25 +42,25 @@ class Dual:
         return Dual(np.sin(self.value), slope * self.by_u, slope * self.by_v)
 
 
-def lambdified(h: Expr, modules: Any = "numpy") -> Callable:
-    """Return h as a function of u and v, printed for `modules` by SymPy."""
-    return lambdify((u, v), h, modules)
+def _height(modules="numpy"):
+    """Return the height as a function of u and v, printed for `modules` by SymPy."""
+    return lambdify((u, v), EXPRESSION, modules)
 
 
-def sympy_numpy(h: Expr, _: None) -> Callable:
+def sympy_numpy(_: None) -> Callable:
     """SymPy's derivative, printed for NumPy."""
-    return lambdify((u, v), (h.diff(u), h.diff(v)), "numpy", cse=True)
+    return lambdify((u, v), SLOPES, "numpy", cse=True)
 
 
-def complex_step(h: Expr, step: float) -> Callable:
+def complex_step(step: float) -> Callable:
     """The imaginary part of h beside the real axis, over the step: no difference is taken (Squire and Trapp 1998)."""
-    height = lambdified(h)
+    height = _height()
     return lambda a, b: (height(a + step * 1j, b).imag / step, height(a, b + step * 1j).imag / step)
 
 
-def dual_numbers(h: Expr, _: None) -> Callable:
+def dual_numbers(_: None) -> Callable:
     """Dual numbers over NumPy arrays."""
-    height = lambdified(h, [{"sin": Dual.sin, "pi": np.pi}])
+    height = _height([{"sin": Dual.sin, "pi": np.pi}])
 
     def gradient(at_u, at_v):
         result = height(Dual(at_u, 1.0, 0.0), Dual(at_v, 0.0, 1.0))
@@ -61,9 +69,9 @@ def dual_numbers(h: Expr, _: None) -> Callable:
     return gradient
 
 
-def in_mpmath(h: Expr, digits: int) -> Callable:
+def in_mpmath(digits: int) -> Callable:
     """The exact expression in mpmath, point by point, at a number of digits; mpf results."""
-    slopes = lambdify((u, v), (h.diff(u), h.diff(v)), "mpmath")
+    slopes = lambdify((u, v), SLOPES, "mpmath")
 
     def gradient(at_u, at_v):
         with mpmath.workdps(digits):
@@ -73,41 +81,40 @@ def in_mpmath(h: Expr, digits: int) -> Callable:
     return gradient
 
 
-def autograd(h: Expr, _: None) -> Callable:
+def autograd(_: None) -> Callable:
     """autograd: reverse mode on its own NumPy."""
     import autograd.numpy
     from autograd import elementwise_grad
 
-    height = lambdified(h, [autograd.numpy])
-    along_u, along_v = elementwise_grad(height, 0), elementwise_grad(height, 1)
+    along_u, along_v = (elementwise_grad(_height([autograd.numpy]), which) for which in (0, 1))
     return lambda a, b: (along_u(a, b), along_v(a, b))
 
 
-def jax(h: Expr, _: None) -> Callable:
+def jax(_: None) -> Callable:
     """JAX: grad, vmap, jit, float64."""
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    compiled = jax.jit(jax.vmap(jax.grad(lambdified(h, "jax"), (0, 1))))
+    compiled = jax.jit(jax.vmap(jax.grad(_height("jax"), (0, 1))))
     return lambda a, b: tuple(np.asarray(part) for part in compiled(a, b))
 
 
-def scipy_differentiate(h: Expr, order: int) -> Callable:
+def scipy_differentiate(order: int) -> Callable:
     """scipy.differentiate.derivative: adaptive central differences of an order."""
     from scipy.differentiate import derivative
 
-    height = lambdified(h)
+    height = _height()
     return lambda a, b: (
         derivative(height, a, args=(b,), order=order).df,
         derivative(lambda second, first: height(first, second), b, args=(a,), order=order).df,
     )
 
 
-def numdifftools(h: Expr, order: int) -> Callable:
+def numdifftools(order: int) -> Callable:
     """numdifftools.Derivative: extrapolated central differences of an order."""
     from numdifftools import Derivative
 
-    height = lambdified(h)
+    height = _height()
     return lambda a, b: (
         Derivative(lambda at: height(at, b), order=order)(a),
         Derivative(lambda at: height(a, at), order=order)(b),

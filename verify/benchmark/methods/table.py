@@ -11,16 +11,13 @@ from importlib.util import find_spec
 import numpy as np
 
 from proofs.formulas.finite_difference import central, central4, forward
-from proofs.formulas.half_turns import ordinary
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import k_u, k_v
+from proofs.formulas.height_fields import gradient
 from verify.benchmark.methods import peers
 from verify.benchmark.methods.compiled import compiled_loop
+from verify.benchmark.methods.peers import FIELD, KU, KV
 from verify.evaluate.programs import algebraic_gradient, central6, naive_gradient, richardson
 
-FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
 WAVES = {"k_u": KU, "k_v": KV}
-EXPRESSION = ordinary(FIELD.expression.subs({k_u: int(KU), k_v: int(KV)}))  # what the peers are given
 STEPS = tuple(10.0 ** (-n / 4) for n in range(4, 45))
 SINGLE, FULL = (None,), 2**16
 
@@ -56,15 +53,11 @@ def _filled(count, value):
 
 def _difference(program):
     """Return eps → the difference: ε is read beside the points, so that all steps run the same code."""
-    return lambda eps: lambda u, v: compiled_loop(program(FIELD), WAVES)(u, v, _filled(len(u), eps))
+    return lambda eps: lambda u, v: compiled_loop(program(FIELD), **WAVES)(u, v, _filled(len(u), eps))
 
 
 def _compiled(program, kind=np.float64):
-    return lambda _: compiled_loop(program, WAVES, kind)
-
-
-def _peer(function):
-    return lambda value: function(EXPRESSION, value)
+    return lambda _: compiled_loop(program, kind, **WAVES)
 
 
 ALGEBRAIC = algebraic_gradient(FIELD, KU, KV)
@@ -78,16 +71,16 @@ METHODS = (
     Method("exact, reduced argument", _compiled(gradient(FIELD)), ours=True),
     Method("exact, algebraic", _compiled(ALGEBRAIC), ours=True, angles=True),
     Method("exact, algebraic, float32", _compiled(ALGEBRAIC, np.float32), ours=True, angles=True),
-    Method("SymPy, NumPy", _peer(peers.sympy_numpy)),
-    Method("complex step", _peer(peers.complex_step), "step", tuple(10.0**-n for n in range(1, 21))),
-    Method("dual numbers", _peer(peers.dual_numbers)),
-    Method("autograd", _peer(peers.autograd), module="autograd"),
-    Method("JAX", _peer(peers.jax), module="jax"),
-    Method("scipy.differentiate", _peer(peers.scipy_differentiate), "order", (2, 4, 6, 8, 10, 12),
+    Method("SymPy, NumPy", peers.sympy_numpy),
+    Method("complex step", peers.complex_step, "step", tuple(10.0**-n for n in range(1, 21))),
+    Method("dual numbers", peers.dual_numbers),
+    Method("autograd", peers.autograd, module="autograd"),
+    Method("JAX", peers.jax, module="jax"),
+    Method("scipy.differentiate", peers.scipy_differentiate, "order", (2, 4, 6, 8, 10, 12),
            timed_once=False, points=1000, module="scipy"),
-    Method("numdifftools", _peer(peers.numdifftools), "order", (2, 4, 6, 8, 10),
+    Method("numdifftools", peers.numdifftools, "order", (2, 4, 6, 8, 10),
            timed_once=False, points=1000, module="numdifftools"),
-    Method("mpmath", _peer(peers.in_mpmath), "digits", (5, 10, 15, 20, 30, 50), timed_once=False, points=100),
+    Method("mpmath", peers.in_mpmath, "digits", (5, 10, 15, 20, 30, 50), timed_once=False, points=100),
 )  # fmt: skip
 
 

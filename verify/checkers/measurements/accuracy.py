@@ -55,7 +55,7 @@ def _of_sweeps(found, bound, what, form=None):
 def general_gradient(form: str | None = None) -> Measurement:
     """The general form, |k| to 2^20, at random and beside the creases."""
     found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
-    return _of_sweeps(found, float(GENERAL_GRADIENT), "", form)
+    return _of_sweeps(found, GENERAL_GRADIENT, "", form)
 
 
 @measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
@@ -93,20 +93,21 @@ def under_the_bounds(share: float = 1.0) -> Measurement:
         out += sum(escapes(seen, {part: share * limit for part, limit in limits.items()}).values())
         rounding = (STEPS < 1e-9) & (seen["total"] != 0)
         ratios.append(limits["total"][rounding] / np.abs(seen["total"][rounding]))
+    median = np.median(np.concatenate(ratios))
     return Measurement(
         samples=len(CASES) * len(STEPS),
         worst=out,
         bound=0,
-        holds=float(np.median(np.concatenate(ratios))) <= 30,
+        holds=median <= 30,
         what="measured parts of the error above their bound",
-        numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": float(np.median(np.concatenate(ratios)))},
+        numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": median},
     )
 
 
 @cache
 def _quadrature(component):
     steps = np.logspace(-3, -8, 11)
-    return steps, np.array([orders.quadrature(component, float(step)) for step in steps])
+    return steps, np.array([orders.quadrature(component, step) for step in steps])
 
 
 @measures("difference_slopes", false={"∝ ε": {"slope": 1.0}, "√(k_v ε/3) in h_v": {"at_poles": True}})
@@ -118,7 +119,7 @@ def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measu
         law, _ = orders.predicted(component, steps)
         law = law * (orders.SCENE.kv / (orders.SCENE.kv - 1)) ** 0.5 if component == "h_v" and at_poles else law
         worst[f"{component}_slope"] = abs(orders.fitted_slope(steps, rms) - slope)
-        worst[f"{component}_constant"] = float(np.abs(rms / law - 1).max())
+        worst[f"{component}_constant"] = np.abs(rms / law - 1).max()
     return Measurement(
         samples=2 * 11,
         worst=max(worst.values()),

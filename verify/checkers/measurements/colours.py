@@ -1,18 +1,14 @@
 """What float64 loses between the gradient and the colour, which Coq proves: the printed stages against balls."""
 
-import math
-
 import numpy as np
-from flint import arb, ctx
 from sympy import lambdify
 
 from proofs.engine.claim import Rounded
 from proofs.engine.theorem import all_theorems
-from renderer.generate.kernels import function_of
 from verify.checkers.measurement import Measurement, measures
-from verify.evaluate.balls import Balls
+from verify.evaluate.arrays import distance, in_balls, in_float64
 
-SEED, SAMPLES, BITS = 27, 300, 256
+SEED, SAMPLES = 27, 300
 
 
 def _inputs(random, claim):
@@ -34,20 +30,17 @@ def claims() -> dict[str, Rounded]:
     return {claim.name: claim for claim in all_theorems()["colour_accuracy"].rounded if isinstance(claim, Rounded)}
 
 
+@np.errstate(divide="ignore", invalid="ignore")
 def shares(claim: Rounded, random: np.random.Generator, samples: int) -> list[float]:
     """Return how far a stage's results are off, over their bounds; infinite where what loses nothing is off."""
     stage = claim.program.keep(*(output for output, _ in claim.bounds))
-    computed, balls, ratios = function_of(stage), Balls(stage), []
-    bounds = [(output.name, lambdify(stage.inputs, bound.doit())) for output, bound in claim.bounds]
-    for _ in range(samples):
-        values = _inputs(random, claim)
-        inputs = [np.float64(values[name]) for name in balls.inputs]
-        exact = balls(values, BITS)
-        for (name, bound), value in zip(bounds, np.atleast_1d(computed(*inputs)), strict=True):
-            with ctx.workprec(BITS):
-                off = float(abs(arb(float(value)) - exact[name]).upper())
-            most = float(bound(*inputs))
-            ratios.append(off / most if most else math.inf if off else 0.0)
+    drawn = [_inputs(random, claim) for _ in range(samples)]
+    inputs = {s.name: np.array([values[s.name] for values in drawn]) for s in stage.inputs}
+    computed, exact, ratios = in_float64(stage, inputs), in_balls(stage, inputs), []
+    for output, bound in claim.bounds:
+        off = distance(computed[output.name], exact[output.name])
+        most = lambdify(stage.inputs, bound.doit())(*inputs.values())
+        ratios += np.where(off > 0, off / most, 0.0).tolist()
     return ratios
 
 

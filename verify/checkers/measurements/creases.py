@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 
@@ -21,7 +21,7 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
     """The nearest floats to all m/k, 0 < m < k ≤ 64, that are not m/k: k·u rounds to m for most of them."""
     floats = [(k, m / k) for k in range(2, MOST + 1) for m in range(1, k) if Fraction(m / k) * k != m]
     rounded = sum((k * u).is_integer() for k, u in floats)
-    kernel = sum(float(height_at(Scene(ku=float(k)), u, 0.125)) == 0 for k, u in floats)
+    kernel = sum(height_at(Scene(ku=float(k)), u, 0.125) == 0 for k, u in floats)
     return Measurement(
         samples=len(floats),
         worst=max(abs(rounded - count), abs(kernel - zeros)),
@@ -32,7 +32,7 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
     )
 
 
-@lru_cache(maxsize=1)
+@cache
 def _exact():
     return render(Scene(), SIZE, SIZE)
 
@@ -45,20 +45,21 @@ def _difference(step):
 def contrast(orders: float = 4) -> Measurement:
     """The mean error where the kink flag is set against that elsewhere on A, at ε = 10⁻³, in orders of magnitude."""
     on, off = crease_contrast(_difference(1e-3), _exact())
+    found = np.log10(on / off)
     return Measurement(
         samples=int(_exact().stage.on_a.sum()),
-        worst=abs(float(np.log10(on / off)) - orders),
+        worst=abs(found - orders),
         bound=0.5,
         holds=on > off,
         what="orders of magnitude between the mean error at the kink flag and elsewhere, 256², ε = 1e-3",
-        numbers={"on": on, "off": off, "orders": float(np.log10(on / off))},
+        numbers={"on": on, "off": off, "orders": found},
     )
 
 
 @measures("dark_difference", false={"at 1e-12 it is dark too": {"steps": (1e-8, 1e-12)}})
 def dark(steps: Sequence[float] = (1e-8, 1e-9, 1e-10)) -> Measurement:
     """The largest |ΔI| × 100 on A stays below half a level of 255."""
-    largest = {step: 100 * float(np.abs(difference_on_a(_difference(step), _exact())).max()) for step in steps}
+    largest = {step: 100 * np.abs(difference_on_a(_difference(step), _exact())).max() for step in steps}
     return Measurement(
         samples=3 * int(_exact().stage.on_a.sum()) * len(steps),
         worst=max(largest.values()),

@@ -22,7 +22,7 @@ def _operands(random, names):
             arb((int(sign * count), -53))
             for sign, count in zip(random.choice([-1, 1], len(names)), counts, strict=True)
         )
-        return values, counts, {name: arb(float(v)) + end for name, v, end in zip(names, values, ends, strict=True)}
+        return values, counts, {name: arb(v) + end for name, v, end in zip(names, values, ends, strict=True)}
 
 
 def shares(program: Program, random: np.random.Generator, samples: int) -> list[float]:
@@ -35,7 +35,7 @@ def shares(program: Program, random: np.random.Generator, samples: int) -> list[
         exact = balls(ends, BITS)[output.name]
         with ctx.workprec(BITS):
             off = abs(arb(float(found.value)) - exact)
-            ratios.append(0.0 if off.is_zero() else float((off / arb(float(found.bound))).upper()))
+            ratios.append(0.0 if off.is_zero() else float((off / float(found.bound)).upper()))
     return ratios
 
 
