@@ -13,13 +13,13 @@ from threading import Thread
 import pytest
 from tornado.websocket import websocket_connect
 
-from tests.tabs import RUNNING, wait_for
+from tests.tabs import RUNNING, slide, wait_for
 from tests.test_browser import SEEN, every_page
-from tests.test_simulator_numbers import BASE, assert_same_bits
+from tests.test_simulator_numbers import BASE, drawn, rendered
 
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 pytestmark = [pytest.mark.long, pytest.mark.skipif(not FIREFOX, reason="Firefox is not installed")]
-CROP = {"width": 256, "height": 256, "left": 90, "top": 60, "wide": 96, "high": 96}
+CROP = 256, (90, 60, 96, 96)
 PATIENCE = 120  # seconds for an answer
 WATCH = """() => { window.violations = [];
     addEventListener('securitypolicyviolation', event => violations.push(event.violatedDirective)); }"""
@@ -100,12 +100,12 @@ def base(request, site, server):
 
 
 @every_page
-@pytest.mark.parametrize("width", [400, 1440])
-def test_page_is_whole(tab, base, page, width):
-    tab.resize(width)
+def test_page_is_whole(tab, base, page):
     tab.goto(f"{base}/{page}.html")
-    seen = tab.evaluate(SEEN)
-    assert seen["unloaded"] == [] and seen["unset"] == 0 and seen["fonts"] and seen["wide"] <= width
+    for width in (400, 1440):
+        tab.resize(width)
+        seen = tab.evaluate(SEEN)
+        assert seen["unloaded"] == [] and seen["unset"] == 0 and seen["fonts"] and seen["wide"] <= width
 
 
 def test_search_finds_words(tab, base):
@@ -120,25 +120,18 @@ def test_proofs_are_checked(tab, base):
     wait_for(tab, "document.querySelector('.checker[data-all] .check-verdict').textContent.startsWith('Accepted')")
 
 
-def simulate(tab, address):
-    """Hold the simulator's pictures to the renderer's, to the last bit, and move it by its slider."""
+def test_simulator_gives_the_renderers_bits(tab, base, single):
+    """And moves by its slider; in the one file, too."""
     tab.resize(1440)
-    tab.goto(address)
-    wait_for(tab, RUNNING)
-    for eps in (1e-1, 1e-3, 1e-16, 1e-18):
-        assert_same_bits(tab, BASE, {"name": "central", "eps": eps}, CROP)
-    before = tab.evaluate("Simulator.running.frames.length")
-    tab.evaluate("""() => { const slider = document.getElementById('sim-eps'); slider.stepUp(30);
-        slider.dispatchEvent(new Event('input', { bubbles: true })); }""")
-    wait_for(tab, f"Simulator.running.frames.length > {before}")
-
-
-def test_simulator_gives_the_renderers_bits(tab, base):
-    simulate(tab, f"{base}/s4.html")
-
-
-def test_simulator_of_the_one_file_gives_the_renderers_bits(tab, single):
-    simulate(tab, f"{single.as_uri()}#sim")
+    for address in (f"{base}/s4.html", f"{single.as_uri()}#sim"):
+        tab.goto(address)
+        wait_for(tab, RUNNING)
+        for eps in (1e-1, 1e-3, 1e-16, 1e-18):
+            step = BASE, {"name": "central", "eps": eps}
+            assert drawn(tab, step, raster=CROP) == rendered(*step, CROP)
+        before = tab.evaluate("Simulator.running.frames.length")
+        slide(tab, "eps", -5)
+        wait_for(tab, f"Simulator.running.frames.length > {before}")
 
 
 def test_what_is_wrong_is_seen(firefox, site):
