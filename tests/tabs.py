@@ -4,7 +4,9 @@ from contextlib import ExitStack, contextmanager
 from functools import partial
 from urllib.parse import urljoin
 
-from playwright.sync_api import Route, expect
+from playwright.sync_api import Route, expect, sync_playwright
+
+from book.editions.chromium import FLAGS, installed
 
 DESKTOP = {"viewport": {"width": 1280, "height": 900}}
 PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
@@ -32,6 +34,16 @@ def wait_for(tab, condition, arg=None):
             return
         tab.wait_for_timeout(20)
     raise AssertionError(f"never came true: {condition}")
+
+
+@contextmanager
+def chromium():
+    """Give the installed Chromium, with a fresh profile. Raises NoBrowser where there is none."""
+    path = installed()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        yield browser
+        browser.close()
 
 
 @contextmanager

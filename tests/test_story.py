@@ -3,11 +3,9 @@
 import re
 from functools import partial
 
-import pytest
 from bs4 import NavigableString
 
 from book.assembly.results import look_up
-from book.extension.listings import printed
 from book.extension.worked import worked_lines
 from book.ledger import load
 from book.notebooks.laboratory import BOOK
@@ -45,10 +43,7 @@ def test_pictures_are_near_their_words_and_the_chapter_no_longer_than_it_was(pag
     assert max(map(max, found)) <= WAY_AT_MOST and all(way[0] <= 120 for way in found[1:])
 
 
-def test_printed_lines_are_the_kernels():
-    assert printed("bumped_normal", ["m_x"]).splitlines()[1] == "m_x = beta * g_x + normal_x"
-    with pytest.raises(ValueError, match=r"'bumped_normal' defines no m_q; it defines normal_x"):
-        printed("bumped_normal", ["m_q"])
+def test_six_displays_have_their_printed_lines():
     source = "".join((BOOK / "chapter" / f"{name}.md").read_text(encoding="utf-8") for name in READ)
     assert source.count(":::{printed-lines}") == 6
 
