@@ -62,23 +62,18 @@ def _of_random_pictures(first=1000):
 
 
 COUNTED = {
-    "accuracy_chart.side": lambda: len(kept("accuracy_chart")["ours"]),
     "attribution_shares.points": lambda: lcm(*_denominators()),
-    "attribution_shares.steps": lambda: len(kept("attribution_shares")["step"]),
     "bench:frames.scenes": lambda: SCENES,
-    "certified_bounds.side": lambda: len(kept("certified_bounds")["error"]),
     "certified_bounds.whole_side": lambda: len(picture("sine").open),
     "enclosed_pixels.pixels": _of_random_pictures,
     "eps_table.pixels": lambda: picture().open.size,
     "eps_table.pixels_a": lambda: np.count_nonzero((picture().chambers & 3) == 1),
     "frontier_wall.points": lambda: np.transpose(wall.sample()).shape[0],
-    "own_fields.side": lambda: len(kept("own_fields")["crater_log10_bound"]),
     "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(pole.AZIMUTHS),
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),
     "stability_totals.values": lambda: sum(len(sweep(name).errors) for name in SWEEPS),
-    "three_pictures.side": lambda: len(kept("three_pictures")["largest_of_a_channel"]),
     "work_precision.checked": lambda: _checked("exact, reduced argument"),
     "work_precision.fewer": lambda: _checked("numdifftools"),
     "work_precision.fewest": _checked,
@@ -88,8 +83,21 @@ COUNTED = {
 """{a number that a page cites: the function that counts it again}"""
 
 
-def _of_a_function(name):
-    return lambda: kept("elementary_ulps")[f"{name}_error"].size
+ARRAYS = {
+    "accuracy_chart.side": "ours",
+    "attribution_shares.steps": "step",
+    "certified_bounds.side": "error",
+    "elementary_ulps.atan2pi_samples": "atan2pi_error",
+    "elementary_ulps.cospi_samples": "cospi_error",
+    "elementary_ulps.sinpi_samples": "sinpi_error",
+    "own_fields.side": "crater_log10_bound",
+    "three_pictures.side": "largest_of_a_channel",
+}
+"""{a number that a page cites: the array of its figure that is so long}"""
+
+
+def _of_an_array(number):
+    return lambda: len(kept(number.partition(".")[0])[ARRAYS[number]])
 
 
 def _of_a_sweep(name):
@@ -97,7 +105,7 @@ def _of_a_sweep(name):
 
 
 STABILITY = ("pole", "silhouette", "near_far", "totals", "wave_numbers", "shading")
-COUNTED |= {f"elementary_ulps.{name}_samples": _of_a_function(name) for name in ("sinpi", "cospi", "atan2pi")}
+COUNTED |= {number: _of_an_array(number) for number in ARRAYS}
 COUNTED |= {f"stability_{page}.{name}_points": _of_a_sweep(name) for page in STABILITY for name in SWEEPS}
 
 

@@ -5,16 +5,13 @@
     python -m tests.measure_pages --page s3 lemmas --rounds 1            only these pages, visited once
 
 Of each page: for how many milliseconds scripts and layout block it, which is what tasks take beyond 50 ms until it has
-rested for a second; how far the layout shifts; the simulator's first picture, in milliseconds, where there is one; how
-many files it asks for, and how many kilobytes these have before compression, pictures aside and of pictures. Sites
-take turns, and medians are kept. Times belong to the machine that they were taken on; no test asserts them. Writes
-verify/benchmark/results/pages.json: commit it. What was measured beside another site is kept with --output.
+rested for a second; how far the layout shifts; the simulator's first picture, in milliseconds, where there is one.
+Sites take turns, and medians are kept. Times belong to the machine that they were taken on; no test asserts them.
+Writes verify/benchmark/results/pages.json: commit it. What was measured beside another site is kept with --output.
 """
 
 import os
-from pathlib import Path
 from statistics import median
-from urllib.parse import unquote, urlsplit
 
 from tqdm import tqdm
 
@@ -32,25 +29,19 @@ ASKED = {"expression": f"{RESTED} ? seen : null", "returnByValue": True}
 
 
 def visited(browser, address):
-    """Return what one visit to a page finds, by the names of MEASURED. address: of a file."""
-    context, asked = browser.new_context(bypass_csp=True, **DESKTOP), []
+    """Return what one visit to a page finds, by its name. address: of a file."""
+    context = browser.new_context(bypass_csp=True, **DESKTOP)
     context.add_init_script(WATCH)
     tab = context.new_page()
     protocol = context.new_cdp_session(tab)
     protocol.send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
-    tab.on("requestfinished", lambda request: asked.append((request.resource_type == "image", request.url)))
     tab.goto(address)
     for _ in range(500):
         tab.wait_for_timeout(RESTS / 4)
         if seen := protocol.send("Runtime.evaluate", ASKED)["result"]["value"]:
-            break
-    else:
-        raise TimeoutError(f"{address} never rests")
-    context.close()
-    files = [(picture, Path(unquote(urlsplit(url).path))) for picture, url in asked if url.startswith("file:")]
-    weights = [sum(path.stat().st_size for of, path in files if of is picture) / 1000 for picture in (False, True)]
-    del seen["last"]
-    return seen | {"requests": len(files), "kB": weights[0], "pictures_kB": weights[1]}
+            context.close()
+            return {name: seen[name] for name in ("blocked", "shift", "picture")}
+    raise TimeoutError(f"{address} never rests")
 
 
 def measured(browser, sites, page, rounds):

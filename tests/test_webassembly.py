@@ -5,11 +5,9 @@ import base64
 import numpy as np
 import pytest
 
-from book import simulator_module
 from renderer import Scene, central, exact, kernels, render
 from renderer.machines import enclosing, native, numpy_rows
 from renderer.machines.webassembly import compiled_module
-from renderer.picture.views import difference_logarithmic
 from tests.drawing_memory import drawer_over_memory
 from tests.test_machines import SCENES, drawn_by
 from verify.benchmark.methods.compiled import loop_of
@@ -84,14 +82,3 @@ def test_a_browser_that_bounds_otherwise_is_noticed(browser, monkeypatch):
     with browser.new_page() as tab:
         found = bytes_of(drawer_in(tab), *ENCLOSED["sine"])
     assert [name for name in ours if ours[name] != found[name]] == ["bounds"]
-
-
-def test_the_thresholds_are_where_the_renderers_bytes_change():
-    """And no cell of a table has two of them, so that one comparison is enough."""
-    tables = simulator_module.data({kernel.__name__: 1 for kernel in simulator_module.OVER_POINTS})["tables"]
-    linear, sizes = (np.array(tables[name]["thresholds"]) for name in ("srgb", "sizes"))
-    colours = np.array(tables["inferno"], np.uint32).view(np.uint8).reshape(-1, 4)[:, :3]
-    np.testing.assert_array_equal(difference_logarithmic(sizes), colours[1:])
-    np.testing.assert_array_equal(difference_logarithmic(np.nextafter(sizes, 0)), colours[:-1])
-    cells = np.floor(linear * tables["srgb"]["cells"]), sizes.view(np.int64) >> (64 - tables["sizes"]["bits"])
-    assert (np.diff(cells) > 0).all()
