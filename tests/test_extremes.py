@@ -42,9 +42,9 @@ OF_A_THEOREM = {
 
 def sentences(text):
     """Return the sentences of a page in MyST, without code, and without the options of a directive."""
-    text = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
-    text = re.sub(r"^:\w+:.*$", "", text, flags=re.MULTILINE)
-    paragraphs = (" ".join(part.split()) for part in re.split(r"\n\s*\n|^:::.*$|^#.*$", text, flags=re.MULTILINE))
+    text = re.sub(r"(?ms)^```.*?^```|^:\w+:.*?$", "", text)
+    parts = re.split(r"(?m)\n\s*\n|^:::.*$|^#.*$", text)
+    paragraphs = (" ".join(part.split()) for part in parts)
     return [s for paragraph in paragraphs for s in re.split(r"(?<=[.!?:)])\s+(?=[A-Z*`\[{$(])", paragraph) if s]
 
 

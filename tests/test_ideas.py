@@ -3,7 +3,7 @@
 import functools
 import io
 import re
-from math import atan, degrees, sqrt
+from math import sqrt
 
 import numpy as np
 import pytest
@@ -82,9 +82,10 @@ def test_the_still_picture_stands_where_no_script_runs_and_on_paper_and_a_phone_
 
 def expected_on_circle(u, beta):
     """Return slope, β, slope × β, tilt, and μ without the bump and with it."""
-    slope, light = gradient_at(SCENE, u, 0.125, exact())[0], SCENE.lights[0].position
-    lit = (idea_kernels.bump_at(u, 0.125, SCENE.ku, SCENE.kv, b, SCENE.radius, *light)[-1] for b in (0.0, beta))
-    return slope, beta, beta * slope, degrees(atan(abs(beta * slope))), *lit
+    at = u, 0.125, SCENE.ku, SCENE.kv
+    light = SCENE.radius, *SCENE.lights[0].position
+    (_, slope, _, tilt, lit), smooth = (idea_kernels.bump_at(*at, amount, *light) for amount in (beta, 0.0))
+    return slope, beta, beta * slope, tilt, smooth[-1], lit
 
 
 def test_slope_is_texture_says_what_the_renderer_says_and_follows_the_pointer(idea):
