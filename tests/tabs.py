@@ -74,12 +74,13 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
 
 
 def visits(browser, site, server):
-    """A function that opens a page of the site by its name, over http or from the disk."""
+    """A function that opens a page of the site by its name, over http or from the disk; §4 when its simulator runs."""
     with ExitStack() as pages:
 
         def visit(page, scheme="http", fragment="", **options):
             base = server if scheme == "http" else site.as_uri()
-            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **options))
+            until = {"until": RUNNING} if page == "s4" else {}
+            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
 
         yield visit
 
@@ -107,6 +108,12 @@ def next_frame(tab):
 def state(tab):
     """Return the simulator's state."""
     return tab.evaluate("Simulator.running.act.state()")
+
+
+def becomes(tab, **wanted):
+    """Wait until the simulator's state has these values."""
+    script = "wanted => Object.entries(wanted).every(([name, is]) => Simulator.running.act.state()[name] === is)"
+    tab.wait_for_function(script, arg=wanted)
 
 
 def slide(tab, name, value):

@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from book.assembly.contents import page_files
-from tests.tabs import CERTAIN, PHONE, RUNNING, WATCH, next_frame
+from tests.tabs import CERTAIN, PHONE, WATCH, next_frame
 from verify.sources import ROOT
 
 AXE = ROOT / "tests" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
@@ -134,7 +134,7 @@ def test_page_is_whole_on_a_desktop(visit, page):
 
     `visit` sees that it asks for nothing elsewhere and reports no error.
     """
-    tab = visit(page, "file", prepare=WATCH, until=RUNNING if page == "s4" else None, **MODES["dark"])
+    tab = visit(page, "file", prepare=WATCH, **MODES["dark"])
     tab.evaluate("document.fonts.ready")
     next_frame(tab)
     assert tab.evaluate("seen.shift") <= 0.05
@@ -168,7 +168,7 @@ def test_a_shift_a_hidden_focus_and_a_page_too_wide_are_seen(visit):
 
 
 def test_bar_is_as_wide_as_what_moves_below_it(visit):
-    tab = visit("s4", until=RUNNING)
+    tab = visit("s4")
     for width in (1100, 1210, 1440):
         tab.set_viewport_size({"width": width, "height": 900})
         tab.wait_for_function(COVERED)
@@ -184,7 +184,7 @@ def test_menu_of_downloads_says_what_they_are(visit):
 @with_axe
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_is_looked_at_closely_and_complains(visit, mode):
-    tab = visit("s4", until=RUNNING, **MODES[mode])
+    tab = visit("s4", **MODES[mode])
     tab.click("#sim-sweep")  # with its bar
     tab.click("[data-pause]")
     assert violations(tab, mode, "#simulator") == []

@@ -15,7 +15,7 @@ from renderer import Scene, central, exact, pixel, render
 from renderer.kernels import FIELDS
 from renderer.picture.differences import certain_digits, distance_on_a
 from renderer.shader.gradients import gradient_at
-from tests.tabs import CERTAIN, RUNNING, go, number, says, state
+from tests.tabs import CERTAIN, becomes, go, number, says
 from tests.test_simulator_numbers import METHODS
 
 SIDE = 256
@@ -48,7 +48,7 @@ EXPONENTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 @pytest.fixture(scope="module")
 def tab(visit_once):
-    page = visit_once("s4", until=RUNNING)
+    page = visit_once("s4")
     page.evaluate(READY)
     return page
 
@@ -65,13 +65,14 @@ def some_pixels():
 
 def read(row):
     """Return the float that a row shows, and the exact number that it was before its lost bits were rounded away."""
-    runs = {look: "".join(text for of, text in row["runs"] if (of == "lost") is look) for look in (False, True)}
-    place = Fraction(2) ** (8 - len(runs[False]))
-    size, lost = int(runs[False] or "0", 2) * place, Fraction(int(runs[True] or "0", 2), 2 ** len(runs[True])) * place
-    assert row["exponent"][1] == ("2" if size else "0")
-    assert not size or int(row["exponent"][2:].translate(EXPONENTS)) == frexp(size)[1] - 1
-    assert ("rounded" in row["note"]) == (lost > 0)
-    return copysign(size, -1 if row["exponent"][0] == "−" else 1), size + lost - place * ("rounded up" in row["note"])
+    kept, lost = ("".join(text for look, text in row["runs"] if (look == "lost") is of) for of in (False, True))
+    size, whole = (int(bits or "0", 2) * Fraction(2) ** (8 - len(bits)) for bits in (kept, kept + lost))
+    sign, base, *exponent = row["exponent"]
+    assert not size or int("".join(exponent).translate(EXPONENTS)) == frexp(size)[1] - 1
+    assert (base == "2") is (size > 0) and ("rounded" in row["note"]) is (whole > size)
+    if "rounded up" in row["note"]:
+        whole -= Fraction(2) ** (8 - len(kept))
+    return copysign(size, -1 if sign == "−" else 1), whole
 
 
 def show(tab, column, row, **given):
@@ -129,7 +130,7 @@ def test_a_wrong_bit_would_be_seen(tab):
 
 
 def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
-    tab = visit("s4", "file", "#sim?field=sine&eps=0.01&column=100&row=90&axis=v", until=RUNNING)
+    tab = visit("s4", "file", "#sim?field=sine&eps=0.01&column=100&row=90&axis=v")
     tab.locator("#loupe").scroll_into_view_if_needed()
     says(tab, "[data-told]", "100, 90")
     frame, box = ".sim-lenses", tab.locator(".sim-lenses").bounding_box()
@@ -144,9 +145,9 @@ def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
     np.testing.assert_allclose(told, colours, rtol=0, atol=5.1e-11)
     np.testing.assert_allclose(apart, np.abs(np.subtract(*colours)), rtol=1e-2)
     tab.click(frame, position=at(20, 0))
-    assert (state(tab)["column"], state(tab)["row"]) == (95, 82)
+    becomes(tab, column=95, row=82)
     tab.press(frame, "ArrowDown")
-    assert state(tab)["row"] == 83
+    becomes(tab, row=83)
     tab.check("[name=sim-axis][value=u]")
     tab.wait_for_function("location.hash.includes('axis=u')")
 
@@ -159,10 +160,9 @@ def test_what_is_certified_is_the_renderers_and_stands_beside_the_pictures(tab, 
     wanted = {"field": field, "eps": eps, "method": method, "size": 128}
     found = tab.evaluate(CERTIFIED, wanted)
     frames = [render(Scene(field=field), 128, 128, way, bounds=True) for way in (METHODS[method](eps), exact())]
-    for frame, extremes in zip(frames, found["extremes"], strict=True):
-        of_a = np.sort(frame.bounds.max(axis=2)[frame.stage.on_a])
-        for ours, theirs in zip(extremes, (of_a[-1], of_a[len(of_a) // 2]), strict=True):
-            assert theirs <= ours <= 1.15 * theirs
+    of_a = [np.sort(frame.bounds.max(axis=2)[frame.stage.on_a]) for frame in frames]
+    shares = np.divide(found["extremes"], [[bounds[-1], bounds[len(bounds) // 2]] for bounds in of_a])
+    assert shares.min() >= 1 and shares.max() <= 1.15
     assert found["open"] == np.any([frame.open for frame in frames], axis=0).sum()
     go(tab, f"#sim?view=bounds&{urlencode(wanted)}")
     tab.locator("#certified").scroll_into_view_if_needed()  # then it is fetched
@@ -177,8 +177,8 @@ def test_what_is_certified_is_the_renderers_and_stands_beside_the_pictures(tab, 
     assert shown == [float(f"{bound:.1e}") for pair in found["extremes"] for bound in pair] + [found["open"]]
     maps = """() => [...document.querySelectorAll('.sim-bounds')].map(canvas =>
         [...new Uint32Array(canvas.getContext('2d').getImageData(0, 0, 128, 128).data.buffer)])"""
-    colours = [*tab.evaluate("Simulator.data.tables.inferno")[:255], OPEN]
-    assert tab.evaluate(maps) == [[colours[level] for level in levels] for levels in found["maps"]]
+    colours = np.array([*tab.evaluate("Simulator.data.tables.inferno")[:255], OPEN])
+    np.testing.assert_array_equal(tab.evaluate(maps), colours[found["maps"]])
     for other, gone in (("view=bounds", ".sim-bounds"), ("view=image", "#certified")):  # they were the earlier state's
         go(tab, f"#sim?{other}")
         tab.wait_for_selector(gone, state="hidden")

@@ -18,7 +18,7 @@ from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
 from renderer.scene.scene import DEFAULT_LIGHTS
-from tests.tabs import RUNNING, go, number, readout
+from tests.tabs import go, number, readout
 
 METHODS = {"central": central, "forward": forward, "central4": central4}
 EXACT = {"name": "exact"}
@@ -60,7 +60,7 @@ PIXELS = """wanted => wanted.map(given => {
 
 @pytest.fixture(scope="module")
 def tab(visit_once):
-    return visit_once("s4", until=RUNNING)
+    return visit_once("s4")
 
 
 def drawn(tab, *steps, raster=WHOLE):
