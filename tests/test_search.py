@@ -30,20 +30,14 @@ def search(tab, words: str) -> list[str]:
 
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
-def test_words_are_found_and_each_page_shows_its_sentence(visit, scheme):
-    tab = visit("s9", scheme)
+def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+    tab = visit("source/proofs/formulas/bump.py", scheme)
     for words, page in FOUND.items():
         assert page in {link.partition("#")[0] for link in search(tab, words)}
-    item = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-'])")
-    shown = item.locator(".search-sentence")
+    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-']) .search-sentence")
     assert "lagrange" in shown.locator("mark").first.inner_text().lower() and shown.inner_text().count(". ") <= 1
     assert search(tab, "xylophone") == []
     assert "did not match any" in tab.inner_text("#search-results")
-
-
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_search_from_a_source_page_leads_to_the_page_found(visit, scheme):
-    tab = visit("source/proofs/formulas/bump.py", scheme)
     assert search(tab, "silhouette")
     tab.click("#search-results li > a[href^='s2.html']")
     tab.wait_for_url("**/s2.html*")
