@@ -2,29 +2,13 @@
 
 import base64
 
-import numpy as np
 import pytest
 
-from renderer import Scene, central, exact, kernels, render
+from renderer import Scene, central, exact, render
 from renderer.machines import enclosing, native, numpy_rows
 from renderer.machines.webassembly import compiled_module
 from tests.drawing_memory import drawer_over_memory
 from tests.test_machines import SCENES, drawn_by
-from verify.benchmark.methods.compiled import loop_of
-
-
-def test_our_functions_have_the_same_bits_compiled():
-    """Outside their range, too."""
-    rng, edges = np.random.default_rng(6), [0.0, -0.0, 5e-324, 1e-310, -1.0, np.inf, -np.inf, np.nan, 1e308, 709.1]
-    numbers = np.concatenate([rng.uniform(-720, 720, 490), 2.0 ** rng.uniform(-1074, 1024, 500), edges])
-    for kernel, *inputs in (
-        (kernels.exp, numbers, rng.normal(0, 1e-17, 1000)),
-        (kernels.log, numbers),
-        (kernels.power, numbers, numbers[::-1]),
-    ):
-        with np.errstate(all="ignore"):
-            np.testing.assert_array_equal(loop_of(kernel, 1)(*inputs)[0], kernel(*inputs))
-
 
 # Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
 DRAW = """async ([module, given]) => {
