@@ -67,12 +67,5 @@ def browser():
         pytest.skip(str(reason))
 
 
-def pytest_collection_modifyitems(items):
-    """Mark what drives the browser."""
-    for item in items:
-        if "browser" in getattr(item, "fixturenames", ()):
-            item.add_marker("browser")
-
-
 visit = pytest.fixture(visits)
 visit_once = pytest.fixture(visits, scope="module")  # its pages stay open for all tests of a file

@@ -29,12 +29,6 @@ def test_formulas_have_the_spaces_of_print_and_carry_their_tex():
         assert typeset == f"<math><semantics>{said}{note}</semantics></math>"
 
 
-def test_what_is_no_tex_is_refused_with_its_complaint():
-    for tex in (r"\frac{1", r"\nosuch", "}"):
-        with pytest.raises(ValueError, match="could not typeset"):
-            mathematics.typeset([("x", False), (tex, True)])
-
-
 def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(site):
     count = 0
     for name in (*LIGHT, "lemmas", "findings", "seed"):

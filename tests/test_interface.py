@@ -1,7 +1,5 @@
 """The pages made from docstrings: everything public is on them, and docstrings are read as plain text."""
 
-import runpy
-
 from sphinx.util.inventory import InventoryFile
 
 import renderer
@@ -27,9 +25,3 @@ def test_everything_public_has_an_entry_made_of_plain_text(site):
     assert {entry[2].partition("#")[0] for entry in entries.values()} == PLACES
     page = (site / "api-renderer.html").read_text(encoding="utf-8")
     assert "<p>Return |∇h| on sphere A" in page and "<strong>crop</strong>: (left, top, width, height)" in page
-
-
-def test_type_checkers_are_told_the_same_names(monkeypatch):
-    monkeypatch.setattr("typing.TYPE_CHECKING", True)
-    told = runpy.run_path(renderer.__file__)
-    assert all(told[name] is getattr(renderer, name) for name in renderer._HOMES)

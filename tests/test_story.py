@@ -36,11 +36,6 @@ def test_pictures_are_near_their_words_and_the_chapter_no_longer_than_it_was(pag
     assert max(map(max, found)) <= WAY_AT_MOST and all(way[0] <= 120 for way in found[1:])
 
 
-def test_six_displays_have_their_printed_lines():
-    source = "".join((BOOK / "chapter" / f"{name}.md").read_text(encoding="utf-8") for name in READ)
-    assert source.count(":::{printed-lines}") == 6
-
-
 def test_the_worked_pixel_is_three_steps_in_the_text_s_symbols():
     steps, lines = ([line for line in worked_lines() if bool(line["step"]) is of] for of in (True, False))
     assert [line["step"][:2] for line in steps] == ["1.", "2.", "3."]
