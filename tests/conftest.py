@@ -7,13 +7,14 @@ import sys
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import expect
 
 from book.assembly import stamps
 from book.editions import files
-from book.editions.chromium import FLAGS, NoBrowser, installed
+from book.editions.chromium import NoBrowser
 from book.editions.pages import parsed
 from tests.processes import python
-from tests.tabs import visits
+from tests.tabs import chromium, visits
 from verify.sources import ROOT
 
 
@@ -56,27 +57,14 @@ def server(site: Path):
 @pytest.fixture(scope="session")
 def browser():
     """The installed Chromium. Without one the tests are skipped, unless REQUIRE_BROWSER=1 forbids it."""
+    expect.set_options(timeout=30_000)  # as long as Playwright waits elsewhere
     try:
-        chromium = installed()
+        with chromium() as running:
+            yield running
     except NoBrowser as reason:
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(f"{reason}, and REQUIRE_BROWSER=1")
         pytest.skip(str(reason))
-    from playwright.sync_api import expect, sync_playwright
-
-    expect.set_options(timeout=30_000)  # as long as Playwright waits elsewhere
-    with sync_playwright() as playwright:
-        # Playwright starts it with a fresh profile folder every time.
-        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield running
-        running.close()
-
-
-def pytest_collection_modifyitems(items):
-    """Mark what drives the browser."""
-    for item in items:
-        if "browser" in getattr(item, "fixturenames", ()):
-            item.add_marker("browser")
 
 
 visit = pytest.fixture(visits)

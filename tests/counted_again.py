@@ -34,15 +34,15 @@ def kept(figure: str) -> dict[str, np.ndarray]:
 
 
 @cache
-def picture(field: str = "ridges", side: int = 256, eps: float | None = None):
+def picture(field: str = "ridges", side: int = 256):
     """Return a frame of the default scene with bounds."""
-    return render(Scene(field=field), side, side, central(eps) if eps else exact(), bounds=True)
+    return render(Scene(field=field), side, side, bounds=True)
 
 
 def _denominators():
     """Return of how many points the shares of a term can be, at each step and of each term."""
-    shares = kept("attribution_shares")
-    return [Fraction(s).limit_denominator(1000).denominator for name in shares.keys() - {"step"} for s in shares[name]]
+    shares = np.concatenate([values for name, values in kept("attribution_shares").items() if name != "step"])
+    return [Fraction(share).limit_denominator(1000).denominator for share in shares]
 
 
 def _checked(name=None):
@@ -62,23 +62,18 @@ def _of_random_pictures(first=1000):
 
 
 COUNTED = {
-    "accuracy_chart.side": lambda: len(kept("accuracy_chart")["ours"]),
     "attribution_shares.points": lambda: lcm(*_denominators()),
-    "attribution_shares.steps": lambda: len(kept("attribution_shares")["step"]),
     "bench:frames.scenes": lambda: SCENES,
-    "certified_bounds.side": lambda: len(kept("certified_bounds")["error"]),
     "certified_bounds.whole_side": lambda: len(picture("sine").open),
     "enclosed_pixels.pixels": _of_random_pictures,
     "eps_table.pixels": lambda: picture().open.size,
     "eps_table.pixels_a": lambda: np.count_nonzero((picture().chambers & 3) == 1),
     "frontier_wall.points": lambda: np.transpose(wall.sample()).shape[0],
-    "own_fields.side": lambda: len(kept("own_fields")["crater_log10_bound"]),
     "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(pole.AZIMUTHS),
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),
     "stability_totals.values": lambda: sum(len(sweep(name).errors) for name in SWEEPS),
-    "three_pictures.side": lambda: len(kept("three_pictures")["largest_of_a_channel"]),
     "work_precision.checked": lambda: _checked("exact, reduced argument"),
     "work_precision.fewer": lambda: _checked("numdifftools"),
     "work_precision.fewest": _checked,
@@ -88,40 +83,48 @@ COUNTED = {
 """{a number that a page cites: the function that counts it again}"""
 
 
-def _of_a_function(name):
-    return lambda: kept("elementary_ulps")[f"{name}_error"].size
+ARRAYS = {
+    "accuracy_chart.side": "ours",
+    "attribution_shares.steps": "step",
+    "certified_bounds.side": "error",
+    "elementary_ulps.atan2pi_samples": "atan2pi_error",
+    "elementary_ulps.cospi_samples": "cospi_error",
+    "elementary_ulps.sinpi_samples": "sinpi_error",
+    "own_fields.side": "crater_log10_bound",
+    "three_pictures.side": "largest_of_a_channel",
+}
+"""{a number that a page cites: the array of its figure that is so long}"""
+
+
+def _of_an_array(number):
+    return lambda: len(kept(number.partition(".")[0])[ARRAYS[number]])
 
 
 def _of_a_sweep(name):
     return lambda: sweep(name).errors.size
 
 
-COUNTED |= {f"elementary_ulps.{name}_samples": _of_a_function(name) for name in ("sinpi", "cospi", "atan2pi")}
-COUNTED |= {f"{figure}.{name}_points": _of_a_sweep(name) for figure, name in (
-    ("stability_pole", "pole"), ("stability_silhouette", "silhouette"), ("stability_near_far", "near_to_far"),
-    ("stability_totals", "hit_of_b"), ("stability_totals", "shadow"), ("stability_wave_numbers", "wave_numbers"),
-    ("stability_shading", "opposite_light_phong"), ("stability_shading", "shininess"),
-    ("stability_shading", "amplitude"),
-)}  # fmt: skip
+STABILITY = ("pole", "silhouette", "near_far", "totals", "wave_numbers", "shading")
+COUNTED |= {number: _of_an_array(number) for number in ARRAYS}
+COUNTED |= {f"stability_{page}.{name}_points": _of_a_sweep(name) for page in STABILITY for name in SWEEPS}
 
 
-def _bound(field):
-    return lambda side: float(rounded_up(picture(field, side).bounds.max(), 2))
+def _bound(name):
+    def largest(side):
+        scene = own_fields.scene_of(name) if name in own_fields.TEXTS else Scene(field=name)
+        return float(rounded_up(render(scene, side, side, bounds=True).bounds.max(), 2))
+
+    return largest
 
 
-def _own_bound(name):
-    return lambda side: float(rounded_up(render(own_fields.scene_of(name), side, side, bounds=True).bounds.max(), 2))
+def _apart(side: int, eps: float, field: str = "ridges") -> Interval:
+    """Return the largest difference of two pictures of the default scene."""
+    return distance_on_a(render(Scene(field=field), side, side, central(eps)), picture(field, side))[0]
 
 
-def _least_largest(side):
-    """Return the upper end of the largest error of sine at the step that its page names."""
-    eps = load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
-    frame = render(Scene(field="sine"), side, side, central(eps))
-    return distance_on_a(frame, picture("sine", side))[0].outward()[1]
-
-
-def _largest(side) -> Interval:
-    return distance_on_a(picture(side=side, eps=1e-2), picture(side=side))[0]
+def _least_eps() -> float:
+    """Return the step at which a page says that sine's largest error is least."""
+    return load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
 
 
 OVER_A_RASTER = {
@@ -129,11 +132,11 @@ OVER_A_RASTER = {
     "bench:frames.image_error": lambda side: max(
         strict.image_error(Scene(), side, exact(form)) for form in ("algebraic", "general")
     ),
-    **{f"certified_bounds.{field}_bound": _bound(field) for field in ("sine", "ridges", "rings")},
+    **{f"certified_bounds.{name}_bound": _bound(name) for name in ("sine", "ridges", "rings")},
+    **{f"own_fields.{name}_bound": _bound(name) for name in own_fields.TEXTS},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
-    "image_error.sine_largest_to": _least_largest,
-    **{f"own_fields.{name}_bound": _own_bound(name) for name in own_fields.TEXTS},
-    "three_pictures.largest": _largest,
+    "image_error.sine_largest_to": lambda side: _apart(side, _least_eps(), "sine").outward()[1],
+    "three_pictures.largest": lambda side: _apart(side, 1e-2),
     "views.steepest": lambda side: picture(side=side).slope.max(),
 }
 """{an extreme that a page cites: the function that computes it again, of every pixel of so many squared}"""

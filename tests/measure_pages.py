@@ -5,30 +5,23 @@
     python -m tests.measure_pages --page s3 lemmas --rounds 1            only these pages, visited once
 
 Of each page: for how many milliseconds scripts and layout block it, which is what tasks take beyond 50 ms until it has
-rested for a second; how far the layout shifts; the simulator's first picture, in milliseconds, where there is one; how
-many files it asks for, and how many kilobytes these have before compression, pictures aside and of pictures. Sites
-take turns, and medians are kept. Times belong to the machine that they were taken on; no test asserts them. Writes
-verify/benchmark/results/pages.json: commit it. What was measured beside another site is kept with --output.
+rested for a second; how far the layout shifts; the simulator's first picture, in milliseconds, where there is one.
+Sites take turns, and medians are kept. Times belong to the machine that they were taken on; no test asserts them.
+Writes verify/benchmark/results/pages.json: commit it. What was measured beside another site is kept with --output.
 """
 
 import os
-from pathlib import Path
 from statistics import median
-from urllib.parse import unquote, urlsplit
 
-from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
 from book.assembly.contents import page_files
-from book.editions.chromium import FLAGS, installed
-from tests.tabs import WATCH
+from tests.tabs import DESKTOP, WATCH, chromium
 from verify.benchmark.timing import load
 from verify.records import command
 from verify.sources import ROOT
 
 SLOWER, RESTS = 4, 1000
-# What is measured, and how many digits a table shows after the point.
-MEASURED = {"blocked": 0, "shift": 3, "picture": 0, "requests": 0, "kB": 0, "pictures_kB": 0}
 RESTED = f"""(!document.querySelector('#simulator') || seen.picture)
     && performance.now() - Math.max(seen.last, {RESTS}) > {RESTS}"""
 # Asked of the browser itself: Playwright's own way has the page read scripts of its own, which block it for 60 ms.
@@ -36,41 +29,31 @@ ASKED = {"expression": f"{RESTED} ? seen : null", "returnByValue": True}
 
 
 def visited(browser, address):
-    """Return what one visit to a page finds, by the names of MEASURED. address: of a file."""
-    context, asked = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True), []
+    """Return what one visit to a page finds, by its name. address: of a file."""
+    context = browser.new_context(bypass_csp=True, **DESKTOP)
     context.add_init_script(WATCH)
     tab = context.new_page()
     protocol = context.new_cdp_session(tab)
     protocol.send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
-    tab.on("requestfinished", lambda request: asked.append((request.resource_type == "image", request.url)))
     tab.goto(address)
     for _ in range(500):
         tab.wait_for_timeout(RESTS / 4)
         if seen := protocol.send("Runtime.evaluate", ASKED)["result"]["value"]:
-            break
-    else:
-        raise TimeoutError(f"{address} never rests")
-    context.close()
-    files = [(picture, Path(unquote(urlsplit(url).path))) for picture, url in asked if url.startswith("file:")]
-    weights = [sum(path.stat().st_size for of, path in files if of is picture) / 1000 for picture in (False, True)]
-    del seen["last"]
-    return seen | {"requests": len(files), "kB": weights[0], "pictures_kB": weights[1]}
+            context.close()
+            return {name: seen[name] for name in ("blocked", "shift", "picture")}
+    raise TimeoutError(f"{address} never rests")
 
 
 def measured(browser, sites, page, rounds):
     """Return {"now": …} of a page, and of the other site "before" where it has the page too. sites: {name: folder}."""
-    files = {name: folder / f"{page}.html" for name, folder in sites.items()}
-    files = {name: path for name, path in files.items() if path.is_file()}
+    files = {name: path for name, folder in sites.items() if (path := folder / f"{page}.html").is_file()}
     visits = [(name, visited(browser, files[name].as_uri())) for name in [*files] * rounds]
-    return {
-        name: {what: median(seen[what] for of, seen in visits if of == name) for what in MEASURED} for name in files
-    }
-
-
-def line(page, found):
-    """Return a line of the table: the numbers of this site, and the other's after a stroke."""
-    cells = [" / ".join(f"{seen[what]:.{digits}f}" for seen in found.values()) for what, digits in MEASURED.items()]
-    return f"{page:16}" + "".join(f"{cell:>16}" for cell in cells)
+    found = {}
+    for name in files:
+        seen = [numbers for of, numbers in visits if of == name]
+        found[name] = {what: median(numbers[what] for numbers in seen) for what in seen[0]}
+        tqdm.write(f"{page:16} {name:6}" + "".join(f"  {what} {value:.4g}" for what, value in found[name].items()))
+    return found
 
 
 def measure(site, against, page, rounds):
@@ -79,16 +62,11 @@ def measure(site, against, page, rounds):
     for folder in sites.values():
         if not (folder / "index.html").is_file():
             raise SystemExit(f"{folder} is no built site: python -m book build makes one")
-    pages = {}
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=installed(), args=FLAGS)
-        tqdm.write(f"{'page':16}" + "".join(f"{what:>16}" for what in MEASURED))
-        for name in tqdm(page, unit="page"):
-            pages[name] = measured(browser, sites, name, rounds)
-            tqdm.write(line(name, pages[name]))
+    with chromium() as browser:
         label = {"browser": f"Chromium {browser.version}", "slower": SLOWER, "rounds": rounds}
-        browser.close()
-    worst = {f"worst_{what}": max(seen["now"][what] for seen in pages.values()) for what in MEASURED}
+        pages = {name: measured(browser, sites, name, rounds) for name in tqdm(page, unit="page")}
+    now = [seen["now"] for seen in pages.values()]
+    worst = {f"worst_{what}": max(numbers[what] for numbers in now) for what in now[0]}
     return {"label": label, "numbers": {"load": load(), "cores": os.cpu_count()} | worst, "pages": pages}
 
 

@@ -19,13 +19,11 @@ import tempfile
 from pathlib import Path
 from statistics import median
 
-from playwright.sync_api import sync_playwright
 from tqdm import tqdm
 
 from book.assembly import stamps
 from book.assembly.website import SITE
-from book.editions.chromium import FLAGS, installed
-from tests.tabs import RUNNING, opened
+from tests.tabs import RUNNING, chromium, opened
 from verify.benchmark.timing import load
 from verify.records import code_of, command
 from verify.sources import ROOT
@@ -78,17 +76,15 @@ REFINE = """async (count) => {
 
 def simulator_of(commit, folder):
     """Write a page of a commit's simulator alone into a folder; return its address."""
-    archive = subprocess.run(
-        ["git", "archive", commit, "book/static"], cwd=ROOT, capture_output=True, check=True
-    ).stdout
+    git = ["git", "archive", commit, "book/static"]
+    archive = subprocess.run(git, cwd=ROOT, capture_output=True, check=True).stdout
     with tarfile.open(fileobj=io.BytesIO(archive)) as files:
         files.extractall(folder, filter="data")
     static = Path(folder, "book", "static").rename(Path(folder, "_static"))
-    page, part = Path(folder, "page.html"), (static / "simulator" / "simulator.html").read_text(encoding="utf-8")
+    part = (static / "simulator" / "simulator.html").read_text(encoding="utf-8")
     style = '<link rel="stylesheet" href="_static/palette.css"><link rel="stylesheet" href="_static/book.css">'
-    page.write_text(
-        f'<!doctype html><html data-theme="light"><meta charset="utf-8">{style}<body>{part}', encoding="utf-8"
-    )
+    page, head = Path(folder, "page.html"), f'<!doctype html><html data-theme="light"><meta charset="utf-8">{style}'
+    page.write_text(f"{head}<body>{part}", encoding="utf-8")
     return page.as_uri()
 
 
@@ -102,35 +98,32 @@ def measured(browser, pages, size):
             if name == "now":
                 times, share = tab.evaluate(DRAG, 5)
                 between, shares = between + times, [*shares, share]
-                if size > PAGES_OWN:
-                    refined += tab.evaluate(REFINE, 10)
-    now, before = taken["now"], median(taken["before"])
-    return {
-        f"step_{size}_ms": median(now),
-        f"step_{size}_worst_ms": max(now),
-        f"drag_{size}_ms": median(between),
-        f"drag_{size}_worst_ms": max(between),
-        f"drag_{size}_within": sum(time <= TARGETS[size] for time in between) / len(between),
-        f"drag_{size}_share": median(shares),
-        f"before_{size}_ms": before,
-        f"ratio_{size}": before / median(now),
-    } | ({f"refined_{size}_ms": median(refined)} if refined else {})
+                refined += tab.evaluate(REFINE, 10) if size > PAGES_OWN else []
+    now, before = median(taken["now"]), median(taken["before"])
+    found = {
+        "step_{}_ms": now,
+        "drag_{}_ms": median(between),
+        "drag_{}_worst_ms": max(between),
+        "drag_{}_within": sum(time <= TARGETS[size] for time in between) / len(between),
+        "drag_{}_share": median(shares),
+        "ratio_{}": before / now,
+    }
+    if refined:
+        found["refined_{}_ms"] = median(refined)
+    return {name.format(size): number for name, number in found.items()}
 
 
 def measure(size, against):
     """Return the numbers of all rasters; SystemExit unless the book was built from the code as it is."""
-    built = stamps.read("site") or {}
-    if other := [path for path, hashed in stamps.hashes(ROOT / path for path in code_of("simulator")).items()
-                 if built.get(path) != hashed]:  # fmt: skip
+    built, code = stamps.read("site") or {}, stamps.hashes(ROOT / path for path in code_of("simulator"))
+    if other := [path for path, hashed in code.items() if built.get(path) != hashed]:
         raise SystemExit(f"the built book is not of this code ({other[0]}): python -m book build")
-    numbers, chromium = {"load": load(), "cores": os.cpu_count()}, installed()
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+    numbers = {"load": load(), "cores": os.cpu_count()}
+    with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         pages = {"now": (SITE / "s4.html").as_uri(), "before": simulator_of(against, folder)}
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        label = {"browser": f"Chromium {browser.version}", "before": against}
         for side in size:
             numbers |= measured(browser, pages, side)
-        label = {"browser": f"Chromium {browser.version}", "before": against}
-        browser.close()
     return {"label": label, "numbers": numbers}
 
 

@@ -4,7 +4,9 @@ from contextlib import ExitStack, contextmanager
 from functools import partial
 from urllib.parse import urljoin
 
-from playwright.sync_api import Route, expect
+from playwright.sync_api import Route, expect, sync_playwright
+
+from book.editions.chromium import FLAGS, installed
 
 DESKTOP = {"viewport": {"width": 1280, "height": 900}}
 PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touch": True}
@@ -35,6 +37,16 @@ def wait_for(tab, condition, arg=None):
 
 
 @contextmanager
+def chromium():
+    """Give the installed Chromium, with a fresh profile. Raises NoBrowser where there is none."""
+    path = installed()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@contextmanager
 def opened(browser, address, until=None, prepare="", given=(), home=None, **options):
     """Give the page in a context of its own. When it is closed it may have asked for nothing elsewhere, and have logged
     no error.
@@ -62,12 +74,13 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
 
 
 def visits(browser, site, server):
-    """A function that opens a page of the site by its name, over http or from the disk."""
+    """A function that opens a page of the site by its name, over http or from the disk; §4 when its simulator runs."""
     with ExitStack() as pages:
 
         def visit(page, scheme="http", fragment="", **options):
             base = server if scheme == "http" else site.as_uri()
-            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **options))
+            until = {"until": RUNNING} if page == "s4" else {}
+            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
 
         yield visit
 
@@ -95,6 +108,12 @@ def next_frame(tab):
 def state(tab):
     """Return the simulator's state."""
     return tab.evaluate("Simulator.running.act.state()")
+
+
+def becomes(tab, **wanted):
+    """Wait until the simulator's state has these values."""
+    script = "wanted => Object.entries(wanted).every(([name, is]) => Simulator.running.act.state()[name] === is)"
+    tab.wait_for_function(script, arg=wanted)
 
 
 def slide(tab, name, value):

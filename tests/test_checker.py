@@ -1,9 +1,6 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement."""
 
-import gzip
-import json
 import re
-from base64 import b64decode
 
 import pytest
 
@@ -37,11 +34,6 @@ COMPLAINTS = {
 STORED = stored()
 CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", all_theorems())
-
-
-def unpacked(text):
-    """The data that a page carries, compressed."""
-    return json.loads(gzip.decompress(b64decode(text)))
 
 
 def card(tab, theorem="unit_length"):
@@ -87,21 +79,6 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
     )
     refuted = {id for id in CERTIFIED if all_theorems()[id].expected == "refuted"}
     assert marks == {id: f" ✓ {'refutation ' * (id in refuted)}accepted here" for id in CERTIFIED}
-
-
-def test_every_theorem_has_its_button_and_its_stored_data_or_says_why_not(page_of):
-    data, notes = {}, set()
-    for page in map(page_of, {*PLACES.values()}):
-        data |= {
-            place["data-theorem"]: unpacked(place.script.string) for place in page.select(".checker[data-theorem]")
-        }
-        notes |= {place["id"] for place in page.select(".theorem:has(.check-nothing)")}
-    assert data.keys() == CERTIFIED
-    assert notes == {f"theorem-{id}" for id in all_theorems().keys() - CERTIFIED}
-    claims = {f"{id}/{claim['claim']}": claim["statements"] for id, each in data.items() for claim in each["claims"]}
-    shown = {f"{name}/{number}": pair for name, pairs in claims.items() for number, pair in enumerate(pairs)}
-    assert shown.keys() == STORED.keys()
-    assert all(entry | shown[name] == entry for name, entry in STORED.items())
 
 
 def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(visit):

@@ -19,8 +19,8 @@ from verify.accuracy.differences import PER_DECADE
 from verify.checkers.measurements.creases import SIZE
 from verify.checkers.measurements.pole import POINTS
 
-PAGES = sorted([*BOOK.glob("chapter/**/*.md"), *BOOK.glob("checked/**/*.md")])
-CLAIMS = sorted(BOOK.glob("ledger/claims/*.toml"))
+PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
+WRITTEN = sorted(path for pattern in PATTERNS for path in BOOK.glob(pattern))
 EXTREME = re.compile(r"\b(worst|largest|maximum|at most|never exceeds?|never above)\b", re.IGNORECASE)
 MEASURED = re.compile(r"\{number\}`[^`]+`")
 OF_AN_EXTREME = re.compile(r"\{number\}`[\w:.-]*(worst|largest|_most)[|`]")
@@ -42,9 +42,9 @@ OF_A_THEOREM = {
 
 def sentences(text):
     """Return the sentences of a page in MyST, without code, and without the options of a directive."""
-    text = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
-    text = re.sub(r"^:\w+:.*$", "", text, flags=re.MULTILINE)
-    paragraphs = (" ".join(part.split()) for part in re.split(r"\n\s*\n|^:::.*$|^#.*$", text, flags=re.MULTILINE))
+    text = re.sub(r"(?ms)^```.*?^```|^:\w+:.*?$", "", text)
+    parts = re.split(r"(?m)\n\s*\n|^:::.*$|^#.*$", text)
+    paragraphs = (" ".join(part.split()) for part in parts)
     return [s for paragraph in paragraphs for s in re.split(r"(?<=[.!?:)])\s+(?=[A-Z*`\[{$(])", paragraph) if s]
 
 
@@ -54,49 +54,44 @@ def extremes(text):
     return [s for s in found if OF_AN_EXTREME.search(s) or EXTREME.search(ROLE.sub("", s))]
 
 
-def differs(again: Callable[[], Any], cited: str, number: Callable[..., Any]) -> bool:
-    """Return whether a number, as it is printed, is another one when it is computed again."""
-    id, key, spec = parse(cited)
-    return formatted(number(id, key), spec) != formatted(again(), spec)
+def name_of(cited):
+    """Return "figure.number" of what a page cites."""
+    return ".".join(parse(cited)[:2])
 
 
 def objections(sentence: str, number: Callable[..., Any]) -> list[str]:
     """Return what is wrong with what an extreme says that it is one of; number: (id, key) → a figure's number."""
     theorems, cited = THEOREM.findall(sentence), re.findall(NUMBER, sentence)
     found = [f"{id} is no certificate" for id in theorems if all_theorems()[id].expected not in CERTAIN]
-    cases, known = CASES.findall(sentence), len(theorems)
-    for case in cases:
-        key = ".".join(parse(case)[:2])
-        if key not in COUNTED:
-            found.append(f"{key} is not counted again")
-        elif differs(COUNTED[key], case, number):
-            found.append(f"{key} is not {COUNTED[key]()}")
-    side = SQUARED.search(sentence) if EVERY.search(sentence) else None
-    if side:
+    again = {case: COUNTED.get(name_of(case)) for case in CASES.findall(sentence)}
+    side = SQUARED.search(sentence)
+    if side and EVERY.search(sentence):
         across = int(side[1] or number(*parse(side[2])[:2]))
-        for key, again in ((c, OVER_A_RASTER[k]) for c in cited if (k := ".".join(parse(c)[:2])) in OVER_A_RASTER):
-            cases.append(key)
-            if differs(partial(again, across), key, number):
-                found.append(f"{key} is another one of {across}²")
+        of_raster = {key: OVER_A_RASTER[name] for key in cited if (name := name_of(key)) in OVER_A_RASTER}
+        again |= {key: partial(extreme, across) for key, extreme in of_raster.items()}
     elif EVERY.search(sentence):
         found.append("every pixel of which raster?")
-    return found if known or cases else [*found, "of what?"]
+    for key, count in again.items():
+        *name, spec = parse(key)
+        if not count:
+            found.append(f"{key} is not counted again")
+        elif formatted(number(*name), spec) != formatted(count(), spec):
+            found.append(f"{key} is not {count()}")
+    return found if theorems or again else [*found, "of what?"]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_an_extreme_is_of_what_it_says(site, page):
-    check(extremes(page.read_text(encoding="utf-8")))
+def texts_of(path):
+    """Return a page's text, or what the claims of a file say."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix == ".md":
+        return [text]
+    return [words for claim in tomllib.loads(text)["claim"] for words in claim.values() if isinstance(words, str)]
 
 
-@pytest.mark.parametrize("file", CLAIMS, ids=lambda file: file.stem)
-def test_a_claim_is_too(site, file):
-    claims = tomllib.loads(file.read_text(encoding="utf-8"))["claim"]
-    check(s for claim in claims for words in claim.values() if isinstance(words, str) for s in extremes(words))
-
-
-def check(said):
-    """Check that nothing is wrong with sentences."""
-    assert {s: wrong for s in said if (wrong := objections(s, partial(look_up, BOOK)))} == {}
+@pytest.mark.parametrize("path", WRITTEN, ids=lambda path: path.stem)
+def test_an_extreme_is_of_what_it_says(site, path):
+    said = {s: objections(s, partial(look_up, BOOK)) for text in texts_of(path) for s in extremes(text)}
+    assert {s: wrong for s, wrong in said.items() if wrong} == {}
 
 
 def test_a_measured_theorem_says_so_too():
@@ -118,32 +113,25 @@ def test_an_extreme_of_nothing_is_found(sentence):
     assert "of what?" in objections(found, lambda *_: 1)
 
 
-TRUE = {
-    "The largest of {number}`frontier_wall.points|,` random points is {number}`a.largest`.": 10_000,
-    "Over every pixel of {number}`certified_bounds.whole_side`² it is {number}`certified_bounds.sine_bound|.1e` at "
-    "most.": 256,
-    "By {theorem-ref}`truncation_bound` it is {number}`a.b` at most.": 0,
-}  # fmt: skip
+OF_POINTS = "The largest of {number}`frontier_wall.points|,` random points is {number}`a.largest`."
+OF_A_RASTER = (
+    "Over every pixel of {number}`certified_bounds.whole_side`² it is {number}`certified_bounds.sine_bound|.1e`."
+)
 
 
-def figures(n):
-    """Return a look-up that has n for a number of cases, and the certified bound of sine at 256²."""
-    return lambda id, key: OVER_A_RASTER[f"{id}.{key}"](256) if key == "sine_bound" else n
-
-
-@pytest.mark.parametrize("sentence", TRUE)
-def test_what_is_so_is_left_alone(sentence):
-    assert objections(sentence, figures(TRUE[sentence])) == []
-
-
-@pytest.mark.parametrize(("sentence", "n"), [
-    (next(iter(TRUE)), 10_001),
-    (list(TRUE)[1], 128),
-    ("Over every pixel of 128² it is {number}`certified_bounds.sine_bound|.1e` at most.", 0),
-    ("Over every pixel it is {number}`certified_bounds.sine_bound|.1e` at most.", 0),
-    ("The largest of {number}`a.points|,` points is {number}`a.largest`.", 0),
-    ("By {theorem-ref}`pole_accuracy` it is {number}`a.b` at most.", 0),
-    ("The certified bound is {number}`a.b` at most.", 0),
+@pytest.mark.parametrize(("sentence", "n", "is_so"), [
+    (OF_POINTS, 10_000, True),
+    (OF_POINTS, 10_001, False),
+    (OF_A_RASTER, 256, True),
+    (OF_A_RASTER, 128, False),
+    ("By {theorem-ref}`truncation_bound` it is {number}`a.b` at most.", 0, True),
+    ("By {theorem-ref}`pole_accuracy` it is {number}`a.b` at most.", 0, False),
+    ("Over every pixel of 128² it is {number}`certified_bounds.sine_bound|.1e` at most.", 0, False),
+    ("Over every pixel it is {number}`certified_bounds.sine_bound|.1e` at most.", 0, False),
+    ("The largest of {number}`a.points|,` points is {number}`a.largest`.", 0, False),
+    ("The certified bound is {number}`a.b` at most.", 0, False),
 ])  # fmt: skip
-def test_a_wrong_number_of_cases_is_rejected(sentence, n):
-    assert objections(sentence, figures(n))
+def test_a_wrong_number_of_cases_is_rejected(sentence, n, is_so):
+    """n: what is cited as the number of cases, beside the certified bound of sine at 256²."""
+    wrong = objections(sentence, lambda id, key: OVER_A_RASTER[f"{id}.{key}"](256) if key == "sine_bound" else n)
+    assert (wrong == []) is is_so

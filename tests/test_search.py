@@ -30,32 +30,27 @@ def search(tab, words: str) -> list[str]:
 
 
 @pytest.mark.parametrize("scheme", ["http", "file"])
-def test_words_are_found_and_each_page_shows_its_sentence(visit, scheme):
-    tab = visit("s9", scheme)
+def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+    tab = visit("source/proofs/formulas/bump.py", scheme)
     for words, page in FOUND.items():
         assert page in {link.partition("#")[0] for link in search(tab, words)}
-    item = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-'])")
-    shown = item.locator(".search-sentence")
+    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-']) .search-sentence")
     assert "lagrange" in shown.locator("mark").first.inner_text().lower() and shown.inner_text().count(". ") <= 1
     assert search(tab, "xylophone") == []
-    assert "did not match any" in tab.locator("#search-results").inner_text()
-
-
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_search_from_a_source_page_leads_to_the_page_found(visit, scheme):
-    tab = visit("source/proofs/formulas/bump.py", scheme)
+    assert "did not match any" in tab.inner_text("#search-results")
     assert search(tab, "silhouette")
-    tab.locator("#search-results li > a[href^='s2.html']").first.click()
+    tab.click("#search-results li > a[href^='s2.html']")
     tab.wait_for_url("**/s2.html*")
-    assert tab.locator(".bd-article h1").is_visible()
+    assert tab.is_visible(".bd-article h1")
 
 
 def test_chapter_comes_first_and_results_follow_what_is_typed(visit):
-    tab = visit("s9", "file")
-    first = "document.querySelector('#search-results li > a')?.getAttribute('href').startsWith('s2.html')"
+    tab, field = visit("s9", "file"), "input[type=search]:visible"
     assert search(tab, "normal")[0][0] == "s"
-    tab.locator("input[type=search]:visible").press_sequentially(" silhouettes", delay=20)
-    tab.locator("input[type=search]:visible").fill("silhouette")
-    tab.wait_for_function(first)
+    tab.locator(field).press_sequentially(" silhouettes", delay=20)
+    tab.fill(field, "silhouette")
+    tab.wait_for_function(
+        "document.querySelector('#search-results li > a')?.getAttribute('href').startsWith('s2.html')"
+    )
     tab.wait_for_function("location.search === '?q=silhouette'")
     assert tab.locator("#search-results ul.search").count() == 1

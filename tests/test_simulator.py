@@ -10,9 +10,9 @@ from playwright.sync_api import expect
 from proofs.formulas.step_bounds import TERMS
 from renderer.kernels import FIELDS
 from tests.processes import python
-from tests.tabs import PHONE, RUNNING, go, says, settled, slide, state
+from tests.tabs import PHONE, becomes, go, says, settled, slide, state
 
-OPTIONS = {"until": RUNNING, "reduced_motion": "reduce", "permissions": ["clipboard-read", "clipboard-write"]}
+OPTIONS = {"reduced_motion": "reduce", "permissions": ["clipboard-read", "clipboard-write"]}
 # Prints the simulator's module where one more field is registered, before what is made of all of them.
 PRINTING = """
 from sympy import Abs
@@ -71,12 +71,6 @@ def tab(shared):
     """The page in its first state."""
     shared.click("[data-reset]")
     return shared
-
-
-def becomes(tab, **wanted):
-    """Wait until the state has these values."""
-    script = "wanted => Object.entries(wanted).every(([name, is]) => Simulator.running.act.state()[name] === is)"
-    tab.wait_for_function(script, arg=wanted)
 
 
 def addressed(tab):
@@ -224,27 +218,31 @@ def test_experiments_lead_to_the_pole_and_to_one_picture(tab):
 
 
 def test_an_experiment_moves_pauses_steps_and_stops(visit):
-    page = visit("s4", until=RUNNING, reduced_motion="no-preference")
-    bar, play, sweep = (page.locator(place) for place in ("#sim-share", ".sim-play", "#sim-sweep"))
-    begun, moving = page.inner_text(".sim-says"), "Number(document.querySelector('#sim-share').value) > 0.01"
+    page, play = visit("s4", reduced_motion="no-preference"), ".sim-play"
+    begun = page.inner_text(".sim-says")
+
+    def share():
+        return float(page.input_value("#sim-share"))
+
+    def begin():
+        page.click("#sim-sweep")
+        page.wait_for_function("document.querySelector('#sim-share').value > 0.01")
+
     for stop in (lambda: slide(page, "beta", 0.5), lambda: page.keyboard.press("Escape")):
-        sweep.click()
-        page.wait_for_function(moving)
-        assert state(page)["eps"] < 0.1
+        begin()
         stop()  # the reader's hand ends it
-        assert not play.is_visible() and not page.evaluate("Simulator.running.presets.running()")
-    sweep.click()
-    page.wait_for_function(moving)
+        assert not page.is_visible(play) and not page.evaluate("Simulator.running.presets.running()")
+    begin()
     page.press(".sim-curve input", "Space")
-    paused = float(bar.input_value())
+    paused = share()
     page.wait_for_timeout(200)
-    assert float(bar.input_value()) == paused and play.is_visible()
+    assert share() == paused and page.is_visible(play)
     page.click("[data-step='1']")
-    assert float(bar.input_value()) == pytest.approx(paused + 0.05, abs=0.006)
+    assert share() == pytest.approx(paused + 0.05, abs=0.006)
     slide(page, "share", 1)
     assert state(page)["eps"] == 1e-18
     page.click("[data-reset]")
-    assert page.inner_text(".sim-says") == begun and not play.is_visible()
+    assert page.inner_text(".sim-says") == begun and not page.is_visible(play)
 
 
 def test_no_error_at_a_pixel_exceeds_its_bound(tab):
@@ -307,7 +305,7 @@ def test_pictures_step_curve_and_pixel_are_seen_together(visit, width, height, s
     """In one screen; with the certified bounds, too, and with the pictures apart."""
     seen = ["[data-picture=difference]", "#sim-eps", "[data-picture=numeric]", ".sim-curve", "#sim-beta"]
     seen += [".sim-presets", "[data-parameter=field]", ".sim-strip", ".sim-bar", ".sim-pixel tbody tr:last-child"]
-    page = visit("s4", until=RUNNING, viewport={"width": width, "height": height})
+    page = visit("s4", viewport={"width": width, "height": height})
 
     def all_is_seen():
         page.evaluate("document.getElementById('simulator').scrollIntoView()")
@@ -327,7 +325,7 @@ def test_pictures_step_curve_and_pixel_are_seen_together(visit, width, height, s
 
 def test_a_phone_keeps_picture_and_step_in_sight_and_fingers_move_the_part_that_is_shown(visit):
     """Also while an experiment runs and the page is scrolled; and all that a finger needs is large."""
-    page, seen = visit("s4", device_scale_factor=2, until=RUNNING, **PHONE), ["[data-picture=difference]", "#sim-eps"]
+    page, seen = visit("s4", device_scale_factor=2, **PHONE), ["[data-picture=difference]", "#sim-eps"]
     page.evaluate("document.getElementById('simulator').scrollIntoView()")
     settled(page)
     assert page.evaluate(UNSEEN, seen) == []
@@ -396,7 +394,7 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab):
 @pytest.mark.parametrize("ratio", [1, 1.5, 2])
 def test_every_size_shows_whole_pixels(visit, ratio):
     """A pixel of the raster is a whole number of the screen's, or the other way round, unless a third stayed empty."""
-    tab = visit("s4", until=RUNNING, device_scale_factor=ratio)
+    tab = visit("s4", device_scale_factor=ratio)
     for size in (128, 256, 512):
         tab.select_option("#sim-size", str(size))
         settled(tab)
@@ -408,7 +406,7 @@ def test_every_size_shows_whole_pixels(visit, ratio):
 
 @pytest.mark.parametrize("medium, script", [("screen", False), ("print", True)])
 def test_paper_and_scriptless_readers_get_the_figures(visit, medium, script):
-    page = visit("s4", until=RUNNING, java_script_enabled=script)
+    page = visit("s4", java_script_enabled=script)
     page.emulate_media(media=medium)
     assert page.is_visible(".sim-absent") is not script and not page.is_visible("#simulator")
     assert page.locator("img[src*=contact_sheet]").first.is_visible()
@@ -422,7 +420,7 @@ def test_paper_and_scriptless_readers_get_the_figures(visit, medium, script):
     ],
 )
 def test_a_browser_without_workers_or_vectors_is_told(visit, missing, words):
-    page = visit("s4", prepare=missing)
+    page = visit("s4", prepare=missing, until=None)
     says(page, ".sim-message:visible", re.compile(words))
     assert not page.is_visible(".sim-pictures")
 
@@ -443,8 +441,9 @@ def test_a_hidden_page_has_no_worker(tab):
 
 def test_an_added_field_has_no_false_bound_and_its_own_creases(visit):
     """No bound is printed, drawn or attributed; white lines lie where the crease factor is zero, and nowhere else."""
-    fragment = "#sim?field=slanted&view=loci&column=120&row=100"
-    page = visit("s4", fragment=fragment, until=RUNNING, given={"**/compiled.js": python("-c", PRINTING)[0]})
+    fragment, given = "#sim?field=slanted&view=loci&column=120&row=100", {"**/compiled.js": python("-c", PRINTING)[0]}
+    small = {"width": 1280, "height": 500}  # the loupe, which does not know the field, is out of sight
+    page = visit("s4", fragment=fragment, given=given, viewport=small)
     settled(page)
     page.wait_for_selector(".sim-curve path.numeric", state="attached")
     offered = page.locator("[name=sim-field]").evaluate_all("fields => fields.map(field => field.value)")

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import json
 import math
 import random
 from dataclasses import asdict
@@ -17,11 +18,11 @@ from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
 from renderer.scene.scene import DEFAULT_LIGHTS
-from tests.tabs import RUNNING, go, readout
+from tests.tabs import go, number, readout
 
 METHODS = {"central": central, "forward": forward, "central4": central4}
 EXACT = {"name": "exact"}
-WHOLE = {"width": 256, "height": 256, "left": 0, "top": 0, "wide": 256, "high": 256}
+WHOLE = 256, (0, 0, 256, 256)  # a raster's side, and its part: left, top, width, height
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
 OFTEN = {
     "field": [*FIELDS],
@@ -36,8 +37,9 @@ OFTEN = {
 }
 """What random states are made of: odd and fractional wave numbers among them."""
 # The last one of some pictures, all on one stage.
-RENDER = """async ([steps, raster]) => {
-    const { module } = Simulator.running, stage = module.make_stage(steps[0][0], raster);
+RENDER = """async ([steps, [side, [left, top, wide, high]]]) => {
+    const { module } = Simulator.running, raster = { width: side, height: side, left, top, wide, high };
+    const stage = module.make_stage(steps[0][0], raster);
     let planes = [];
     for (const [state, method] of steps) planes = module.render(state, method, stage);
     const address = await new Promise(done => {
@@ -47,25 +49,18 @@ RENDER = """async ([steps, raster]) => {
     });
     return address.slice(address.indexOf(',') + 1);
 }"""
-# What the panel shows for each of several states: the text of every cell, and the line of Python.
-SHOWN = """wanted => wanted.map(state => {
-    const { states, cursor } = Simulator.running;
-    cursor.show(states.changed(states.within({ ...states.start(), ...state }), {}));
-    const text = e => e.textContent, root = document.getElementById('simulator');
-    return {
-        facts: Object.fromEntries([...root.querySelectorAll('.sim-facts div')].map(d => [...d.children].map(text))),
-        table: Object.fromEntries([...root.querySelectorAll('.sim-pixel tbody tr')].map(r => {
-            const [name, ...cells] = [...r.children].map(text);
-            return [name, cells];
-        })),
-        line: text(root.querySelector('.sim-python code')),
-    };
+# For each of several states the line of Python, and what the page knows of the pixel by both pipelines.
+PIXELS = """wanted => wanted.map(given => {
+    const { states, module, cursor } = Simulator.running, state = states.within({ ...states.start(), ...given });
+    cursor.show(states.changed(state, {}));
+    const methods = Object.values(module.methods_of(state));
+    return [states.python(state), methods.map(method => module.pixel(state, method, states.crop(state)))];
 })"""
 
 
 @pytest.fixture(scope="module")
 def tab(visit_once):
-    return visit_once("s4", until=RUNNING)
+    return visit_once("s4")
 
 
 def drawn(tab, *steps, raster=WHOLE):
@@ -78,11 +73,10 @@ def drawn(tab, *steps, raster=WHOLE):
 
 def rendered(state, method, raster=WHOLE):
     """Return the same of the renderer."""
-    gradient = METHODS[method["name"]](method["eps"]) if "eps" in method else exact()
-    crop = tuple(raster[name] for name in ("left", "top", "wide", "high"))
+    gradient, (side, crop) = METHODS[method["name"]](method["eps"]) if "eps" in method else exact(), raster
     lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
     scene = Scene(**{name: state[name] for name in ("field", "ku", "kv", "beta", "model", "ball")}, lights=lights)
-    frame = render(scene, raster["width"], raster["height"], gradient, crop=crop)
+    frame = render(scene, side, side, gradient, crop=crop)
     return np.moveaxis(frame.rgb, -1, 0).tobytes() + frame.chambers.tobytes()
 
 
@@ -117,9 +111,8 @@ def random_state(rng):
 
 def random_crop(rng):
     """Return up to 24 x 24 pixels of a raster: of sphere A, sphere B, the floor, or of two of them."""
-    side, wide, high = rng.choice([64, 257, 4096]), rng.randint(1, 24), rng.randint(1, 24)
-    left, top = (min(int(rng.uniform(0.15, 0.85) * side), side - size) for size in (wide, high))
-    return {"width": side, "height": side, "left": left, "top": top, "wide": wide, "high": high}
+    side = rng.choice([128, 257, 4096])
+    return side, (*(int(rng.uniform(0.15, 0.8) * side) for _ in "xy"), rng.randint(1, 24), rng.randint(1, 24))
 
 
 def test_two_hundred_random_states_are_the_renderers_to_the_last_bit(tab):
@@ -128,17 +121,17 @@ def test_two_hundred_random_states_are_the_renderers_to_the_last_bit(tab):
     Some are followed by steps of ε and β, which read what was kept, and by what nothing may be kept for.
     """
     rng, surfaces = random.Random("states"), set()
-    for number in range(200):
+    for turn in range(200):
         state, other, crop = random_state(rng), random_state(rng), random_crop(rng)
         more = {name: other[name] for name in OFTEN if rng.random() < 0.3}
         steps = [rng.choice([(state, EXACT), way(state)])]
-        if number % 5 == 0:
+        if turn % 5 == 0:
             changes = ({"eps": 1e-2}, {"eps": 1e-5}, {"eps": 1e-13, "beta": 1.5}, more)
             steps += [way(state | change) for change in changes]
         for count, step in enumerate(steps, start=1):
             wanted = rendered(*step, crop)
             assert drawn(tab, *steps[:count], raster=crop) == wanted
-        surfaces |= {code & 3 for code in wanted[-crop["wide"] * crop["high"] :]}
+        surfaces |= {code & 3 for code in wanted[-crop[1][2] * crop[1][3] :]}
     assert surfaces == {1, 2, 3}
 
 
@@ -194,46 +187,30 @@ def test_the_views_are_the_renderers(tab):
     assert set(leading) == {1, 4}
 
 
-PARTS = {"gradient": ("hu", "hv"), "normal": ("N′x", "N′y", "N′z"), "rgb": ("red", "green", "blue")}
-
-
-def said_of(line, state):
-    """Return {fact: text}, {fact: number} and {row: (numeric, symbolic)} that the panel has to show, by its Python."""
+def printed(line):
+    """Return the records that a line of Python prints, as JSON has them."""
     records = []
-    exec(line, {"print": lambda *printed, sep: records.extend(map(asdict, printed))})
-    one = records[0]
-    words = {"pixel": f"{one['column']}, {one['row']}", "surface": one["surface"]}
-    facts = dict(zip(("Px", "Py", "Pz"), one["point"] or (), strict=False))
-    if one["u"] is not None:
-        facts |= {name: one[name] for name in "uvh"} | {"θ": one["theta"], "φ": one["phi"]}
-        flags = {"kink flag": one["kink"], "straddles a crease": one["straddling"]}
-        words |= {name: "yes" if flag else "no" for name, flag in flags.items()}
-        if state["method"] == "central":
-            at = (np.float64((one | state)[name]) for name in ("u", "v", "ku", "kv", "eps"))
-            _, _, *bounds = BOUNDS[state["field"]](*at)
-            facts |= {f"|Δh{axis}| ≤": float(f"{bound:.2e}") for axis, bound in zip("uv", bounds, strict=True)}
-    rows = {}
-    for part, names in PARTS.items():
-        if one[part]:
-            rows |= zip(names, map(list, zip(*(record[part] for record in records), strict=True)), strict=True)
-    return words, facts, rows
+    exec(line, {"print": lambda *said, sep: records.extend(map(asdict, said))})
+    return json.loads(json.dumps(records))
 
 
-@np.errstate(all="ignore")
+def shared(records, others):
+    """Return records without what others do not have."""
+    return [{name: record[name] for name in other} for record, other in zip(records, others, strict=True)]
+
+
 def test_the_copied_line_prints_the_numbers_shown(tab):
-    rng, on_a = random.Random("lines"), 0
-    states = [random_state(rng) for _ in range(50)]
-    for state, shown in zip(states, tab.evaluate(SHOWN, states), strict=True):
-        words, facts, rows = said_of(shown["line"], state)
-        on_a += "u" in facts
-        assert shown["facts"] | words == shown["facts"], shown["line"]
-        assert {name: float(shown["facts"][name]) for name in facts} == facts, shown["line"]
-        assert {name: [*map(float, cells[:2])] for name, cells in shown["table"].items()} == rows, shown["line"]
-    assert on_a >= 10
-
-
-def test_the_wrong_pixel_would_be_seen(tab):
+    """And the wrong pixel would be seen."""
+    rng, surfaces = random.Random("lines"), []
+    for line, found in tab.evaluate(PIXELS, [random_state(rng) for _ in range(50)]):
+        assert shared(printed(line), found) == found, line
+        surfaces.append(found[0]["surface"])
+    assert surfaces.count("A") >= 10
     state = BASE | {"ball": 1, "method": "central", "eps": 1e-3, "column": 100, "row": 80}
-    (shown,) = tab.evaluate(SHOWN, [state])
-    *_, rows = said_of(shown["line"].replace("100, 80", "101, 80"), state)
-    assert float(shown["table"]["red"][0]) != rows["red"][0]
+    ((line, found),) = tab.evaluate(PIXELS, [state])
+    assert shared(printed(line.replace("100, 80", "101, 80")), found) != found
+    one, other = printed(line)
+    rows = [[*map(number, row.split()[1:3])] for row in tab.locator(".sim-pixel tbody tr").all_inner_texts()]
+    assert rows == [
+        [*pair] for part in ("gradient", "normal", "rgb") for pair in zip(one[part], other[part], strict=True)
+    ]

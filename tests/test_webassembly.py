@@ -1,69 +1,14 @@
-"""The module for browsers: nothing to link, the same bytes every time. What it computes is compared in a browser."""
+"""The module for browsers: its bytes are those of the other machines. The simulator's own is compared on its page."""
 
 import base64
 
-import numpy as np
 import pytest
 
-from book import simulator_module
-from renderer import Scene, central, exact, kernels, render
+from renderer import Scene, central, exact, render
 from renderer.machines import enclosing, native, numpy_rows
 from renderer.machines.webassembly import compiled_module
-from renderer.picture.views import difference_logarithmic, to_bytes
-from renderer.shader.numbers import want_of
 from tests.drawing_memory import drawer_over_memory
 from tests.test_machines import SCENES, drawn_by
-from verify.benchmark.methods.compiled import loop_of
-
-KERNELS = {"slope": kernels.slope, "view_length": kernels.view_length}
-
-
-def test_two_kernels_are_a_small_module_and_always_the_same():
-    module, outputs = compiled_module({}, KERNELS, {})
-    assert module.startswith(b"\0asm\1\0\0\0") and len(module) < 1000
-    assert all(name.encode() in module for name in KERNELS)
-    assert outputs == {"slope": 1, "view_length": 1}
-    assert compiled_module({}, KERNELS, {})[0] == module
-
-
-def test_what_would_need_a_linker_is_refused():
-    """A browser's module would have to import libm's sine; no scene needs anything of the kind."""
-    with pytest.raises(ValueError, match=r"needs a linker.*sin"):
-        compiled_module({}, {"sine": lambda x: x.machine.call("sin", x)}, {})
-    assert compiled_module({"draw": want_of(Scene(shininess=2.5), exact())}, {}, {})
-
-
-# Runs each kernel of a module over points, given their inputs as float64: its one output, as a list of bytes.
-RUN = """async ([module, arrays, points]) => {
-    const decoded = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)), size = 8 * points, first = 1024;
-    const memory = new WebAssembly.Memory({ initial: 16 }), whole = new BigInt64Array(memory.buffer);
-    const { instance } = await WebAssembly.instantiate(decoded(module), { env: { __linear_memory: memory } });
-    return Object.entries(arrays).map(([name, inputs]) => {
-        const given = decoded(inputs), end = first + given.length;
-        new Uint8Array(memory.buffer).set(given, first);
-        for (let i = 0; first + i * size <= end; i++) whole[1 + i] = BigInt(first + i * size);
-        whole[0] = BigInt(points);
-        instance.exports[name](0);
-        return [...new Uint8Array(memory.buffer, end, size)];
-    });
-}"""
-
-
-def test_our_functions_have_the_same_bits_on_every_machine(browser):
-    """Outside their range, too."""
-    rng, edges = np.random.default_rng(6), [0.0, -0.0, 5e-324, 1e-310, -1.0, np.inf, -np.inf, np.nan, 1e308, 709.1]
-    numbers = np.concatenate([rng.uniform(-720, 720, 490), 2.0 ** rng.uniform(-1074, 1024, 500), edges])
-    inputs = {"exp": [numbers, rng.normal(0, 1e-17, 1000)], "log": [numbers], "power": [numbers, numbers[::-1]]}
-    with np.errstate(all="ignore"):
-        ours = {name: getattr(kernels, name)(*arrays) for name, arrays in inputs.items()}
-    module, _ = compiled_module({}, {name: getattr(kernels, name) for name in inputs}, {})
-    texts = {name: base64.b64encode(np.stack(arrays).tobytes()).decode() for name, arrays in inputs.items()}
-    with browser.new_page() as tab:
-        found = tab.evaluate(RUN, [base64.b64encode(module).decode(), texts, len(numbers)])
-    for output, (name, expected) in zip(found, ours.items(), strict=True):
-        np.testing.assert_array_equal(np.array(output, np.uint8).view(float), expected, name)
-        np.testing.assert_array_equal(loop_of(getattr(kernels, name), 1)(*inputs[name])[0], expected, name)
-
 
 # Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
 DRAW = """async ([module, given]) => {
@@ -121,28 +66,3 @@ def test_a_browser_that_bounds_otherwise_is_noticed(browser, monkeypatch):
     with browser.new_page() as tab:
         found = bytes_of(drawer_in(tab), *ENCLOSED["sine"])
     assert [name for name in ours if ours[name] != found[name]] == ["bounds"]
-
-
-def test_the_thresholds_are_where_the_renderers_bytes_change():
-    """And no cell of a table has two of them, so that one comparison is enough."""
-    tables = simulator_module.data({kernel.__name__: 1 for kernel in simulator_module.OVER_POINTS})["tables"]
-    linear, sizes = (np.array(tables[name]["thresholds"]) for name in ("srgb", "sizes"))
-    levels = np.arange(1, 256)
-    np.testing.assert_array_equal(to_bytes(linear), levels)
-    np.testing.assert_array_equal(to_bytes(np.nextafter(linear, 0)), levels - 1)
-    colours = np.array(tables["inferno"], np.uint32).view(np.uint8).reshape(-1, 4)[:, :3]
-    np.testing.assert_array_equal(difference_logarithmic(sizes), colours[levels])
-    np.testing.assert_array_equal(difference_logarithmic(np.nextafter(sizes, 0)), colours[levels - 1])
-    cells = np.floor(linear * tables["srgb"]["cells"]), sizes.view(np.int64) >> (64 - tables["sizes"]["bits"])
-    assert all((np.diff(cell) > 0).all() for cell in cells)
-
-
-def test_every_field_way_and_model_has_its_number():
-    data = simulator_module.data(dict.fromkeys((kernel.__name__ for kernel in simulator_module.OVER_POINTS), 1))
-    ways = [number for field in data["fields"].values() for way, number in field["ways"].items() if way != "flat"]
-    flat = {field["ways"]["flat"] for field in data["fields"].values()}
-    assert sorted([*ways, *flat]) == list(range(len(simulator_module.WAYS)))
-    assert [model["index"] for model in data["models"].values()] == list(range(len(kernels.LIGHT_MODELS)))
-    assert data["models"]["blinn"]["power"] == 16 and data["models"]["phong"]["power"] == 32
-    assert [data["fields"][name]["creases"] for name in ("sine", "ridges", "rings")] == [0, 2, 0]
-    assert len(data["scenes"]) == 2 ** (1 + len(Scene().lights))
