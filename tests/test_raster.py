@@ -12,7 +12,7 @@ from tests.refusals import rejection
 from tests.strategies import rasters, scenes
 
 
-@pytest.mark.parametrize("side", [0, -1, MAX_SIDE + 1, 10**30, 1.5, 8.0, math.nan, "8", None, True])
+@pytest.mark.parametrize("side", [0, MAX_SIDE + 1, 1.5, 8.0, "8", None, True])
 def test_a_side_that_is_rejected(side):
     allowed = "is not allowed: a whole number from 1 to 16777216"
     assert rejection(Raster, side, 8) == f"width = {side!r} {allowed}"

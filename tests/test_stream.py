@@ -35,9 +35,8 @@ def test_npy_has_the_numbers_of_render(size, small_blocks, tmp_path):
     """And its progress sees every block."""
     path, seen = tmp_path / "a.npy", []
     found = stream.stream(Scene(), *size, path, central(1e-3), progress=lambda blocks: seen.extend(blocks) or blocks)
-    stored = np.load(path, mmap_mode="r")
-    assert (stored.dtype, stored.shape, found) == (np.float64, (size[1], size[0], 3), (size[1], size[0]))
-    assert shows(path, render(Scene(), *size, central(1e-3)))
+    assert np.load(path, mmap_mode="r").dtype == np.float64
+    assert shows(path, render(Scene(), *size, central(1e-3))) and found == size[::-1]
     assert sum(wide * high for *_, wide, high in seen) == size[0] * size[1]
     assert [*contents(tmp_path)] == ["a.npy"]
 

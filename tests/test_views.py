@@ -49,18 +49,15 @@ def test_the_linear_difference():
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     """Of the channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])
-    inferno = matplotlib.colormaps["inferno"]
-    low, middle, high = (np.array(inferno(share, bytes=True)[:3]) for share in (0.0, 0.5, 1.0))
+    low, middle, high = (np.array(matplotlib.colormaps["inferno"](n, bytes=True)[:3]) for n in (0.0, 0.5, 1.0))
     assert low.any()
-    expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
-    for found in (delta, np.stack([-delta, 0 * delta, np.minimum(delta, 1e-30)], axis=2)):
+    for found in (delta, np.stack([-delta, 0 * delta], axis=2)):
+        expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
         np.testing.assert_array_equal(views.difference_logarithmic(found), expected)
 
 
 def test_a_colour_bar_leaves_the_picture_alone():
     picture = views.difference_logarithmic(render(Scene(), 48, 40, central(1e-2)).rgb - FRAME.rgb)
     sheet = views.with_colour_bar(picture)
-    np.testing.assert_array_equal(sheet[:40, :48], picture)
-    assert sheet.dtype == "uint8"
-    bar = sheet[8:-8, 48:].reshape(-1, 3)
-    assert len(np.unique(bar, axis=0)) > 100  # inferno's colours
+    assert sheet.dtype == "uint8" and (sheet[:40, :48] == picture).all()
+    assert len(np.unique(sheet[8:-8, 48:].reshape(-1, 3), axis=0)) > 100  # inferno's colours
