@@ -8,6 +8,7 @@ import sys
 import tomllib
 from concurrent.futures import BrokenExecutor
 from dataclasses import fields
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -204,6 +205,7 @@ REFUSED = {
         "--crop 0,0,1,1": "unrecognized arguments: --crop 0,0,1,1",
     },
     "doctor": {"--size 8": "unrecognized arguments: --size 8"},
+    "": {"": "", "draw": "", "image": "the following arguments are required: --out", "views": ""},
     "sweep": {
         "--eps 1e-3 -1": "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5",
         "--csv a.txt": "csv = 'a.txt' is not allowed: a file name that ends in .csv",
@@ -222,27 +224,25 @@ REFUSED = {
     },
 }
 """{verb: {options: what is said of them}}: values have tests of their own, here are a few of each kind of option."""
-TARGETS = {"image": "--size 8 --out a.png ", "views": "--size 8 --out views ", "sweep": "--size 8 ", "doctor": ""}
+TARGETS = {"image": "--size 8 --out a.png", "views": "--size 8 --out views", "sweep": "--size 8"}
 
 
 @pytest.mark.parametrize(("verb", "options"), [(verb, options) for verb in REFUSED for options in REFUSED[verb]])
 def test_what_is_refused_is_said_in_one_line(verb, options, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("old")
-    assert run(verb, *shlex.split(TARGETS[verb] + options)) == 2
-    message, (out, err) = REFUSED[verb][options], capsys.readouterr()
+    assert run(*shlex.split(f"{verb} {TARGETS.get(verb, '')} {options}")) == 2
+    out, err = capsys.readouterr()
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
-    assert err.startswith((f"symbolic-rendering {verb}: error: {message}", f"symbolic-rendering: error: {message}"))
+    assert re.match(f"symbolic-rendering( {verb or '.*'})?: error: {re.escape(REFUSED[verb][options])}", err)
     assert contents(tmp_path) == {"file": b"old"}
 
 
 def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
-    def no_memory(*arguments, **options):
-        raise MemoryError("Unable to allocate 6.00 GiB")
-
-    monkeypatch.setattr("renderer.command_line.verbs.render", no_memory)
+    error = MemoryError("Unable to allocate 6.00 GiB")
+    monkeypatch.setattr("renderer.command_line.verbs.render", Mock(side_effect=error))
     assert run("image", "--out", tmp_path / "a.png") == 2
-    assert capsys.readouterr().err == "symbolic-rendering image: error: Unable to allocate 6.00 GiB\n"
+    assert capsys.readouterr().err == f"symbolic-rendering image: error: {error}\n"
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
@@ -254,13 +254,6 @@ def test_help(verb, encoding, monkeypatch):
     printed.flush()
     out = printed.buffer.getvalue().decode(encoding)
     assert out.startswith(" ".join(["usage: symbolic-rendering", *verb])) and "\\" not in out
-    assert ("--light" in out) == (verb not in ((), ("doctor",)))
-
-
-@pytest.mark.parametrize("arguments", [(), ("draw",), ("image",), ("views",)])
-def test_a_missing_or_unknown_verb_or_target(arguments, capsys):
-    assert run(*arguments) == 2
-    assert capsys.readouterr().err.count("\n") == 1
 
 
 def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
@@ -280,9 +273,8 @@ def test_doctor(tmp_path, monkeypatch, capsys):
     for kept, told in (("off", "not kept"), (str(tmp_path / "new"), "not there yet"), (str(tmp_path), "0 files")):
         monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", kept)
         assert run("doctor") == 0
-        found = dict(re.split(r" \.+ ", line, maxsplit=1) for line in capsys.readouterr().out.splitlines())
-        assert {"symbolic-rendering", "Python", "NumPy", "llvmlite", "machine", "threads"} < found.keys()
-        assert told in found["compiled code"]
+        out = capsys.readouterr().out
+        assert all(what in out for what in ("symbolic-rendering", "Python", "NumPy", "llvmlite", "threads", told))
 
 
 def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):

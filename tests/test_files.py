@@ -5,6 +5,7 @@ import stat
 import zlib
 from io import BytesIO
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -23,22 +24,14 @@ FRAME = render(Scene(), 24, 16, central(1e-3))
 PICTURE = views.image_view(FRAME)
 
 
-class Interruption(BaseException):
-    """What happens in the middle of a file: an error, or Ctrl-C."""
-
-
 @pytest.mark.parametrize("name", ["a.png", "a.npz", "a.npy", "a.tif"])
 def test_a_failure_leaves_nothing_or_the_old_file(name, tmp_path, monkeypatch):
     """In the renaming, which is last: the content has been written elsewhere."""
-
-    def stop(*arguments):
-        raise Interruption
-
-    monkeypatch.setattr("os.replace", stop)
+    monkeypatch.setattr("os.replace", Mock(side_effect=KeyboardInterrupt))
     for before in ({}, {name: b"old"}):
         for old, text in before.items():
             (tmp_path / old).write_bytes(text)
-        with pytest.raises(Interruption):
+        with pytest.raises(KeyboardInterrupt):
             FRAME.save(tmp_path / name)
         assert contents(tmp_path) == before
 
@@ -155,12 +148,11 @@ def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monk
     assert [*contents(tmp_path)] == ["a.csv"]
 
 
-def refuse(file, kind):
-    raise OSError("no locks available")
+REFUSING = Mock(side_effect=OSError("no locks available"))
 
 
 @pytest.mark.parametrize(
-    ("place", "name", "value"), [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", refuse)]
+    ("place", "name", "value"), [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)]
 )
 def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
     """Where there are locks, a file of which one cannot be had may be somebody's."""

@@ -3,6 +3,7 @@
 import os
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -68,14 +69,10 @@ def test_what_is_not_the_users_own_is_not_loaded(become, name, place):
 @pytest.mark.parametrize("name", ["file/code", "full", "a\0b"])
 def test_where_nothing_can_be_kept_nothing_is(name, tmp_path, monkeypatch):
     """A folder that is a file or has no name, a disk that is full."""
-
-    def full(*arguments, **options):
-        raise OSError(28, "No space left on device")
-
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(kept_code, "folder", lambda: tmp_path / name)
     if name == "full":
-        monkeypatch.setattr(Path, "write_bytes", full)
+        monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=OSError(28, "No space left on device")))
     kept_code.save(KEY, CODE)
     assert kept_code.load(KEY) is None
     assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["file"]

@@ -67,19 +67,10 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
                 assert "is not allowed: another frame has been drawn into it" in rejection(gone)
 
 
-OTHERS = [
-    {"eye": 5.0},
-    {"radius": 0.9},
-    {"ball": False},
-    {"floor": False},
-    {"ball_center": (0.5, 0.5, 1.4)},
-    {"lights": DEFAULT.lights[::-1]},
-    {"lights": (Light((5, 5, 10), None), DEFAULT.lights[1])},
-]
-
-
 def test_a_stage_of_another_scene_raster_or_crop_is_rejected():
-    stages = [stage_of(replace(DEFAULT, **other), 16, 16) for other in OTHERS]
+    off = Light((5, 5, 10), None), DEFAULT.lights[1]
+    others = {"eye": 5.0}, {"radius": 0.9}, {"ball": False}, {"floor": False}, {"ball_radius": 0.3}, {"lights": off}
+    stages = [stage_of(replace(DEFAULT, **other), 16, 16) for other in others]
     for stage in (*stages, stage_of(DEFAULT, 16, 17), stage_of(DEFAULT, 16, 16, (8, 8, 4, 4))):
         for crop in (None, (0, 0, 4, 4)):
             assert rejection(render, DEFAULT, 16, 16, crop=crop, stage=stage).startswith("stage = ")
@@ -121,24 +112,23 @@ def test_what_is_no_scene_or_no_frame_is_refused_by_all():
 
 
 ODD = replace(DEFAULT, ku=7.5)
+default = partial(render, DEFAULT, 8, 8)
 REFUSED = {
-    "gradient = 'central' is not allowed: exact(), central(eps)": lambda: render(DEFAULT, 8, 8, "central"),
-    "threads = 257": lambda: render(DEFAULT, 8, 8, threads=257),
-    "form = 'algebraic' is not allowed for field 'ridges' with ku = 7.5, kv = 4": lambda: render(
-        ODD, 8, 8, exact("algebraic")
-    ),
-    "stage = 'stage'": lambda: render(DEFAULT, 8, 8, stage="stage"),
-    "into = 'frame'": lambda: render(DEFAULT, 8, 8, into="frame"),
-    "bounds = 1 is not allowed: True or False": lambda: render(DEFAULT, 8, 8, bounds=1),
+    "gradient = 'central' is not allowed: exact(), central(eps)": lambda: default("central"),
+    "threads = 257": lambda: default(threads=257),
+    "stage = 'stage'": lambda: default(stage="stage"),
+    "into = 'frame'": lambda: default(into="frame"),
+    "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
+    "form = 'algebraic' is not allowed for field 'ridges' with ku": lambda: render(ODD, 8, 8, exact("algebraic")),
+    "form = 'algebraic'": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
     "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
     "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
-    "form = 'algebraic'": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
     "column = 64": lambda: pixel(DEFAULT, 64, 64, 64, 0),
     "row = -1": lambda: pixel(DEFAULT, 64, 64, 0, -1),
-    "highest = nan": lambda: views.slope_view(render(DEFAULT, 8, 8), math.nan),
-    "light = -1": lambda: render(DEFAULT, 8, 8).light_cosines(-1),
-    "light = 2": lambda: render(DEFAULT, 8, 8).light_cosines(2),
-    "light = 0 is not allowed: none, as the": lambda: render(replace(DEFAULT, lights=()), 8, 8).light_cosines(0),
+    "highest = nan": lambda: views.slope_view(default(), math.nan),
+    "light = -1": lambda: default().light_cosines(-1),
+    "light = 2": lambda: default().light_cosines(2),
+    "light = 0 is not allowed: none, as the": lambda: render(Scene(lights=()), 8, 8).light_cosines(0),
 }
 """{how it is said: what is asked for}"""
 
