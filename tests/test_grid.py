@@ -3,7 +3,6 @@
 import json
 import os
 import signal
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
 
@@ -15,7 +14,7 @@ from renderer.command_line import grid
 from renderer.command_line.grid import Checkpoint, key_of
 from renderer.command_line.verbs import main
 from renderer.machines import numpy_rows
-from renderer.picture.sweep import Task, sweep, table
+from renderer.picture.sweep import Task, compared, sweep, table
 from renderer.scene.methods import GradientMethod, central
 from renderer.whole_files import write_whole
 from tests.processes import python, started, wait_until
@@ -28,27 +27,14 @@ MANY = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=BETAS)
 LONG = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
 
 
-class Inline(Executor):
-    """An executor that computes a batch when it is given it, and remembers the tasks."""
-
-    def __init__(self):
-        self.tasks = []
-
-    def submit(self, work, batch, *arguments):
-        self.tasks += batch
-        future = Future()
-        future.set_result(work(batch, *arguments))
-        return future
-
-
 @pytest.fixture(scope="module")
 def many():
-    return grid.run(MANY, Inline())
+    return dict(zip(MANY, compared(MANY), strict=True))
 
 
 @pytest.fixture(scope="module")
 def long():
-    return grid.run(LONG, Inline())
+    return dict(zip(LONG, compared(LONG), strict=True))
 
 
 def test_a_key_is_of_the_content_the_sources_and_the_machine(tmp_path, monkeypatch):
@@ -102,29 +88,6 @@ def test_a_batch_draws_the_exact_frame_once_a_scene_and_counts_flips(monkeypatch
 def test_a_worker_of_another_version_is_refused():
     with pytest.raises(ValueError, match="a worker's renderer is not allowed"):
         grid.compare_batch(MANY[:1], "another")
-
-
-def test_what_is_kept_is_not_computed_again(many, tmp_path):
-    executor = Inline()
-    for tasks in (MANY[20:40], MANY, MANY):
-        with Checkpoint(tmp_path / "a.jsonl") as kept:
-            assert grid.run(tasks, executor, kept) == {task: many[task] for task in tasks}
-    assert executor.tasks == MANY[20:40] + MANY[:20] + MANY[40:]
-    with ThreadPoolExecutor(3) as several:  # which finishes batches in any order
-        assert grid.run(MANY, several) == many
-
-
-def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, monkeypatch):
-    def failing(batch, *arguments):
-        if MANY[32] in batch:
-            raise ArithmeticError("the third batch")
-        return {task: many[task] for task in batch}
-
-    monkeypatch.setattr(grid, "compare_batch", failing)
-    failure = pytest.raises(ArithmeticError, match="the third batch")
-    with failure, ThreadPoolExecutor(1) as executor, Checkpoint(tmp_path / "a.jsonl") as kept:
-        grid.run(MANY, executor, kept)
-    assert set(kept.rows) == {key_of(task) for task in MANY[:32]}
 
 
 def lines(path):

@@ -93,17 +93,6 @@ def test_bounds_change_no_bit_and_are_the_same(name):
             assert (getattr(found, kind) == getattr(frame, kind)[part]).all()
 
 
-def test_memory_serves_again_once_no_array_lies_in_it():
-    first = render(Scene(), *SIZE, threads=1)
-    place, view = first.planes.ctypes.data, first.rgb[::2]
-    colors = view.copy()
-    del first
-    second = render(Scene(beta=0.0), *SIZE, threads=1)
-    assert second.planes.ctypes.data != place and (view == colors).all()
-    del view
-    assert render(Scene(), *SIZE, threads=1).planes.ctypes.data == place
-
-
 def one_ulp(name):
     """Return a kernel whose first result is off by one unit in the last place."""
     right = getattr(kernels, name)

@@ -45,7 +45,7 @@ def test_a_record_has_the_gradient_of_the_field_without_a_bump_too():
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("surface", [1, 2, 3])
 def test_a_record_is_what_50_digits_say(surface, model):
-    scene = Scene(model=model, shininess=7.5)
+    scene = Scene(model=model, shininess=7.5, ku=-6.0, kv=-3.0)
     row, column = np.argwhere(render(scene, 64, 64).chambers & 3 == surface)[0].tolist()
     record, truth = pixel(scene, 64, 64, column, row), reference_pixel(scene, 64, 64, column, row)
     told = {f"point_{axis}": c for axis, c in zip("xyz", record.point, strict=True)}

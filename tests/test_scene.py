@@ -1,12 +1,15 @@
-"""Scenes and lights: what they accept, what they reject and how they say so, their defaults."""
+"""Scenes, lights and rasters: what they accept, what they reject and how they say so."""
 
 import dataclasses
+import math
+from itertools import product
 
 import numpy as np
 import pytest
 from hypothesis import given
 
 from renderer import Light, Scene
+from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
 from tests.strategies import rejected_fields, scenes
 
@@ -42,3 +45,26 @@ def test_what_is_absent_forbids_no_light():
 def test_numbers_are_converted():
     scene = Scene(ku=np.int64(3), ball_center=np.array(INSIDE_B), lights=[Light([5, 5, 5], [1, 1, 1])])
     assert (scene.ku, scene.ball_center, scene.lights) == (3.0, INSIDE_B, (Light((5.0, 5.0, 5.0)),))
+
+
+@pytest.mark.parametrize("side", [0, MAX_SIDE + 1, 1.5, 8.0, "8", None, True])
+def test_a_side_that_is_rejected(side):
+    allowed = "is not allowed: a whole number from 1 to 16777216"
+    assert rejection(Raster, side, 8) == f"width = {side!r} {allowed}"
+    assert rejection(Raster, 8, side) == f"height = {side!r} {allowed}"
+
+
+def test_a_crop_has_pixels_and_all_of_them_are_the_rasters():
+    width, height = np.int32(4), np.uint8(3)
+    for crop in product(range(-1, 6), repeat=4):
+        left, top, wide, high = crop
+        if 0 <= left < left + wide <= width and 0 <= top < top + high <= height:
+            assert Raster(width, height, crop).crop == crop
+        else:
+            rejection(Raster, width, height, crop)
+
+
+@pytest.mark.parametrize("crop", [(0, 0, 1), (0, 0, 1.5, 1), (0, 0, math.inf, 1), ("0", "0", "1", "1"), "0011", 7])
+def test_a_crop_of_other_things_than_four_whole_numbers_is_rejected(crop):
+    allowed = "(left, top, width, height), whole numbers, inside the raster of 8 x 6"
+    assert rejection(Raster, 8, 6, crop) == f"crop = {crop!r} is not allowed: {allowed}"
