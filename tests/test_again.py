@@ -111,13 +111,6 @@ def test_a_scene_goes_through_its_record_and_its_file(tmp_path_factory, scene):
     assert Scene.from_file(path) == scene
 
 
-def test_the_command_line_draws_the_scene_of_a_file(tmp_path):
-    SCENE.to_file(tmp_path / "hill.toml")
-    options = ["--scene", tmp_path / "hill.toml", "--beta", 0.2, "--size", 16]
-    assert run("image", *options, "--out", tmp_path / "a.npy") == 0
-    assert shows(tmp_path / "a.npy", render(Scene(field=HILL, ku=3.0, beta=0.2, lights=()), 16, 16))
-
-
 WRONG_SCENES = {
     "beta = 'a'": "beta = 'a' is not allowed: a finite number",
     "beta = nan": "beta = nan is not allowed",

@@ -311,9 +311,11 @@ def test_drawing_needs_neither_sympy_nor_the_proofs(tmp_path):
     code = f"""
 import sys
 from renderer.command_line.verbs import main
+from renderer import *
 assert main(["views", "--size", "8", "--out", {str(tmp_path)!r}]) == 0
 assert main(["sweep", "--size", "8"]) == 0
+render(Scene.from_record(Scene(field="rings").as_record()), 8, 8, bounds=True)
 loaded = {{name.split(".")[0] for name in sys.modules}}
-assert not loaded & {{"sympy", "proofs", "verify", "book"}}, loaded
+assert not loaded & {{"sympy", "mpmath", "proofs", "verify", "book"}}, loaded
 """
     python("-c", code)

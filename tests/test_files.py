@@ -1,7 +1,6 @@
 """Files are whole or not there at all."""
 
 import signal
-import stat
 import zlib
 from io import BytesIO
 from pathlib import Path
@@ -24,16 +23,26 @@ FRAME = render(Scene(), 24, 16, central(1e-3))
 PICTURE = views.image_view(FRAME)
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.npz", "a.npy", "a.tif"])
-def test_a_failure_leaves_nothing_or_the_old_file(name, tmp_path, monkeypatch):
-    """In the renaming, which is last: the content has been written elsewhere."""
-    monkeypatch.setattr("os.replace", Mock(side_effect=KeyboardInterrupt))
-    for before in ({}, {name: b"old"}):
-        for old, text in before.items():
-            (tmp_path / old).write_bytes(text)
-        with pytest.raises(KeyboardInterrupt):
-            FRAME.save(tmp_path / name)
-        assert contents(tmp_path) == before
+@pytest.mark.parametrize("name", ["A.PNG", "a.npz", "a.Npy", "a.TIF", "a.tiff"])
+def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, monkeypatch):
+    """It fails in the renaming, which is last; then it does not, and has the permissions of any other file."""
+    path, other = tmp_path / name, tmp_path / "other"
+    with monkeypatch.context() as patched:
+        patched.setattr("os.replace", Mock(side_effect=KeyboardInterrupt))
+        for before in ({}, {name: b"old"}):
+            for text in before.values():
+                path.write_bytes(text)
+            with pytest.raises(KeyboardInterrupt):
+                FRAME.save(path)
+            assert contents(tmp_path) == before
+    FRAME.save(path)
+    other.write_text("")
+    assert path.stat().st_mode == other.stat().st_mode
+    assert {*tmp_path.iterdir()} == {path, other}
+    assert shows(path, FRAME)
+    if name == "a.npz":
+        planes = {"chambers": FRAME.chambers, **FRAME.surface_data}
+        assert all(np.array_equal(np.load(path)[kind], plane, equal_nan=True) for kind, plane in planes.items())
 
 
 @pytest.mark.parametrize("noise", [1, 256])
@@ -75,20 +84,6 @@ def test_checksums_are_combined():
     for cut in (0, 1, 5552, 65521, 99_999, 10**5):
         one, other = zlib.adler32(whole[:cut]), zlib.adler32(whole[cut:])
         assert files.adler32_combined(one, other, 10**5 - cut) == zlib.adler32(whole)
-
-
-@pytest.mark.parametrize("name", ["A.PNG", "a.Npy", "a.npz", "a.TIF", "a.tiff"])
-def test_a_frame_saves_itself(name, tmp_path):
-    """With the permissions of any other file."""
-    path, other = tmp_path / name, tmp_path / "other"
-    FRAME.save(path)
-    other.write_text("")
-    assert stat.S_IMODE(path.stat().st_mode) == stat.S_IMODE(other.stat().st_mode)
-    assert {*tmp_path.iterdir()} == {path, other}
-    assert shows(path, FRAME)
-    if name == "a.npz":
-        planes = {"chambers": FRAME.chambers, **FRAME.surface_data}
-        assert all(np.array_equal(np.load(path)[kind], plane, equal_nan=True) for kind, plane in planes.items())
 
 
 def test_a_frame_is_an_array_and_says_what_it_is():

@@ -188,16 +188,6 @@ def test_a_model_of_light_of_ones_own(monkeypatch):
         assert (drawn == render(Scene(model=known), 24, 16).rgb).all()
 
 
-def test_a_plain_scene_asks_for_no_formula():
-    code = """if True:
-        import sys
-        from renderer import *
-        scene = Scene.from_record(Scene(field="rings").as_record())
-        render(scene, 8, 8, central(1e-3), bounds=True)
-        print({"sympy", "mpmath", "proofs"} & {*sys.modules})"""
-    assert python("-c", code) == ("set()\n", "")
-
-
 def test_the_next_process_compiles_nothing(tmp_path):
     code = f"""if True:
         import sys
