@@ -105,7 +105,7 @@ with whole_file(sys.argv[1]) as name:
     with open(name, "w") as file:
         file.write("half")
     print(name, flush=True)
-    time.sleep(600)
+    time.sleep(60)
 """
 
 

@@ -27,17 +27,15 @@ def test_srgb_is_the_formula_everywhere(shape):
 def test_slope_is_black_off_a_and_white_at_its_largest():
     """Of the frame, or on a scale that is given; all black where it is flat."""
     picture, slope = views.slope_view(FRAME), FRAME.slope
-    assert (picture.shape, picture.dtype) == ((40, 48, 3), "uint8")
-    assert (picture[FRAME.chambers & 3 != 1] == 0).all()
-    assert (picture[slope == slope.max()] == 255).all()
+    assert picture.dtype == "uint8" and not picture[FRAME.chambers & 3 != 1].any()
+    assert (picture[slope == slope.max()] == [255] * 3).all()
     assert views.slope_view(FRAME, 2 * slope.max()).max() == 128
     assert not views.slope_view(render(Scene(ku=0.0), 16, 16)).any()
 
 
 def test_kinks_are_white_over_a_dimmed_picture():
-    picture = views.kink_view(FRAME)
-    assert (picture.dtype, FRAME.kink.any()) == ("uint8", True)
-    np.testing.assert_array_equal(picture, np.where(FRAME.kink[..., None], 255, views.image_view(FRAME) // 3))
+    expected = np.where(FRAME.kink[..., None], np.uint8(255), views.image_view(FRAME) // 3)
+    assert FRAME.kink.any() and views.kink_view(FRAME).tobytes() == expected.tobytes()
 
 
 def test_the_linear_difference():
