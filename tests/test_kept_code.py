@@ -94,13 +94,12 @@ def test_it_is_kept_in_the_users_cache_and_closed_to_others(tmp_path, monkeypatc
 
 def test_what_was_not_used_for_longest_goes(place, monkeypatch):
     monkeypatch.setattr(kept_code, "LARGEST", 3 * (place / NAME).stat().st_size)
-    for number, name in enumerate("bcd"):
-        os.utime(place / NAME, (number, number))
-        kept_code.save(name, CODE)
-        os.utime(place / f"{name}.o", (10 + number, 10 + number))
-        if name == "b":
-            assert kept_code.load(KEY) == CODE  # used now
-            os.utime(place / "b.o", (1, 1))
+    kept_code.save("b", CODE)
+    kept_code.save("c", CODE)
+    for number, name in enumerate((NAME, "b.o", "c.o")):
+        os.utime(place / name, (number, number))
+    assert kept_code.load(KEY) == CODE  # used now
+    kept_code.save("d", CODE)
     assert contents(place).keys() == {"c.o", "d.o", NAME}
 
 
