@@ -49,9 +49,8 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 1), (311, 997, 3), (7, 90_001, 3), (700, 1, 1)])
 def test_a_png_has_every_pixel(shape, noise):
     """As another program reads it, by one thread or several: bands that do not divide it, and rows of one band each."""
-    random, (rows, columns, _) = np.random.default_rng(1), shape
-    smooth = np.add.outer(np.arange(rows), np.arange(columns))[..., None] // 7
-    picture = ((smooth + random.integers(0, noise, shape)) % 256).astype(np.uint8)
+    smooth = np.indices(shape[:2]).sum(axis=0)[..., None] // 7
+    picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)
     written = files.png_of(picture, "told", threads=1)
     assert {files.png_of(picture, "told", threads) for threads in (2, 5, None)} == {written}
     with Image.open(BytesIO(written)) as read:

@@ -76,12 +76,6 @@ def test_a_body_that_clears_the_cone_of_light():
     assert work_of(**below).shadow_tests == work_of(**below, ball=False).shadow_tests
 
 
-def test_a_crop_computes_its_pixels_alone():
-    work = work_of(options={"crop": (20, 30, 7, 5)})
-    assert sum(work.pixels.values()) == 35
-    assert work.gradient_evaluations == work.pixels_a <= 35
-
-
 def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     """The colours off A are drawn once for a shading."""
     own = {"stage": stage_of(DEFAULT, *SIZE)}
