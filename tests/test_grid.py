@@ -57,8 +57,9 @@ def test_a_key_is_of_the_content_the_sources_and_the_machine(tmp_path, monkeypat
     assert len(set(keys)) == len(keys) == 9
 
 
-def test_a_batch_shares_its_chambers():
+def test_a_batch_shares_its_chambers_and_has_no_task_twice():
     """The larger the picture, the fewer."""
+    assert grid.grid(Scene(), [SIZE] * 2, ["central"] * 2, [1e-3] * 2, beta=[0.35] * 2) == [TASK]
     sizes = (8, 8), (2**10, 2**10), (2**13, 2**13)
     tasks = MANY + grid.grid(Scene(ball=False), sizes, ["central"], (1e-2,), ku=range(1, 11))
     batches = grid.batches(tasks)
@@ -129,7 +130,7 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
 
 
 def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):
-    """Every combination once; the rows are those of a sweep."""
+    """Every combination; the rows are those of a sweep."""
     target, scene = tmp_path / "a.csv", Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None)))
     fields, betas, methods, steps = ["sine", "rings"], [-0.1, 0.35], ["forward", "central"], [1e-2, 1e-3, 0.1]
     scenes = [replace(scene, field=field, beta=beta) for field in fields for beta in betas]
@@ -138,7 +139,7 @@ def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):
         for side, each, method, eps in product((16, 24), scenes, methods, steps)
     }
     scene.to_file(tmp_path / "a.toml")
-    lists = ["--field", "sine,rings,sine", "--beta", "-0.1,.35", "--size", "16,24", "--eps", "1e-2,1e-3", ".1"]
+    lists = ["--field", "sine,rings", "--beta", "-0.1,.35", "--size", "16,24", "--eps", "1e-2,1e-3", ".1"]
     command = ["sweep", *lists, "--gradient", "forward,central", "--scene", tmp_path / "a.toml", "--csv", target]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
         assert main([*map(str, command), "--dask", cluster.scheduler_address]) == 0
