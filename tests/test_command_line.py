@@ -41,9 +41,10 @@ def other_scene():
     """Return a scene that differs in each field from the default, and its options."""
     numbers = {each.name: each.default for each in fields(Scene) if each.type in (float, tuple)}
     values = {name: 0.9 * np.array(value) for name, value in numbers.items() if name != "lights"}
-    scene = Scene(**values, ball=False, floor=False, field="rings", model="phong", lights=(Light((-6, 2, 8)),))
+    lights = Light((-6, 2, 8)), Light((5, 5, 10), (1, 0.5, 0))
+    scene = Scene(**values, ball=False, floor=False, field="rings", model="phong", lights=lights)
     options = [f"--{name.replace('_', '-')} {','.join(map(str, value.ravel()))}" for name, value in values.items()]
-    return scene, [*options, "--no-ball", "--no-floor", "--field rings", "--model phong", "--light -6,2,8"]
+    return scene, [*options, "--no-ball --no-floor --field rings --model phong --light -6,2,8 --light 5,5,10,1,0.5,0"]
 
 
 @pytest.mark.parametrize("name", ["a.PNG", "a.npz", "a.Npy", "a.TIF"])
