@@ -31,10 +31,10 @@ SCENES = {  # beside those that are drawn at random below
 
 
 @contextmanager
-def drawn_by(drawer):
-    """Let a machine's drawer draw, in bands of a row or two."""
+def drawn_by(drawer, smallest_band=stage.SMALLEST_BAND):
+    """Let a machine's drawer draw, in bands of at least so many pixels."""
     with pytest.MonkeyPatch.context() as monkeypatch:
-        monkeypatch.setattr(stage, "SMALLEST_BAND", 1)
+        monkeypatch.setattr(stage, "SMALLEST_BAND", smallest_band)
         monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=drawer))
         yield
 
@@ -59,7 +59,7 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     draw, part = partial(render, scene, *size, method), np.s_[top : top + height, left : left + width]
     with drawn_by(numpy_rows.drawer):
         ours = draw((left, top, width, height))
-    with drawn_by(partial(native.drawer, lanes=lanes)):
+    with drawn_by(partial(native.drawer, lanes=lanes), 1):
         assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
         whole = draw()
         for name in ("rgb", "chambers", "kink", "slope", "straddling"):

@@ -30,10 +30,13 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-def test_shapes_and_types():
+def test_shapes_types_and_memory_that_serves_again():
     frame = render(DEFAULT, 30, 20)
     assert frame.rgb.shape == (20, 30, 3)
     assert [getattr(frame, name).dtype for name in PLANES] == ["float64", "uint8", "bool", "float64", "bool"]
+    place = frame.planes.ctypes.data
+    del frame
+    assert render(DEFAULT, 30, 20).planes.ctypes.data == place
 
 
 @pytest.mark.parametrize("method", [exact(), central(1e-3)])
@@ -52,7 +55,7 @@ def with_parts(scene, other, names):
 @given(looks, rasters(), st.data())
 def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
-    with drawn_by(drawer):
+    with drawn_by(drawer, 1):
         stage = stage_of(scene, *size)
         red = tuple(replace(light, color=light.color and (1, 0, 0)) for light in scene.lights)
         for lights in (scene.lights, red):
