@@ -10,7 +10,6 @@ import pytest
 from renderer.machines import kept_code
 from renderer.whole_files import whole_file
 from tests.folders import contents
-from tests.processes import python, started
 
 KEY, CODE = "a" * 64, b"machine code"
 NAME = f"{KEY}.o"
@@ -109,16 +108,3 @@ def test_written_by_two_at_once(place):
     with whole_file(place / NAME):  # another one that is half-way
         assert kept_code.load(KEY) == CODE
     assert kept_code.load(KEY) is None  # it kept nothing
-
-
-def test_commands_that_start_at_once_and_files_that_are_emptied(tmp_path):
-    """The picture is the same, whatever the files hold; nothing else is left in the folder."""
-    command = ["-m", "renderer", "image", "--size", "16", "--out"]
-    settings = os.environ | {kept_code.VARIABLE: str(tmp_path / "code")}
-    together = [started(*command, tmp_path / f"{number}.png", env=settings) for number in range(3)]
-    assert [one.wait(60) for one in together] == [0, 0, 0]
-    (kept,) = (tmp_path / "code").iterdir()
-    kept.write_bytes(b"")
-    python(*command, tmp_path / "3.png", env=settings)
-    assert kept.suffix == ".o" and kept.stat().st_size > 0
-    assert len({(tmp_path / f"{number}.png").read_bytes() for number in range(4)}) == 1
