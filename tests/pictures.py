@@ -7,8 +7,10 @@ from renderer.picture import views
 
 
 def shows(path, frame):
-    """Return whether a file shows a frame: its numbers, or its bytes for the eye."""
+    """Return whether a file shows a frame: its float64 numbers, or its bytes for the eye."""
     if path.suffix.lower() in (".npy", ".npz"):
-        kept = np.load(path)
-        return np.array_equal(kept["rgb"] if path.suffix == ".npz" else kept, frame.rgb)
-    return np.array_equal(np.asarray(Image.open(path)), views.image_view(frame))
+        kept, expected = np.load(path), frame.rgb
+    else:
+        kept, expected = np.asarray(Image.open(path)), views.image_view(frame)
+    kept = kept["rgb"] if path.suffix == ".npz" else kept
+    return kept.dtype == expected.dtype and np.array_equal(kept, expected)

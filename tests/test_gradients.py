@@ -1,16 +1,14 @@
 """The gradient of the height field: both exact forms, creases, the pole, the orders of the differences."""
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel
+from renderer import Scene, central, central4, exact, forward, gradient_at, pixel
 from renderer.kernels import FIELDS
-from tests.refusals import rejection
 from tests.strategies import steps, wave_numbers
 
 SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
@@ -55,13 +53,6 @@ def test_the_pole(scene, method):
         record = pixel(replace(scene, beta=beta), *POLE, method)
         assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
         assert record.point == record.normal == (0.0, 0.0, 1.0)
-
-
-@pytest.mark.parametrize(("u", "v"), [(1.0, 0.5), (-1e-9, 0.5), (0.5, -1e-9), (0.5, 1 + 1e-9), (np.nan, 0.5)])
-def test_points_off_the_chart_are_rejected(u, v):
-    for at in (height_at, partial(gradient_at, method=exact())):
-        said = rejection(at, SINE, [0.5, u], [0.5, v])
-        assert said == f"(u, v) = ({float(u)}, {float(v)}) is not allowed: u in [0, 1), v in [0, 1]"
 
 
 @given(chart_points, steps, wave_numbers)

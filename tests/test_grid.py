@@ -3,8 +3,8 @@
 import json
 import os
 import signal
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
+from itertools import product
 
 import pytest
 from distributed import Client, LocalCluster
@@ -14,7 +14,7 @@ from renderer.command_line import grid
 from renderer.command_line.grid import Checkpoint, key_of
 from renderer.command_line.verbs import main
 from renderer.machines import numpy_rows
-from renderer.picture.sweep import Task, sweep, table
+from renderer.picture.sweep import Task, compared, sweep, table
 from renderer.scene.methods import GradientMethod, central
 from renderer.whole_files import write_whole
 from tests.processes import python, started, wait_until
@@ -27,74 +27,39 @@ MANY = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=BETAS)
 LONG = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
 
 
-class Inline(Executor):
-    """An executor that computes a batch when it is given it, and remembers the tasks."""
-
-    def __init__(self):
-        self.tasks = []
-
-    def submit(self, work, batch, *arguments):
-        self.tasks += batch
-        future = Future()
-        future.set_result(work(batch, *arguments))
-        return future
-
-
 @pytest.fixture(scope="module")
 def many():
-    return grid.run(MANY, Inline())
+    return dict(zip(MANY, compared(MANY), strict=True))
 
 
 @pytest.fixture(scope="module")
 def long():
-    return grid.run(LONG, Inline())
-
-
-def test_a_grid_has_every_combination_once():
-    sizes, methods, steps = [(8, 8), (9, 7)], ["central", "forward"], (1e-2, 1e-3)
-    fields, betas = ["sine", "rings"], [0.1, -0.1]
-    tasks = grid.grid(Scene(), sizes, methods, steps * 2, field=fields * 2, beta=betas)
-    scenes = [Scene(field=field, beta=beta) for field in fields for beta in betas]
-    differences = [GradientMethod(method, eps) for method in methods for eps in steps]
-    assert tasks == [Task(scene, method, *size) for size in sizes for scene in scenes for method in differences]
+    return dict(zip(LONG, compared(LONG), strict=True))
 
 
 def test_a_key_is_of_the_content_the_sources_and_the_machine(tmp_path, monkeypatch):
     others = {"method": central(1e-4)}, {"width": 9}, {"height": 9}, {"scene": Scene(beta=0.1)}
-    keys = [key_of(TASK), *(key_of(replace(TASK, **other)) for other in others)]
-    assert key_of(Task(Scene(beta=0.35), central(0.001), *SIZE)) == keys[0]
+    keys = {key_of(TASK), *(key_of(replace(TASK, **other)) for other in others)}
+    assert key_of(Task(Scene(beta=0.35), central(0.001), *SIZE)) in keys and len(keys) == 5
     monkeypatch.setattr(grid, "__file__", str(tmp_path / "renderer" / "command_line" / "grid.py"))
-    version = grid.version.__wrapped__
-    versions = [version()]
+    version, versions = grid.version.__wrapped__, []
     for name, text in (("renderer/kernels.py", b""), ("renderer/kernels.py", b"#"), ("proofs/formulas/ranges.py", b"")):
         write_whole(tmp_path / name, text)
         versions.append(version())
     monkeypatch.setattr(grid, "machine", lambda: numpy_rows)
-    for made_by in (*versions, version()):
-        monkeypatch.setattr(grid, "version", lambda made_by=made_by: made_by)
-        keys.append(key_of(TASK))
-    assert len(set(keys)) == len(keys) == 10
+    assert len({*versions, version()}) == 4
+    monkeypatch.setattr(grid, "version", lambda: "another")
+    assert key_of(TASK) not in keys
 
 
-def test_a_batch_shares_its_chambers():
-    tasks = grid.grid(Scene(), [(8, 8), (9, 8)], ["central"], (1e-2, 1e-3), field=["sine", "rings"], beta=range(9))
+def test_a_batch_shares_its_chambers_and_has_no_task_twice():
+    """The larger the picture, the fewer."""
+    assert grid.grid(Scene(), [SIZE] * 2, ["central"] * 2, [1e-3] * 2, beta=[0.35] * 2) == [TASK]
     sizes = (8, 8), (2**10, 2**10), (2**13, 2**13)
-    tasks += grid.grid(Scene(ball=False), sizes, ["central"], (1e-2,), ku=range(1, 11))
+    tasks = MANY + grid.grid(Scene(ball=False), sizes, ["central"], (1e-2,), ku=range(1, 11))
     batches = grid.batches(tasks)
-    assert [*map(len, batches)] == [16, 16, 4, 16, 16, 4, 10, 8, 2, 4, 4, 2]  # the larger, the fewer
+    assert [*map(len, batches)] == [16, 16, 16, 16, 16, 10, 8, 2, 4, 4, 2]
     assert [task for batch in batches for task in batch] == tasks
-
-
-def test_the_rows_are_those_of_a_sweep():
-    scene, asked = (
-        Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None))),
-        {"field": ["sine", "ridges"], "kv": [3, 4]},
-    )
-    tasks = grid.grid(scene, [SIZE, (9, 9)], ["central4", "forward"], (1e-1, 1e-4), **asked)
-    rows = grid.run(tasks, Inline())
-    assert list(rows) == tasks and len(set(rows.values())) == len(tasks)
-    for task, row in rows.items():
-        assert sweep(task.scene, task.width, task.height, (task.method.eps,), task.method.name, 1) == [row]
 
 
 def test_a_batch_draws_the_exact_frame_once_a_scene_and_counts_flips(monkeypatch):
@@ -118,29 +83,6 @@ def test_a_batch_draws_the_exact_frame_once_a_scene_and_counts_flips(monkeypatch
 def test_a_worker_of_another_version_is_refused():
     with pytest.raises(ValueError, match="a worker's renderer is not allowed"):
         grid.compare_batch(MANY[:1], "another")
-
-
-def test_what_is_kept_is_not_computed_again(many, tmp_path):
-    executor = Inline()
-    for tasks in (MANY[20:40], MANY, MANY):
-        with Checkpoint(tmp_path / "a.jsonl") as kept:
-            assert grid.run(tasks, executor, kept) == {task: many[task] for task in tasks}
-    assert executor.tasks == MANY[20:40] + MANY[:20] + MANY[40:]
-    with ThreadPoolExecutor(3) as several:  # which finishes batches in any order
-        assert grid.run(MANY, several) == many
-
-
-def test_a_failure_keeps_what_was_finished_and_cancels_the_rest(many, tmp_path, monkeypatch):
-    def failing(batch, *arguments):
-        if MANY[32] in batch:
-            raise ArithmeticError("the third batch")
-        return {task: many[task] for task in batch}
-
-    monkeypatch.setattr(grid, "compare_batch", failing)
-    failure = pytest.raises(ArithmeticError, match="the third batch")
-    with failure, ThreadPoolExecutor(1) as executor, Checkpoint(tmp_path / "a.jsonl") as kept:
-        grid.run(MANY, executor, kept)
-    assert set(kept.rows) == {key_of(task) for task in MANY[:32]}
 
 
 def lines(path):
@@ -182,11 +124,24 @@ def test_a_dask_worker_that_is_killed(long, tmp_path):
     assert dict(results) == long
 
 
-def test_a_dask_cluster_from_the_command_line(many, capsys):
-    command = ["sweep", "--width", "24", "--height", "16", "--eps", "1e-2,1e-3", "--beta", "0.01,0.02"]
+def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):
+    """Every combination; the rows are those of a sweep."""
+    target, scene = tmp_path / "a.csv", Scene(lights=(Light((5, 5, 10)), Light((1, 1, 9), None)))
+    fields, betas, methods, steps = ["sine", "rings"], [-0.1, 0.35], ["forward", "central"], [1e-2, 1e-3, 0.1]
+    scenes = [replace(scene, field=field, beta=beta) for field in fields for beta in betas]
+    rows = {
+        Task(each, GradientMethod(method, eps), side, side): sweep(each, side, side, (eps,), method)[0]
+        for side, each, method, eps in product((16, 24), scenes, methods, steps)
+    }
+    scene.to_file(tmp_path / "a.toml")
+    lists = ["--field", "sine,rings", "--beta", "-0.1,.35", "--size", "16,24", "--eps", "1e-2,1e-3", ".1"]
+    command = ["sweep", *lists, "--gradient", "forward,central", "--scene", tmp_path / "a.toml", "--csv", target]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster:
-        assert main([*command, "--dask", cluster.scheduler_address]) == 0
-    assert capsys.readouterr().out == table({task: many[task] for task in MANY[:4]}) + "\n"
+        assert main([*map(str, command), "--dask", cluster.scheduler_address]) == 0
+    assert capsys.readouterr().out == f"{table(rows)}\nwrote {target}\n"
+    names, *records = lines(target)
+    assert names.startswith(b"field,ku,kv,beta,gradient,width,height,eps,largest,rms,flips,straddling,largest_lower,")
+    assert len(records) == len(rows)
 
 
 @pytest.fixture

@@ -3,13 +3,13 @@
 import os
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
 from renderer.machines import kept_code
 from renderer.whole_files import whole_file
 from tests.folders import contents
-from tests.processes import python, started
 
 KEY, CODE = "a" * 64, b"machine code"
 NAME = f"{KEY}.o"
@@ -68,14 +68,10 @@ def test_what_is_not_the_users_own_is_not_loaded(become, name, place):
 @pytest.mark.parametrize("name", ["file/code", "full", "a\0b"])
 def test_where_nothing_can_be_kept_nothing_is(name, tmp_path, monkeypatch):
     """A folder that is a file or has no name, a disk that is full."""
-
-    def full(*arguments, **options):
-        raise OSError(28, "No space left on device")
-
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(kept_code, "folder", lambda: tmp_path / name)
     if name == "full":
-        monkeypatch.setattr(Path, "write_bytes", full)
+        monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=OSError(28, "No space left on device")))
     kept_code.save(KEY, CODE)
     assert kept_code.load(KEY) is None
     assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["file"]
@@ -97,13 +93,12 @@ def test_it_is_kept_in_the_users_cache_and_closed_to_others(tmp_path, monkeypatc
 
 def test_what_was_not_used_for_longest_goes(place, monkeypatch):
     monkeypatch.setattr(kept_code, "LARGEST", 3 * (place / NAME).stat().st_size)
-    for number, name in enumerate("bcd"):
-        os.utime(place / NAME, (number, number))
-        kept_code.save(name, CODE)
-        os.utime(place / f"{name}.o", (10 + number, 10 + number))
-        if name == "b":
-            assert kept_code.load(KEY) == CODE  # used now
-            os.utime(place / "b.o", (1, 1))
+    kept_code.save("b", CODE)
+    kept_code.save("c", CODE)
+    for number, name in enumerate((NAME, "b.o", "c.o")):
+        os.utime(place / name, (number, number))
+    assert kept_code.load(KEY) == CODE  # used now
+    kept_code.save("d", CODE)
     assert contents(place).keys() == {"c.o", "d.o", NAME}
 
 
@@ -113,16 +108,3 @@ def test_written_by_two_at_once(place):
     with whole_file(place / NAME):  # another one that is half-way
         assert kept_code.load(KEY) == CODE
     assert kept_code.load(KEY) is None  # it kept nothing
-
-
-def test_commands_that_start_at_once_and_files_that_are_emptied(tmp_path):
-    """The picture is the same, whatever the files hold; nothing else is left in the folder."""
-    command = ["-m", "renderer", "image", "--size", "16", "--out"]
-    settings = os.environ | {kept_code.VARIABLE: str(tmp_path / "code")}
-    together = [started(*command, tmp_path / f"{number}.png", env=settings) for number in range(3)]
-    assert [one.wait(60) for one in together] == [0, 0, 0]
-    (kept,) = (tmp_path / "code").iterdir()
-    kept.write_bytes(b"")
-    python(*command, tmp_path / "3.png", env=settings)
-    assert kept.suffix == ".o" and kept.stat().st_size > 0
-    assert len({(tmp_path / f"{number}.png").read_bytes() for number in range(4)}) == 1

