@@ -16,10 +16,8 @@ from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
 from renderer.picture.frame import Frame
-from renderer.scene.raster import Raster
-from verify.accuracy.pixels import BITS, COLORS, truth_of
+from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, Picture, measure
-from verify.evaluate.arrays import response
 from verify.evaluate.balls import BALLS
 
 enclosed_bounds = Frame.bounds.fget
@@ -183,24 +181,3 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
 def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
     monkeypatch.setattr(enclosing.Operations, "where", staticmethod(one_sided))
     assert any(picture.wrong(0, 0) for picture in on_creases())
-
-
-@pytest.mark.parametrize("ratio", [0.25, 1e-2, 1e-4, 1e-6])
-@pytest.mark.parametrize("size", [0.32, 1e-4, 1e-8])
-def test_b_is_as_accurate_as_its_condition(ratio, size):
-    """A pixel's error is within 30 times what 64 shakes of all inputs by 1e-16 move it, or its own rounding."""
-    scene = Scene(eye=1 / ratio, ball=False)
-    (left,), (top,) = Raster(64, 64, (30, 20, 1, 1)).image_points(scene)
-    along = 1.3 * ratio  # how far from the image point to the eye
-    center = (1 - along) * left + 0.4 * size, (1 - along) * top + 0.3 * size, 1.3
-    scene = replace(scene, ball=True, ball_center=center, ball_radius=size)
-    picture = Picture(scene, 64, 64, exact(), (30, 20, 1, 1))
-    frame, true = picture.frame, truth_of(picture.frame, 0, 0)
-    assert frame.chambers[0, 0] & 3 == 2 and not picture.wrong(0, 0)
-
-    def change(shaken):
-        moved = truth_of(frame, 0, 0, shaken)
-        return max(float(abs(moved[name] - true[name])) for name in COLORS)
-
-    off, *_ = picture.errors(0, 0)
-    assert off.max() <= 30 * response(frame.rgb.max(), change)

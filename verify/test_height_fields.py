@@ -59,11 +59,6 @@ def test_the_wave_numbers_give_the_gradient_its_factors(field):
         gradient(false)
 
 
-def test_there_are_no_wave_numbers_of_other_waves():
-    without = [name for name, field in FIELDS.items() if not field.wave_numbers]
-    assert without == ["slanted", "waves", "bump", "gauss", "selected"]
-
-
 REFUSED = {
     "my-field": (v, "name = 'my-field' is not allowed: an identifier"),
     "lambda": (v, "no keyword of Python"),

@@ -1,4 +1,4 @@
-"""What the printed files do not show of themselves: a derivative at a root's edge, and a rule of another machine."""
+"""What the printed files do not show of themselves: a derivative at a root's edge, and words about a proof."""
 
 import re
 
@@ -7,11 +7,8 @@ from sympy import Derivative, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real
-from renderer.generate.rules import rule
 from renderer.generate.statements import proposition
-from renderer.machines.enclosing import Enclosed
 from verify.formal import FOLDER
 
 x, y = real("x y")
@@ -27,14 +24,6 @@ def test_a_derivative_has_to_exist():
     assert proposition(Claim("one", (equation(Derivative(sqrt(x), x), 1),))) == OF_ROOT
     with pytest.raises(ValueError, match="several symbols"):
         proposition(Claim("one", (equation(Derivative(x * y, x, y), 1),)))
-
-
-def test_a_rule_is_printed_as_the_machine_carries_it_out(monkeypatch):
-    """A machine that leaves a product's own rounding out prints another rule, of which no proof holds."""
-    *before, count = rule(RULES["enclosed_product"])
-    monkeypatch.setattr(Enclosed, "lost_in_product", lambda self, other, product: (0.0, False))
-    *after, less = rule(RULES["enclosed_product"])
-    assert before == after and count != less
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():

@@ -38,11 +38,11 @@ def products():
 
 
 def directions():
-    angles, lengths = RANDOM.uniform(0, np.pi / 2, 2000), 10.0 ** RANDOM.uniform(-5, 5, 2000)
-    small = np.concatenate([beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)])
-    y = np.concatenate([lengths * np.sin(angles), small, np.ones_like(small)])
-    x = np.concatenate([lengths * np.cos(angles), np.ones_like(small), small])
-    return np.concatenate([y, y, -y, -y]), np.concatenate([x, -x, x, -x])
+    nodes = beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)
+    ratios = np.concatenate([RANDOM.random(2000), *nodes])
+    ones = np.ones_like(ratios)
+    octants = [(s * y, t * x) for y, x in ((ratios, ones), (ones, ratios)) for s in (1, -1) for t in (1, -1)]
+    return tuple(map(np.concatenate, zip(*octants, strict=True)))
 
 
 def logarithms():

@@ -35,12 +35,6 @@ def test_an_escape_is_seen():
     assert escapes({part: errors + 1e-4 for part, errors in found.items()}, limits)[PARTS[2]] > 10  # a kernel's fault
 
 
-def test_a_representable_step_leaves_no_error_in_the_arguments():
-    step = best_step.representable_step(0.61, 1e-7)
-    moved = parts(STEEP, [step, 1e-7])[PARTS[1]]
-    assert step != 1e-7 and moved[0] == 0 != moved[1]
-
-
 @pytest.mark.parametrize(("k", "most"), [(8, 1.5), (512, 3.0)])
 def test_representable_steps_need_a_sine_of_an_exact_argument(k, most):
     assert 0.5 < best_step.gain(k, library=True) < most < best_step.gain(k) / 2
