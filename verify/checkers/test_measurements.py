@@ -131,4 +131,6 @@ def test_what_rests_on_a_cited_lemma_says_so():
     assert found["cited_lemmas"] == [{"relation": "x >= sin(x)", "source": "Blinn1978"}]
     assert summary(graded([found, user])) == {"proved_given_cited": 2}
     unknown = replace(theorem, claims=(claim.but(cited=(replace(lemma, source="Nobody1900"),)),))
-    assert "the bibliography has no Nobody1900" in proof_checker.examine(unknown, {"lemma": unknown}, anew=True).problems
+    assert (
+        "the bibliography has no Nobody1900" in proof_checker.examine(unknown, {"lemma": unknown}, anew=True).problems
+    )
