@@ -20,7 +20,6 @@ SOME = STEPS[::20]
 def test_what_is_taken_apart_is_the_renderers_error(case):
     """Its own difference, one step at a time."""
     scene, found = Scene(field=case.field, ku=case.k_u, kv=case.k_v), parts(case, SOME)
-    np.testing.assert_allclose(sum(found[part] for part in PARTS[:-1]), found["total"], rtol=1e-6, atol=1e-14)
     slopes = [gradient_at(scene, case.u, case.v, central(step)) for step in SOME.tolist()]
     drawn = np.array(slopes, float)[:, SLOPES.index(case.component)]
     true = in_balls(gradient(HEIGHT_FIELDS[case.field]), case.inputs)[case.component]
