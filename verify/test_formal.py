@@ -244,12 +244,7 @@ def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed,
 PRINT = """import json
 from renderer.generate.coq import float64_source, formulas_source
 print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))"""
-MODULE = re.compile(r"^Module (\w+)\.\n.*?^End \1\.", re.MULTILINE | re.DOTALL)
-
-
-def modules(text):
-    """Return {the text of a printed module: its name}."""
-    return {match[0]: match[1] for match in MODULE.finditer(text)}
+MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
 
 
 @needs_coq
@@ -258,20 +253,16 @@ def test_no_broken_formula_is_accepted(tmp_path, written):
     """One operator of proofs/formulas/ at a time: Coq refuses it, or no statement is about what is printed of it."""
     for name in ("proofs", "renderer"):
         shutil.copytree(ROOT / name, tmp_path / name)
-    by_hand = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
-    before = {name: by_hand[name] for name in ("Formulas", "Float64")}
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
     accepted = []
     for place in draw(everywhere(sites), 20):
         with edited(tmp_path, *place) as what:
             done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
-        if done.returncode:
-            continue  # it cannot be printed
-        after = json.loads(done.stdout)
-        changed = {n for file in after for n in (modules(after[file]).items() ^ modules(before[file]).items())}
-        written(**by_hand | after)
-        about = [
-            file for file, text in by_hand.items() if file not in after and any(f"{n}." in text for _, n in changed)
-        ]
+        printed = {} if done.returncode else json.loads(done.stdout)  # where it can be printed
+        written(**texts | printed)
+        changed = [{*MODULE.findall(text)} ^ {*MODULE.findall(texts[file])} for file, text in printed.items()]
+        names = {name for modules in changed for name, _ in modules}
+        about = [file for file in texts.keys() - printed if any(f"{name}." in texts[file] for name in names)]
         try:
             accepted += [what] if about and formal.compile_files(*about) else []
         except formal.NotAccepted as error:
