@@ -32,8 +32,8 @@ def test_the_clamped_case_is_the_difference_near_the_pole():
     assert held and {*held} <= {*same}
 
 
-@pytest.mark.parametrize("given", [(*nothing_wraps[:1], u - epsilon > 0, nothing_wraps[2]),
-                                   (*nothing_wraps[:2], u + epsilon > 1)])  # fmt: skip
-def test_an_edited_hypothesis_is_found(given):
-    held, same = places(inside, given, h_u)
+@pytest.mark.parametrize("edited", [(1, u - epsilon > 0), (2, u + epsilon > 1)])
+def test_an_edited_hypothesis_is_found(edited):
+    number, relation = edited
+    held, same = places(inside, (*nothing_wraps[:number], relation, *nothing_wraps[number + 1 :]), h_u)
     assert held != same

@@ -90,24 +90,28 @@ def of_states():
     """Yield (a claim, why it has no statement): a line's name may change with x, and a state with n."""
     for changing in (Derivative(y, x), Derivative(y**2, y), Derivative(y * x, x)):
         yield Claim("of a line", (equation(changing, 0),), (), line(y, x + 1)), "a line defines"
-    none, whole = (equation(x, 0),), Symbol("n", integer=True)
+    none = (equation(x, 0),)
+    state = Induction("of states", n, none, ((x, 0, x),))
+    for why, shown in (
+        ("in an angle", equation(cos(x), 1)),
+        ("shows equations", greater(1, x)),
+        ("a radical", equation(sqrt(y), x)),
+        ("neither given nor chosen", equation(Max(x, y), x)),
+        ("an angle that occurs", equation(cos(n * y), 1)),
+        ("an angle that occurs", equation(cos(n * y / 2) * cos(y), 1)),
+        ("plain real", equation(cos(y * Symbol("n", integer=True)), cos(n * y))),
+    ):
+        yield state.but(shows=(shown,)), why
+    for assumptions in ({"positive": True}, {"integer": True, "zero": False}):
+        yield state.but(n=Symbol("n", **assumptions)), "nothing else"
     for why, changes in (
+        ("no name", {"n": Symbol("pi", integer=True)}),
         ("twice", {"states": ((x, 1, x), (x, 0, x))}),
         ("starts from", {"states": ((x, y, x), (y, 1, y))}),
-        ("in an angle", {"shows": (equation(cos(x), 1),)}),
         ("what is given", {"given": none}),
         ("what is given", {"given": (greater(cos(n * y), 0),)}),
-        ("shows equations", {"shows": (greater(1, x),)}),
-        ("a radical", {"shows": (equation(sqrt(y), x),)}),
-        ("neither given nor chosen", {"shows": (equation(Max(x, y), x),)}),
-        ("an angle that occurs", {"shows": (equation(cos(n * y), 1),)}),
-        ("an angle that occurs", {"shows": (equation(cos(n * y / 2) * cos(y), 1),)}),
-        ("nothing else", {"n": Symbol("n", positive=True)}),
-        ("nothing else", {"n": Symbol("n", integer=True, zero=False)}),
-        ("no name", {"n": Symbol("pi", integer=True)}),
-        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
     ):
-        yield Induction("of states", n, none, ((x, 0, x),)).but(**changes), why
+        yield state.but(**changes), why
 
 
 REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
