@@ -2,7 +2,7 @@
 
 import itertools
 from dataclasses import replace
-from operator import add, mul, truediv
+from operator import mul, truediv
 from types import SimpleNamespace
 
 import numpy as np
@@ -83,7 +83,6 @@ def test_a_floor_without_squares_is_open(radius, by_rows):
 
 WIDE = (-50.0, 50.0)
 OPERATIONS = {
-    "sum": (add, add, WIDE, WIDE),
     "product": (mul, mul, WIDE, WIDE),
     "quotient": (truediv, truediv, WIDE, WIDE),
     "selection": (
@@ -92,9 +91,6 @@ OPERATIONS = {
         WIDE,
         (3, 3),
     ),
-    "square root": (operations.sqrt, arb.sqrt, (1.0, 50.0)),
-    "floor": (operations.floor, arb.floor, WIDE),
-    "rint": (operations.rint, BALLS["rint"], WIDE),
     "sinpi": (kernels.sinpi, arb.sin_pi, WIDE),
     "cospi": (kernels.cospi, arb.cos_pi, WIDE),
     "atan2pi": (kernels.atan2pi, BALLS["atan2pi"], WIDE, WIDE),
@@ -102,6 +98,7 @@ OPERATIONS = {
     "log": (kernels.log, arb.log, (1.0, 50.0)),
     "power": (kernels.power, arb.__pow__, (1e-6, 1.0), (1e-3, 100.0)),
 }
+"""What is not among the rules that Coq proves (`enclosing_rules`), and what false bounds are of."""
 
 
 def escapes(name, count=2000):
@@ -133,12 +130,6 @@ def escapes(name, count=2000):
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_an_operation_stays_in_its_bounds(name):
     assert escapes(name) == 0
-
-
-@pytest.mark.parametrize(("found", "at"), [(operations.floor, 3.0), (operations.rint, 2.5)])
-def test_a_bound_however_small_moves_a_whole_number(found, at):
-    """So few roundings are a bound that float64 takes for 0."""
-    assert found(Enclosed.counted(np.float64(at), 2.0**-1074)).bound >= 1.0
 
 
 def one_sided(mask, value, otherwise):

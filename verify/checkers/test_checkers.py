@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from proofs import check
-from proofs.check import FOLDER, canonical, verdicts
+from proofs.check import FOLDER, canonical
 from proofs.engine import kernel
 from proofs.engine import stored as stored_file
 from proofs.engine.stored import Stale, stored
@@ -16,10 +16,8 @@ from verify.checkers.kernels import accepted, compact
 from verify.checkers.known_bad import (
     BROKEN,
     BY_FIRST_FACT,
-    CERTIFICATE,
     GOOD,
     NOTHING,
-    STATEMENT,
     UNSOUND,
     WELL_FORMED,
     assume,
@@ -74,39 +72,42 @@ def test_a_run_tells_a_weakened_kernel():
     assert {wrong.partition(" accepts ")[0] for wrong in wrong_verdicts(weak)} == WEAKENED.keys()
 
 
-def test_a_file_is_its_own_canonical_form():
-    pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE, "point": {}}
-    claim = {"claim": "c", "statements": [pair]}
-    data = {"version": 1, "theorem": "attack", "claims": [claim]}
-    good = canonical(data)
-    assert verdicts(good, "attack") == [("c", "its sha256 is another statement's")]
-    claims = ([], [claim, claim | {"claim": "d", "statements": []}], [claim, claim])
-    others = ({"more": 1}, {"theorem": "another"}, *({"claims": said} for said in claims))
-    for text in (
-        json.dumps(data),
-        good.replace('"version": 1,', '"version": 1, "version": 1,', 1),
-        *(canonical(data | changed) for changed in others),
-        *("", "[" * 10**5, "9" * 5000, "\udcff", good.replace('"c"', '"\udcff"')),
-    ):
-        assert verdicts(text, "attack")[0][0] == "the file"
-
-
 def test_a_number_of_thousands_of_digits_is_told_in_words():
     long = derivation(("define", {"x": "1", "": "9" * 500}, {"new": "a"}), show({"a^20": "1"}, "="))
     assert "thousands of digits" in why_rejected(long, {"proofs": [NOTHING]})
 
 
+GOOD_FILE = (FOLDER / "unit_length.json").read_bytes()
+DATA = json.loads(GOOD_FILE)
+FIRST = DATA["claims"][0]
+REFUSED_FILES = [
+    *(GOOD_FILE.replace(b"\n", end) for end in (b"\r\n", b"")),
+    *(b"\xef\xbb\xbf" + GOOD_FILE, GOOD_FILE + b"\xff", GOOD_FILE[:-9], b"", b"[" * 10**5, b"9" * 5000),
+    GOOD_FILE.replace(b'"version": 1,', b'"version": 1,\n "version": 1,', 1),
+    *(
+        canonical(DATA | changed).encode()
+        for changed in (
+            {"more": 1},
+            {"theorem": "another"},
+            {"claims": []},
+            {"claims": [FIRST, FIRST | {"claim": "empty", "statements": []}]},
+            {"claims": [FIRST, FIRST]},
+        )
+    ),
+]
+
+
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
-    """For the grade as for `proofs.check`: line ends, a byte order mark, what is no UTF-8, what is cut off."""
+    """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
-    good = (FOLDER / path.name).read_bytes()
     monkeypatch.setattr(check, "FOLDER", tmp_path)
     monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
-    path.write_bytes(good.replace(b'"-1"', b'"1"', 1))
-    assert check.main([]) == 1 and "the two sides differ" in capsys.readouterr().out
-    for bad in (good.replace(b"\n", b"\r\n"), b"\xef\xbb\xbf" + good, good + b"\xff", good[:-9]):
+    for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
+        path.write_bytes(GOOD_FILE.replace(was, false, 1))
+        assert check.main([]) == 1 and why in capsys.readouterr().out
+    for bad in REFUSED_FILES:
         path.write_bytes(bad)
-        assert check.main([]) == 1
+        assert check.main([]) == 1 and "the file: " in capsys.readouterr().out
         with pytest.raises(Stale, match="of its stored certificates"):
             stored(theorems["unit_length"], theorems)
     assert check.main(["no_such_theorem"]) == 2 and "no_such_theorem" in capsys.readouterr().err

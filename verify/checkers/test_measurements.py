@@ -43,10 +43,9 @@ def test_a_measurement_holds_and_rejects_its_false_variant(measured):
     false = {"at most 80": {"bound": 80}}
     found = measured(squares, false)
     assert (found.grade, found.mutants, found.mutants_killed) == ("measured", 1, 1)
-    assert found.record["measurements"][0] == {
-        "samples": 10, "seed": None, "certified": False, "what": "squares", "worst": 81.0, "bound": 81.0,
-        "numbers": {"n": 9}, "false_variants": [{"variant": "at most 80", "rejected": True}],
-    }  # fmt: skip
+    (kept,) = found.record["measurements"]
+    assert (kept["certified"], kept["worst"], kept["numbers"]) == (False, 81.0, {"n": 9})
+    assert kept["false_variants"] == [{"variant": "at most 80", "rejected": True}]
     assert measured(squares, false, expected="certified").grade == "measured"  # short of what was expected
     assert measured(lambda bound=80: squares(bound), false).grade == "failed"
     blind = measured(squares, {"at most 81": {"bound": 81}})
@@ -63,7 +62,6 @@ SINE = Enclosure(
     PIECES["sinpi"](), ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
 )
 TAMPERED = {
-    "no statement": {"what": ""},
     "nothing": {"pieces": []},
     "no range": {"over": ()},
     "an infinite bound": {"bound": arb("inf")},
@@ -72,7 +70,6 @@ TAMPERED = {
     "one number": {"pieces": [(arb(0.125), arb(0.125), arb(1))], "over": ((0.125, 0.125),)},
     "a gap": {"pieces": SINE.pieces[:300] + SINE.pieces[301:]},
     "beyond its pieces": {"over": ((0.001, 0.26),)},
-    "a wide ball": {"pieces": [*SINE.pieces[1:], (*SINE.pieces[0][:2], arb(1, 1))]},
     "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
     "its own function": {"at": lambda points: 0 * points},
 }
