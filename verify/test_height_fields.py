@@ -48,7 +48,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
-@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=lambda f: f.name)
+@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
 def test_the_wave_numbers_give_the_gradient_its_factors(field):
     at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
     named, whole = in_balls(gradient(field), at), Program("slopes", CHART, (((h_u, h_v), field.gradient()),))

@@ -9,7 +9,7 @@ import pytest
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, central, gradient_at
 from verify.accuracy import best_step
-from verify.accuracy.differences import CASES, PARTS, SLOPES, STEPS, bounds, escapes, parts
+from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
 from verify.evaluate.arrays import in_balls, signed_distance
 
 STEEP = CASES[0]
@@ -31,7 +31,6 @@ def test_an_escape_is_seen():
     assert not any(escapes(found, limits).values())
     assert any(escapes(found, {part: limit / 4 for part, limit in limits.items()}).values())
     assert escapes(found | {"total": np.nan * SOME}, limits)["total"] == len(SOME)
-    assert escapes({part: errors + 1e-4 for part, errors in found.items()}, limits)[PARTS[2]] > 10  # a kernel's fault
 
 
 @pytest.mark.parametrize(("k", "most"), [(8, 1.5), (512, 3.0)])
