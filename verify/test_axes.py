@@ -13,6 +13,8 @@ from verify.evaluate.arrays import distance, in_balls
 
 POINT = chain("image_points", image_extent, image_point, outputs=(x, y))
 RASTERS = ((61, 60, Scene()), (80, 20, Scene(eye=7.3, radius=0.1)), (33, 19, Scene(eye=1.001)))
+
+
 def image_points():
     """Yield how far each coordinate of each raster's x and y is from the exact one, and its bound."""
     for width, height, scene in RASTERS:

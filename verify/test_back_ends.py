@@ -83,6 +83,5 @@ def test_mpmath_agrees(name):
 
 def test_another_order_of_additions_is_told_apart():
     numbers = np.random.default_rng(4).normal(size=(3, POINTS))
-    a, b, c = numbers
     (compiled,) = loop_of(lambda a, b, c: a + (b + c), 1)(*numbers)
-    assert (compiled == a + (b + c)).all() and (compiled != (a + b) + c).any()
+    assert (compiled == numbers[0] + (numbers[1] + numbers[2])).all() and (compiled != sum(numbers)).any()

@@ -20,7 +20,7 @@ from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, Picture, measure
 from verify.evaluate.balls import BALLS
 
-enclosed_bounds = Frame.bounds.fget
+enclosed_bounds, where = Frame.bounds.fget, enclosing.Operations.where
 
 
 @pytest.fixture
@@ -134,9 +134,7 @@ def test_an_operation_stays_in_its_bounds(name):
 
 def one_sided(mask, value, otherwise):
     """Return a selection that covers the side alone that was computed."""
-    value, otherwise = map(enclosing.enclosed, (value, otherwise))
-    chosen, bound = ((mask.holds, *pair) for pair in ((value.value, otherwise.value), (value.bound, otherwise.bound)))
-    return Enclosed(operations.where(*chosen), operations.where(*bound))
+    return where(Mask(mask.holds), value, otherwise)
 
 
 def product(own=1.0, second_order=1.0):

@@ -95,11 +95,8 @@ def test_maps_show_that_nothing_is_lost_off_the_rim():
 
 
 def test_each_step_has_its_own_term():
-    """At the pole the step is one-sided: the crease in reach is the end of the chart, and no sample lies beyond it."""
     points = np.random.default_rng(12).uniform(0.02, 0.98, (2, 150))
     kinds = {eps: attribution.shares(attribution.dominant(Scene(), *points, eps)) for eps in (0.06, 1e-4, 1e-9)}
     assert kinds[0.06]["straddling"] > 0.5
     assert kinds[1e-4]["truncation"] > 0.95
     assert kinds[1e-9]["argument rounding"] + kinds[1e-9]["roundoff"] == pytest.approx(1)
-    at_pole = attribution.dominant(Scene(), np.full(5, 0.07), np.linspace(1e-3, 9e-3, 5), 1e-2)
-    assert attribution.shares(at_pole)["one-sided"] == 1
