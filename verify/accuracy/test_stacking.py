@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from renderer import Scene, render
+from renderer import Scene
 from verify.accuracy import stacking
 from verify.accuracy.stacking import stacked
 
@@ -29,11 +29,3 @@ def test_a_mean_does_not_heal_a_difference():
     """What a difference is off by has one sign over a lamp: were it noise, 16 points would leave a quarter."""
     one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms.value for lamp in (1, 4))
     assert 0.9 < many / one < 1
-
-
-def test_mirrored_rays_part_with_the_pipelines_and_not_without_a_bump():
-    """So a lobe of reflected directions is no mean of this kind."""
-    apart, pixels = stacking.mirrors_apart(Scene(), SIDE)
-    assert 0.02 < apart / pixels < 0.12
-    assert stacking.mirrors_apart(Scene(beta=0.0), SIDE) == (0, pixels)
-    assert {*stacking.mirrored(Scene(), render(Scene(), SIDE, SIDE).planes_on_a)} == {*range(5)}

@@ -33,11 +33,6 @@ def test_an_escape_is_seen():
     assert escapes(found | {"total": np.nan * SOME}, limits)["total"] == len(SOME)
 
 
-@pytest.mark.parametrize(("k", "most"), [(8, 1.5), (512, 3.0)])
-def test_representable_steps_need_a_sine_of_an_exact_argument(k, most):
-    assert 0.5 < best_step.gain(k, library=True) < most < best_step.gain(k) / 2
-
-
 @pytest.mark.parametrize("k", [1, 8, 512])
 @pytest.mark.parametrize("representable", [False, True])
 def test_the_best_step_is_where_it_is_predicted(k, representable):
