@@ -8,8 +8,12 @@ import sys
 from importlib.util import find_spec
 
 import pytest
+from sympy import Derivative, sqrt
 
+from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
+from proofs.formulas.symbols import real
+from renderer.generate.statements import proposition
 from renderer.whole_files import write_whole
 from verify import formal, survey, vernacular
 from verify.sources import ROOT
@@ -81,18 +85,6 @@ def test_what_is_not_proved_is_not_accepted(written, monkeypatch):
     written(Wrong=WRONG)
     with pytest.raises(formal.NotAccepted, match=WHY):
         formal.compile_files(said={theorem: {"axioms": []} for theorem in THEOREMS})
-
-
-@needs_coq
-def test_coqs_own_checker_refuses_a_file_that_coq_did_not_compile_so(tmp_path):
-    (tmp_path / "One.v").write_text("Theorem one : 1 = 1. Proof. reflexivity. Qed.", encoding="utf-8")
-    subprocess.run([*formal.COQC, "One.v"], cwd=tmp_path, check=True)
-    formal.check_again(tmp_path, ["One"])
-    compiled = bytearray((tmp_path / "One.vo").read_bytes())
-    compiled[len(compiled) // 2] ^= 1
-    (tmp_path / "One.vo").write_bytes(compiled)
-    with pytest.raises(formal.NotAccepted, match="coqchk does not accept"):
-        formal.check_again(tmp_path, ["One"])
 
 
 AXIOM = "Axiom three : 1 + 1 = 3."
@@ -239,6 +231,29 @@ def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed,
     found = {"unit_length": survey.Said({}, {"unit_length__length": []})}
     with pytest.raises(formal.NotAccepted, match=why):
         survey.read(found, survey.groups(found, {}), printed)
+
+
+x, y = real("x y")
+OF_ROOT = """forall x : R,
+  x >= 0 /\\
+  x > 0 /\\
+  ex_derive (fun x : R => sqrt x) x /\\
+  (Derive (fun x : R => sqrt x) x) = 1"""
+
+
+def test_a_derivative_has_to_exist():
+    """Beyond 0 Coq's root is a number, and so is its Derive."""
+    assert proposition(Claim("one", (equation(Derivative(sqrt(x), x), 1),))) == OF_ROOT
+    with pytest.raises(ValueError, match="several symbols"):
+        proposition(Claim("one", (equation(Derivative(x * y, x, y), 1),)))
+
+
+def test_the_roundings_that_steps_name_are_those_of_the_proof():
+    proof = (formal.FOLDER / "RoundedGradient.v").read_text(encoding="utf-8")
+    words = " ".join(step.what for step in all_theorems()["gradient_accuracy"].steps)
+    named = re.findall(r"(\d+)\.(\d+)\\mu", words)
+    assert len(named) == 2
+    assert all(f" <= {int(whole + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for whole, digits in named)
 
 
 PRINT = """import json
