@@ -92,12 +92,6 @@ def draw(sites, number, config=None):
     return sites if config and config.getoption("--long") else random.Random(SEED).sample(sites, number)
 
 
-@cache
-def passes_as_it_is(folder, stage):
-    """Return whether a stage passes before any edit."""
-    return passes(folder, stage)
-
-
 def passes(folder, stage, seconds=900):
     """Return whether a stage passes in the folder; an edit that keeps a loop from ending is not a pass."""
     command = [sys.executable, "-m", *stage]
@@ -105,6 +99,9 @@ def passes(folder, stage, seconds=900):
         return subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=seconds).returncode == 0
     except subprocess.TimeoutExpired:
         return False
+
+
+passes_as_it_is = cache(passes)  # before any edit
 
 
 @pytest.fixture(scope="module")

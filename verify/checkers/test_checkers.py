@@ -7,9 +7,7 @@ import pytest
 
 from proofs import check
 from proofs.check import FOLDER, canonical
-from proofs.engine import kernel
-from proofs.engine import stored as stored_file
-from proofs.engine.stored import Stale, stored
+from proofs.engine import kernel, stored
 from proofs.engine.theorem import all_theorems
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted, compact
@@ -26,7 +24,6 @@ from verify.checkers.known_bad import (
     show,
     wrong_verdicts,
 )
-from verify.checkers.proof_checker import why_rejected
 
 
 def test_the_kernels_accept_what_is_well_formed():
@@ -72,9 +69,13 @@ def test_a_run_tells_a_weakened_kernel():
     assert {wrong.partition(" accepts ")[0] for wrong in wrong_verdicts(weak)} == WEAKENED.keys()
 
 
-def test_a_number_of_thousands_of_digits_is_told_in_words():
-    long = derivation(("define", {"x": "1", "": "9" * 500}, {"new": "a"}), show({"a^20": "1"}, "="))
-    assert "thousands of digits" in why_rejected(long, {"proofs": [NOTHING]})
+def test_a_case_that_cannot_occur_is_no_claim():
+    """Of |x| < 0 no case can occur: each is proved impossible, and the claim is refused."""
+    absurd = derivation(assume({"x": "1"}, ">"), assume({"x": "-1"}, ">"), show({"": "1"}, "="), variables=["x"])
+    proof = {"rule": "contradiction", "positive": [0], "sum": [["1", {"": "1"}, [1]]], "cofactors": []}
+    case = absurd, {"proofs": [proof]}, None
+    assert check.reasons([case, case]) == ["its hypotheses contradict each other"] * 2
+    assert check.reasons([case, (*GOOD, {})]) == [None, None]
 
 
 GOOD_FILE = (FOLDER / "unit_length.json").read_bytes()
@@ -101,16 +102,16 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
     """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
     monkeypatch.setattr(check, "FOLDER", tmp_path)
-    monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
+    monkeypatch.setattr(stored, "FOLDER", tmp_path)
     for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
         path.write_bytes(GOOD_FILE.replace(was, false, 1))
         assert check.main([]) == 1 and why in capsys.readouterr().out
     for bad in REFUSED_FILES:
         path.write_bytes(bad)
         assert check.main([]) == 1 and "the file: " in capsys.readouterr().out
-        with pytest.raises(Stale, match="of its stored certificates"):
-            stored(theorems["unit_length"], theorems)
-    assert check.main(["no_such_theorem"]) == 2 and "no_such_theorem" in capsys.readouterr().err
+        with pytest.raises(stored.Stale, match="of its stored certificates"):
+            stored.stored(theorems["unit_length"], theorems)
+    assert check.main(["nothing"]) == 2 and "nothing" in capsys.readouterr().err
 
 
 def test_the_schema_is_the_form_that_the_kernel_asks_for():

@@ -48,10 +48,13 @@ def test_a_mutant_that_holds_fails_the_theorem():
     real = theorems["unit_length"]
     mutants = (Mutant("the same", real.claims[0]),) * 2
     found = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
-    wrong = ("a certificate of the theorem proves the mutant", "mutant accepted", "mutant without a counterexample")
-    assert {f"{each}: the same" for each in wrong} <= {*found.problems}
-    assert any(problem.startswith("these say the same: ") for problem in found.problems)
-    assert (found.grade, found.mutants_killed) == ("failed", 0)
+    assert {problem.partition(":")[0] for problem in found.problems} == {
+        "a certificate of the theorem proves the mutant",
+        "these say the same",
+        "mutant accepted",
+        "mutant without a counterexample",
+    }
+    assert found.mutants_killed == 0
 
 
 RUNS = [  # of each theorem its id, its own grade, its grade in the run, and what it uses
@@ -85,7 +88,7 @@ def test_uses_is_complete():
         return incomplete(second, {"first": first, "second": second})
 
     assert theorem("second", claim=taken).uses == ("first",)
-    assert problems(taken) == problems(elsewhere) == problems(elsewhere, ("first",)) == []
+    assert problems(taken) == problems(elsewhere) == []
     assert problems(plain, ("first",), steps=(named,)) == []
     assert "second: uses first, but no claim borrows" in problems(plain, ("first",))[0]
     assert problems(assumed) == ["second/sum: borrow y >= 0 from first/square"]

@@ -31,7 +31,7 @@ from proofs.engine.stored import statements
 
 x, y, n = symbols("x y n", real=True)
 HIDDEN = ["nonnegative", "integer", "nonzero", "extended_real", "positive"]
-TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
+TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "x y", "", "x^2", "2x", "é", "_x", "x\n"]
 with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
 
@@ -99,12 +99,13 @@ def of_states():
         ("neither given nor chosen", equation(Max(x, y), x)),
         ("an angle that occurs", equation(cos(n * y), 1)),
         ("an angle that occurs", equation(cos(n * y / 2) * cos(y), 1)),
-        ("plain real", equation(cos(y * Symbol("n", integer=True)), cos(n * y))),
     ):
         yield state.but(shows=(shown,)), why
     for assumptions in ({"positive": True}, {"integer": True, "zero": False}):
         yield state.but(n=Symbol("n", **assumptions)), "nothing else"
+    whole = Symbol("n", integer=True)
     for why, changes in (
+        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
         ("no name", {"n": Symbol("pi", integer=True)}),
         ("twice", {"states": ((x, 1, x), (x, 0, x))}),
         ("starts from", {"states": ((x, y, x), (y, 1, y))}),

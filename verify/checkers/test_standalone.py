@@ -11,7 +11,7 @@ from proofs import check
 from proofs.check import FOLDER
 from proofs.engine import kernel, standalone
 from proofs.engine.standalone import standalone_script
-from proofs.engine.theorem import Theorem, all_theorems
+from proofs.engine.theorem import all_theorems
 from verify.sources import ROOT
 
 
@@ -53,10 +53,3 @@ def test_every_certificate_has_a_script_that_holds_the_checker_as_it_stands():
         script = standalone_script(id)
         compile(script, id, "exec")
         assert all(inspect.getsource(part).strip() in script for part in (kernel, check, standalone.run))
-
-
-def test_what_has_no_certificate_has_no_script(monkeypatch):
-    cited = Theorem("elsewhere", "Elsewhere", "", expected="cited", source="Blinn1978")
-    monkeypatch.setattr(standalone, "all_theorems", lambda: {"elsewhere": cited})
-    with pytest.raises(ValueError, match="elsewhere is cited: it has no certificate"):
-        standalone_script("elsewhere")
