@@ -92,11 +92,11 @@ def draw(sites, number, config=None):
     return sites if config and config.getoption("--long") else random.Random(SEED).sample(sites, number)
 
 
-def passes(folder, stage, seconds=900):
+def passes(folder, stage):
     """Return whether a stage passes in the folder; an edit that keeps a loop from ending is not a pass."""
     command = [sys.executable, "-m", *stage]
     try:
-        return subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=seconds).returncode == 0
+        return subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=900).returncode == 0
     except subprocess.TimeoutExpired:
         return False
 

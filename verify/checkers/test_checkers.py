@@ -83,7 +83,7 @@ DATA = json.loads(GOOD_FILE)
 FIRST = DATA["claims"][0]
 REFUSED_FILES = [
     *(GOOD_FILE.replace(b"\n", end) for end in (b"\r\n", b"")),
-    *(b"\xef\xbb\xbf" + GOOD_FILE, GOOD_FILE + b"\xff", GOOD_FILE[:-9], b"", b"[" * 10**5, b"9" * 5000),
+    *(b"\xef\xbb\xbf" + GOOD_FILE, GOOD_FILE + b"\xff", GOOD_FILE[:-9], b"", b"[" * 10**5),
     GOOD_FILE.replace(b'"version": 1,', b'"version": 1,\n "version": 1,', 1),
     *(
         canonical(DATA | changed).encode()

@@ -30,7 +30,7 @@ from proofs.engine.program import Program
 from proofs.engine.stored import statements
 
 x, y, n = symbols("x y n", real=True)
-HIDDEN = ["nonnegative", "integer", "nonzero", "extended_real", "positive"]
+HIDDEN = ["nonnegative", "nonzero", "extended_real", "positive"]
 TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "x y", "", "x^2", "2x", "é", "_x", "x\n"]
 with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
