@@ -19,7 +19,7 @@ FIELDS = [
 ]
 
 
-@pytest.mark.parametrize("along", [u, v], ids=str)
+@pytest.mark.parametrize("along", [u, v])
 @pytest.mark.parametrize("field", FIELDS, ids=str)
 def test_no_error_is_above_its_bound_and_some_come_near(field, along):
     found = u_curve(field, along, POINT, STEPS)

@@ -11,7 +11,7 @@ SIDE = 64
 SINE = Scene(field="sine")
 
 
-@pytest.mark.parametrize("scene", [SINE, Scene()], ids=str)
+@pytest.mark.parametrize("scene", [SINE, Scene()])
 @pytest.mark.parametrize("samples", [{"lamp": 4}, {"pixel": 3}, {"lamp": 2, "pixel": 2}], ids=str)
 def test_a_mean_keeps_the_bound_and_moves_no_boundary(scene, samples):
     mean = stacked(scene, **samples, side=SIDE)

@@ -62,7 +62,9 @@ SINE = Enclosure(
     PIECES["sinpi"](), ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
 )
 TAMPERED = {
+    "no statement": {"what": ""},
     "nothing": {"pieces": []},
+    "no range": {"over": ()},
     "an infinite bound": {"bound": arb("inf")},
     "a bound that is a float": {"bound": 1.34},
     "a smaller bound": {"bound": Fraction(133, 100)},

@@ -72,12 +72,7 @@ def test_the_order_of_the_lights_rounds_and_does_no_more():
     assert symmetry.permuted_lights(symmetry.FIVE_LIGHTS) <= 20 * UNIT
 
 
-def test_maps_show_that_nothing_is_lost_off_the_rim():
-    """Ours ≤ 16 roundings of h_u itself, wherever, and 0 on a crease; the seed's form misses those zeros altogether.
-
-    8(1 + k) = 72 roundings are allowed where 1 − (ρ/ρ_s)² ≥ 0.1, that is within 0.94 ρ_s.
-    """
-    chart, image = maps.over_the_chart(side=64), maps.over_the_image(size=40, reach=0.66)
-    assert chart["ours"].max() <= 16 and chart["seed"].max() == maps.MISSED_ZERO
-    assert np.nanmax(image["ours"]) <= 72
-    assert maps.summary(image["seed"])[1] > maps.summary(image["ours"])[1] + 5
+def test_over_the_chart_ours_is_right_to_the_last_places():
+    """Ours ≤ 16 roundings of h_u itself, wherever, and 0 on a crease; the seed's form misses those zeros altogether."""
+    found = maps.over_the_chart(side=64)
+    assert found["ours"].max() <= 16 and found["seed"].max() == maps.MISSED_ZERO
