@@ -2,18 +2,20 @@
 
 import json
 import time
-from pathlib import Path
 
 import pytest
 
+from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
+from verify import formal
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
+from verify.sources import ROOT
 
-BOOK = Path(__file__).resolve().parent.parent / "book"
-REPORT = BOOK / "_generated" / "proofs.json"
-EVIDENCE: list[tuple[dict, str]] = []
-"""[(the evidence that a test's report carries, how long it took)], in the process that controls the workers"""
+REPORT = ROOT / "book" / "_generated" / "proofs.json"
+EVIDENCE: list[dict] = []
+TOOK: dict[str, str] = {}
+"""The evidence that tests' reports carry, and {theorem: how long it took}, in the process that controls the workers"""
 
 
 def pytest_addoption(parser):
@@ -52,8 +54,6 @@ def pytest_pycollect_makemodule(module_path, parent):
 def pytest_collection_modifyitems(config, items):
     """Keep what --theorem names, and skip what is marked long without --long."""
     if ids := config.getoption("theorem"):
-        from proofs.engine.theorem import all_theorems
-
         theorems = all_theorems()
         if unknown := set(ids) - theorems.keys():
             raise pytest.UsageError(f"--theorem: there is no {', '.join(sorted(unknown))}")
@@ -88,17 +88,13 @@ def record_evidence(record_property):
 def pytest_runtest_logreport(report):
     properties = dict(report.user_properties)
     if report.when == "call" and "evidence" in properties:
-        EVIDENCE.append((json.loads(properties["evidence"]), properties["took"]))
+        EVIDENCE.append(json.loads(properties["evidence"]))
+        TOOK[EVIDENCE[-1]["id"]] = properties["took"]
 
 
 def _results():
-    """Return [(entry of the report, how long it took)] in order of the ids."""
-    took = {entry["id"]: time for entry, time in EVIDENCE}
-    from proofs.engine.theorem import all_theorems
-    from verify import formal
-
-    entries = graded([entry for entry, _ in EVIDENCE], formal.proved_here(all_theorems().values()))
-    return [(entry, took[entry["id"]]) for entry in entries]
+    """Return the entries of the report in order of the ids."""
+    return graded(EVIDENCE, formal.proved_here(all_theorems().values()))
 
 
 def pytest_sessionfinish(session, exitstatus):
@@ -106,14 +102,11 @@ def pytest_sessionfinish(session, exitstatus):
     config = session.config
     if hasattr(config, "workerinput") or not EVIDENCE:
         return
-    entries = [entry for entry, _ in _results() if entry["grade"] != NOT_RECHECKED]
+    entries = [entry for entry in _results() if entry["grade"] != NOT_RECHECKED]
     partial = config.getoption("keyword") or config.getoption("theorem")
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
-    from proofs.engine.theorem import all_theorems
-    from verify import formal
-
-    if BOOK.is_dir() and {entry["id"] for entry in entries} == all_theorems().keys():
+    if (ROOT / "book").is_dir() and {entry["id"] for entry in entries} == all_theorems().keys():
         asked = {"the second checker": not any("second_checker" in e for e in entries), "Coq": formal.accepted_here()}
         report = {"version": 1, "summary": summary(entries), "theorems": entries, "asked": asked}
         write_whole(REPORT, (json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode())
@@ -124,21 +117,20 @@ def pytest_terminal_summary(terminalreporter):
     if not EVIDENCE:
         return
     terminalreporter.section("theorems")
-    results = _results()
-    for entry, took in results:
+    for entry in (results := _results()):
         good = entry["grade"] in (entry["expected"], NOT_RECHECKED)
         mark = "" if good else f"   expected {entry['expected']}  {entry.get('reason', '')}"
-        line = f"{entry['id']:32} {entry['grade_line']:9} {took:>8}   mutants {entry['killed']}{mark}"
+        line = f"{entry['id']:32} {entry['grade_line']:9} {TOOK[entry['id']]:>8}   mutants {entry['killed']}{mark}"
         terminalreporter.write_line(line, red=bool(mark))
-    counts = summary([entry for entry, _ in results])
-    terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts.items()))
+    counts = summary(results).items()
+    terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts))
 
 
 def _tell_what_was_left_out(terminalreporter):
     """List which evidence was not re-checked for want of a library: files of tests, theorems, the second checker."""
     skipped = [(report.nodeid, str(report.longrepr[2])) for report in terminalreporter.stats.get("skipped", ())]
     lines = sorted({f"{where}: {why.removeprefix('Skipped: ')}" for where, why in skipped if "needs " in why})
-    if any("second_checker" in entry for entry, _ in EVIDENCE):
+    if any("second_checker" in entry for entry in EVIDENCE):
         lines.insert(0, "certificates: the second checker was not run; it needs python-flint")
     if lines:
         terminalreporter.section("not re-checked here")

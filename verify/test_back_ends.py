@@ -15,13 +15,10 @@ from verify.evaluate import Reference
 
 POINTS = 48
 RANGES = {
-    "eye": (3, 5), "radius": (0.5, 1), "ball_radius": (0.3, 0.5), "body_radius": (0.3, 0.5),
-    "sphere_radius": (0.3, 0.5), "height": (64, 65), "width": (96, 97), "column": (0, 95), "row": (0, 63),
-    "ball_on": (1, 1), "floor_on": (1, 1), "half": (1, 2), "ball_center_z": (1.2, 1.6), "light_z": (6, 9),
-    "apex_height": (6, 9), "k_u": (-9, 9), "k_v": (-9, 9), "u": (0, 1), "v": (0, 1), "epsilon": (0.01, 0.05),
-    "specular_base": (0, 1), "specular": (0, 1), "shininess": (0.5, 40), "floor_dark": (0, 1),
-    "view_scale": (0.2, 0.3), "product_error": (-1e-17, 1e-17),
-    "number": (0, 2), "exponent": (0.001, 40),
+    "eye": (3, 5), "radius": (0.5, 1), "ball_radius": (0.3, 0.5), "height": (64, 65), "width": (96, 97),
+    "column": (0, 95), "row": (0, 63), "ball_on": (1, 1), "floor_on": (1, 1), "apex_height": (6, 9),
+    "k_u": (-9, 9), "k_v": (-9, 9), "u": (0, 1), "v": (0, 1), "epsilon": (0.01, 0.05), "shininess": (0.5, 40),
+    "specular_base": (0, 1), "product_error": (-1e-17, 1e-17), "number": (0, 2), "exponent": (0.001, 40),
 }  # fmt: skip
 EDGES = {"u": (0.0, 1 - 2.0**-53, 2.0**-10), "v": (0.3, 0.0, 1.0, 2.0**-10)}  # the seam and the poles
 
@@ -86,6 +83,5 @@ def test_mpmath_agrees(name):
 
 def test_another_order_of_additions_is_told_apart():
     numbers = np.random.default_rng(4).normal(size=(3, POINTS))
-    a, b, c = numbers
     (compiled,) = loop_of(lambda a, b, c: a + (b + c), 1)(*numbers)
-    assert (compiled == a + (b + c)).all() and (compiled != (a + b) + c).any()
+    assert (compiled == numbers[0] + (numbers[1] + numbers[2])).all() and (compiled != sum(numbers)).any()

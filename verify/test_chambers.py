@@ -12,20 +12,18 @@ from renderer.generate.kernels import function_of
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene import bounds
 from renderer.shader import numbers
-from verify.strict import differing_pixels, image_error, random_raster, random_scene, strict_chambers, strict_rgb
+from verify.strict import differing_pixels, image_error, random_raster, random_scene, strict_chambers
 
 SCENES = 10_000 if os.environ.get("HYPOTHESIS_PROFILE") == "long" else 400
-BLOCK = 100
 
 
-@pytest.mark.parametrize("block", range(SCENES // BLOCK))
-def test_random_scenes(block):
+def test_random_scenes():
     """To the last bit; and the scenes do show every surface, and shadows on each."""
-    random, codes = np.random.default_rng((20, block)), set()
-    for _ in range(BLOCK):
+    random, codes = np.random.default_rng(20), set()
+    for _ in range(SCENES):
         scene, raster = random_scene(random), random_raster(random)
         assert differing_pixels(scene, *raster) == 0, (scene, raster)
-        codes |= set(np.unique(stage_of(scene, *raster).chambers).tolist())
+        codes |= {*stage_of(scene, *raster).chambers.flat}
     assert {0, 1, 2, 3, 5, 6, 7, 131, 135} <= codes
 
 
@@ -33,10 +31,6 @@ def test_random_scenes(block):
 @pytest.mark.parametrize(("field", "model"), [("sine", "phong"), ("ridges", "blinn"), ("rings", "blinn")])
 def test_the_image_agrees(field, model, form):
     assert image_error(Scene(field=field, model=model), 96, exact(form)) <= 1e-13
-
-
-def test_another_scene_is_told_apart():
-    assert np.abs(strict_rgb(Scene(), 64, 64) - render(Scene(beta=0.3500001), 64, 64).rgb).max() > 1e-13
 
 
 @pytest.mark.parametrize("field", FIELDS)
@@ -61,8 +55,6 @@ TOUCHING = {
     "B equal to A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.0},
     "B level with the eye": {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},
     "a light level with A's top": {"lights": (Light((3.0, 0.0, 1.0)),)},
-    "a light below the floor": {"lights": (Light((0.0, 3.0, -2.0)),)},
-    "a light above the eye": {"lights": (Light((0.1, 0.2, 9.0)),)},
 }
 """What random scenes do not have: bodies that touch, or are level with one another."""
 
@@ -78,11 +70,9 @@ def test_degenerate_scenes(case, size):
     ("GUARD", -0.05, (5.0, 5.0, 10.0)),
 ])  # fmt: skip
 def test_boxes_that_leave_pixels_out_are_noticed(name, value, light, monkeypatch):
-    """By scenes that nobody else draws: what is known of one is kept."""
-    right, wrong = (Scene(eye=eye, lights=(Light(light),)) for eye in (4.01, 4.02))
-    assert differing_pixels(right, 64, 64) == 0
+    """By a scene that nobody else draws: what is known of one is kept."""
     monkeypatch.setattr(bounds, name, value)
-    assert differing_pixels(wrong, 64, 64) > 0
+    assert differing_pixels(Scene(eye=4.02, lights=(Light(light),)), 64, 64) > 0
 
 
 DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))

@@ -21,19 +21,17 @@ def places(case, given, slope):
     return held, [number for number, at in enumerate(POINTS) if whole.subs(at) == decided.subs(at)]
 
 
-@pytest.mark.parametrize(("given", "slope"), [(nothing_wraps, h_u), (nothing_clamps, h_v)])
-def test_nothing_is_decided_elsewhere_than_where_it_is_given(given, slope):
-    held, same = places(inside, given, slope)
-    assert 0 < len(held) < len(POINTS) and held == same
-
-
-def test_the_clamped_case_is_the_difference_near_the_pole():
+def test_nothing_is_decided_elsewhere_than_where_it_is_given():
+    """Near the pole, the clamped case is the difference."""
+    for given, slope in ((nothing_wraps, h_u), (nothing_clamps, h_v)):
+        held, same = places(inside, given, slope)
+        assert 0 < len(held) < len(POINTS) and held == same
     held, same = places(at_pole, pole_clamps, h_v)
     assert held and {*held} <= {*same}
 
 
-@pytest.mark.parametrize("given", [(*nothing_wraps[:1], u - epsilon > 0, nothing_wraps[2]),
-                                   (*nothing_wraps[:2], u + epsilon > 1)])  # fmt: skip
-def test_an_edited_hypothesis_is_found(given):
-    held, same = places(inside, given, h_u)
+@pytest.mark.parametrize("edited", [(1, u - epsilon > 0), (2, u + epsilon > 1)])
+def test_an_edited_hypothesis_is_found(edited):
+    number, relation = edited
+    held, same = places(inside, (*nothing_wraps[:number], relation, *nothing_wraps[number + 1 :]), h_u)
     assert held != same

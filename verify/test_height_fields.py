@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, exp, log
+from sympy import Abs, Max, Piecewise, Rational, atan, log
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi, sinpi
@@ -22,10 +22,8 @@ _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 
 MORE = {
     "cosines": Abs(cospi(k_u * u) * cospi(k_v * v)),
     "slanted": Abs(sinpi(k_u * u + k_v * v)),
-    "half": Min(0, sinpi(k_u * u)),
     "waves": sinpi(k_u * u) + sinpi(2 * k_u * u),
     "bump": Max(0, _inside) ** 2,
-    "gauss": exp(40 * _inside),
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
@@ -35,7 +33,7 @@ CHART = (u, v, k_u, k_v)
 def crossed(factors, at):
     """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
     turns = [function_of(Program("turns", CHART, ((real("turns"), factor.args[0]),)))(*at) for factor in factors]
-    return np.logical_or.reduce([np.zeros(len(at[0]) - 1, bool), *(np.diff(np.floor(w)) != 0 for w in turns)])
+    return sum((np.diff(np.floor(w)) != 0 for w in turns), np.zeros(len(at[0]) - 1, bool))
 
 
 @pytest.mark.parametrize("field", FIELDS.values(), ids=FIELDS)
@@ -48,20 +46,11 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
-@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=lambda f: f.name)
+@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
 def test_the_wave_numbers_give_the_gradient_its_factors(field):
     at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
     named, whole = in_balls(gradient(field), at), Program("slopes", CHART, (((h_u, h_v), field.gradient()),))
     assert max(distance(named[name], ball).max() for name, ball in in_balls(whole, at).items()) < 1e-60
-    false = replace(field)
-    false.__dict__["wave_numbers"] = field.wave_numbers[::-1]
-    with pytest.raises(ValueError, match="uses"):
-        gradient(false)
-
-
-def test_there_are_no_wave_numbers_of_other_waves():
-    without = [name for name, field in FIELDS.items() if not field.wave_numbers]
-    assert without == ["slanted", "waves", "bump", "gauss", "selected"]
 
 
 REFUSED = {
@@ -74,7 +63,6 @@ REFUSED = {
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
     "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
-    "switched": (Abs(sinpi(k_u * u)) * Max(0, _inside) ** 2, "creases have to be"),
     "three": (Max(0, sinpi(k_u * u), sinpi(k_v * v)), "creases have to be"),
 }
 
@@ -88,10 +76,9 @@ def test_a_field_that_no_kernel_draws_is_refused(name):
 
 def test_a_seam_may_be_asked_for_and_a_name_is_given_once():
     assert HeightField("seam", u * v, seam=True).creases == ()
-    for registry in (HEIGHT_FIELDS, LIGHT_MODELS):
-        first, *_ = registry.values()
-        with pytest.raises(ValueError, match=f"name = '{first.name}' is not allowed: a name that no other entry has"):
-            by_name([*registry.values(), replace(first)])
+    first, *_ = LIGHT_MODELS.values()
+    with pytest.raises(ValueError, match=f"name = '{first.name}' is not allowed: a name that no other entry has"):
+        by_name([first, replace(first)])
 
 
 def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch):

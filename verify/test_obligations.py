@@ -25,11 +25,10 @@ DEFINITION = re.compile(r"^Definition (\w+) : Prop :=\n(.*?)\.$", re.MULTILINE |
 WRITTEN = dict(DEFINITION.findall((formal.FOLDER / "Statements.v").read_text(encoding="utf-8")))
 CONDITIONAL = re.compile(r"^\((.* -> .*)\)$")
 CLAIMS = {f"{t.id}__{c.name}": (t, c) for t in all_theorems().values() for c in t.claims if isinstance(c, Claim)}
-SIGNS = {"<>": "!=", ">=": ">=", ">": ">"}
 
 
 def near(one, other):
-    return one is not None and abs(one - other) < CLOSE * (1 + abs(other))
+    return abs(one - other) < CLOSE * (1 + abs(other))
 
 
 def as_code(data):
@@ -97,7 +96,8 @@ def meaning(theorem, claim, text):
     expressions = [*relations, *map(differentiated, relations), *(e for line in lines for e in line)]
     show = StatementPrinter(set().union(*(e.free_symbols for e in expressions)))
     bases = {power.base for e in expressions for power in e.atoms(Pow)}
-    meant = {f"{show.doprint(b)} {sign} 0": (SIGNS[sign], b) for b in bases for sign in SIGNS}
+    signs = ("<>", "!="), (">=", ">="), (">", ">")
+    meant = {f"{show.doprint(base)} {sign} 0": (relation, base) for base in bases for sign, relation in signs}
     cases = {c for e in expressions for piecewise in e.atoms(Piecewise) for _, c in piecewise.args if c != true}
     is_met = {show.relation(c): (c, True) for c in cases}
     is_met |= {f"~ ({text})": (c, False) for text, (c, _) in is_met.items()}
@@ -108,7 +108,7 @@ def meaning(theorem, claim, text):
             first, *others = Code(sides, lines)(values)
             return first - sum(others)
         except Undefined:
-            return None
+            return mpmath.nan
 
     def met(text, values):
         condition, holds = is_met[text]
@@ -137,7 +137,7 @@ def left_out(name, text):
                 continue
             said, seen = said_at(values), seen + 1
             found += [
-                (relation, mpmath.nstr(of[0], 5))
+                relation
                 for relation, of in asked
                 if not any(r in (relation, ">") and near(v, one) for r, v in said for one in of)
             ]
@@ -151,9 +151,6 @@ def test_the_printed_form_of_a_claim_asks_for_all_that_the_kernel_asks_for():
     with mpmath.workdps(WORKING_DIGITS):
         less = {name: left_out(name, WRITTEN[name]) for name in CLAIMS}
     assert len(less) > 180 and not any(less.values()), less
-    for name, (theorem, _) in CLAIMS.items():
-        said = [last for _, last in asked_of_coq(theorem, WRITTEN[name])]
-        assert not {"True", "False"}.intersection(said), f"{name}: SymPy decided a relation"
 
 
 LESS = [

@@ -4,7 +4,7 @@ Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; 
 that the frame has of it. A pixel whose chamber or side of a crease is open there is counted apart.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import replace
 from functools import partial
@@ -86,20 +86,15 @@ balls_of = partial(lines_of, Balls)
 """The Balls of a whole pixel."""
 
 
-def truth_of(
-    frame: Frame, column: int, row: int, taken: Callable[[float], arb] = arb, balls: Balls | None = None
-) -> dict[str, arb]:
-    """Return the balls of every line of a frame's pixel; taken: what an input is taken for, by default its value.
-
-    balls: of lines of which more is known, in place of the pixel's own.
-    """
+def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop or (0, 0)
     place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
-    balls = balls or balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
+    balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
-        return balls({name: taken(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
+        return balls({name: arb(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
 
 
 def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> list[arb]:

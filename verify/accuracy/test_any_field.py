@@ -19,8 +19,8 @@ FIELDS = [
 ]
 
 
-@pytest.mark.parametrize("along", [u, v], ids=str)
-@pytest.mark.parametrize("field", FIELDS, ids=lambda field: field.name)
+@pytest.mark.parametrize("along", [u, v])
+@pytest.mark.parametrize("field", FIELDS, ids=str)
 def test_no_error_is_above_its_bound_and_some_come_near(field, along):
     found = u_curve(field, along, POINT, STEPS)
     assert (found.error <= found.bound).all()

@@ -38,11 +38,11 @@ def products():
 
 
 def directions():
-    angles, lengths = RANDOM.uniform(0, np.pi / 2, 2000), 10.0 ** RANDOM.uniform(-5, 5, 2000)
-    small = np.concatenate([beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)])
-    y = np.concatenate([lengths * np.sin(angles), small, np.ones_like(small)])
-    x = np.concatenate([lengths * np.cos(angles), np.ones_like(small), small])
-    return np.concatenate([y, y, -y, -y]), np.concatenate([x, -x, x, -x])
+    nodes = beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)
+    ratios = np.concatenate([RANDOM.random(2000), *nodes])
+    ones = np.ones_like(ratios)
+    octants = [(s * y, t * x) for y, x in ((ratios, ones), (ones, ratios)) for s in (1, -1) for t in (1, -1)]
+    return tuple(map(np.concatenate, zip(*octants, strict=True)))
 
 
 def logarithms():
@@ -53,10 +53,8 @@ def logarithms():
 
 def powers(smallest):
     """Return bases and exponents, of which the power's logarithm is not below −smallest."""
-    exponents, bases = np.abs(products())
-    with np.errstate(all="ignore"):
-        within = (bases > 0) & (bases <= 1) & (exponents > 0) & (-exponents * np.log(bases) < smallest)
-    return bases[within], exponents[within]
+    exponents = 10.0 ** RANDOM.uniform(-3, 6, 5000)
+    return np.exp(-RANDOM.uniform(0, smallest, 5000) / exponents), exponents
 
 
 CASES = dict.fromkeys(CERTIFIED, arguments) | {
@@ -72,10 +70,7 @@ CASES = dict.fromkeys(CERTIFIED, arguments) | {
 
 @pytest.mark.parametrize("name", CERTIFIED)
 def test_error_in_ulps(name):
-    cases = CASES[name]()
-    errors = errors_in_ulps(name, *cases)
-    where = [argument[errors.argmax()] for argument in cases]
-    assert errors.max() <= CERTIFIED[name], f"{name}{where} is off by {errors.max()} ulp"
+    assert errors_in_ulps(name, *CASES[name]()).max() <= CERTIFIED[name]
 
 
 def test_the_measure_sees_an_error():
@@ -86,8 +81,8 @@ def test_the_measure_sees_an_error():
 
 @np.errstate(all="ignore")
 def test_what_they_are_at_the_ends_of_their_range_and_outside():
-    numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0, -1e-300])
-    np.testing.assert_array_equal(kernels.exp(numbers), [np.nan, np.inf, 0, np.inf, 0, 1, 1])
-    np.testing.assert_array_equal(kernels.log(numbers)[[0, 1, 2, 5, 6]], [np.nan, np.inf, np.nan, -np.inf, np.nan])
+    numbers = np.array([np.nan, np.inf, -np.inf, 709.1, -708.1, -0.0])
+    np.testing.assert_array_equal(kernels.exp(numbers), [np.nan, np.inf, 0, np.inf, 0, 1])
+    np.testing.assert_array_equal(kernels.log(numbers[[0, 1, 4, 5]]), [np.nan, np.inf, np.nan, -np.inf])
     for exponent in (5e-4, 0.1, 0.5, 1.0, 7.3, 1e6):
         np.testing.assert_array_equal(kernels.power(np.array([0, 1, np.nan]), exponent), [0, 1, np.nan])

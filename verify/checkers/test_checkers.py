@@ -6,50 +6,32 @@ from pathlib import Path
 import pytest
 
 from proofs import check
-from proofs.check import FOLDER, canonical, verdicts
-from proofs.engine import kernel
-from proofs.engine import stored as stored_file
-from proofs.engine.stored import Stale, stored
+from proofs.check import FOLDER, canonical
+from proofs.engine import kernel, stored
 from proofs.engine.theorem import all_theorems
 from verify.checkers.breakages import campaign
 from verify.checkers.kernels import accepted, compact
 from verify.checkers.known_bad import (
     BROKEN,
     BY_FIRST_FACT,
-    CERTIFICATE,
-    EMPTY_INDUCTION,
     GOOD,
     NOTHING,
-    STATEMENT,
     UNSOUND,
     WELL_FORMED,
     assume,
     derivation,
     pair_of,
-    refutation,
     show,
     wrong_verdicts,
 )
-from verify.checkers.proof_checker import why_rejected
-
-
-def of_the_name(name):
-    """Return pairs that are accepted, in which a name stands wherever names stand."""
-    of, one = {name: "2", "": "-1"}, {name: "1"}
-    induction = EMPTY_INDUCTION | {"state": [name], "start": {name: {}}, "next": {name: {}}, "show": [one]}
-    lines = {"version": 1, "kind": "separation", "lines": [[name, []]], "outputs": [name], "avoid": ["y"]}
-    return [
-        [derivation(assume(of, "="), show(of, "="), variables=[name]), {"proofs": [BY_FIRST_FACT]}],
-        refutation(of | {"": "-3"}, dict.fromkeys([name, name.replace("cos", "sin")], "0") | one),
-        [lines, {"reached": [name]}],
-        [induction, {"base": [NOTHING], "step": [NOTHING]}],
-    ]
 
 
 def test_the_kernels_accept_what_is_well_formed():
     """A name may be one that every object of JavaScript has."""
-    names = "x", "constructor", "toString", "hasOwnProperty", "cos(constructor)"
-    pairs = [*WELL_FORMED, *(pair for name in names for pair in of_the_name(name))]
+    pairs = [*WELL_FORMED]
+    for name in ("constructor", "toString", "hasOwnProperty", "cos(constructor)"):
+        steps = assume({name: "1"}, "="), show({name: "1"}, "=")
+        pairs.append([derivation(*steps, variables=[name]), {"proofs": [BY_FIRST_FACT]}])
     for pair, verdicts_of in zip(pairs, accepted(list(map(compact, pairs))), strict=True):
         assert all(verdicts_of.values()), (pair, verdicts_of)
 
@@ -87,41 +69,49 @@ def test_a_run_tells_a_weakened_kernel():
     assert {wrong.partition(" accepts ")[0] for wrong in wrong_verdicts(weak)} == WEAKENED.keys()
 
 
-def test_a_file_is_its_own_canonical_form():
-    pair = {"sha256": "0", "statement": STATEMENT, "certificate": CERTIFICATE, "point": {}}
-    claim = {"claim": "c", "statements": [pair]}
-    data = {"version": 1, "theorem": "attack", "claims": [claim]}
-    good = canonical(data)
-    assert verdicts(good, "attack") == [("c", "its sha256 is another statement's")]
-    others = ({"more": 1}, {"theorem": "another"})
-    claims = ([], [claim, claim | {"claim": "d", "statements": []}], [claim, claim])
-    for text in (
-        json.dumps(data),
-        good.replace('"version": 1,', '"version": 1, "version": 1,', 1),
-        *(canonical(data | {"claims": said}) for said in claims),
-        *(canonical(data | changed) for changed in others),
-        *("", "[" * 10**5, "9" * 5000, "\udcff", good.replace('"c"', '"\udcff"')),
-    ):
-        assert verdicts(text, "attack")[0][0] == "the file"
-    long = derivation(("define", {"x": "1", "": "9" * 500}, {"new": "a"}), show({"a^20": "1"}, "="))
-    assert "the two sides differ" in f"{kernel.check(long, {'proofs': [NOTHING]})}"
-    assert "thousands of digits" in why_rejected(long, {"proofs": [NOTHING]})
+def test_a_case_that_cannot_occur_is_no_claim():
+    """Of |x| < 0 no case can occur: each is proved impossible, and the claim is refused."""
+    absurd = derivation(assume({"x": "1"}, ">"), assume({"x": "-1"}, ">"), show({"": "1"}, "="), variables=["x"])
+    proof = {"rule": "contradiction", "positive": [0], "sum": [["1", {"": "1"}, [1]]], "cofactors": []}
+    case = absurd, {"proofs": [proof]}, None
+    assert check.reasons([case, case]) == ["its hypotheses contradict each other"] * 2
+    assert check.reasons([case, (*GOOD, {})]) == [None, None]
+
+
+GOOD_FILE = (FOLDER / "unit_length.json").read_bytes()
+DATA = json.loads(GOOD_FILE)
+FIRST = DATA["claims"][0]
+REFUSED_FILES = [
+    *(GOOD_FILE.replace(b"\n", end) for end in (b"\r\n", b"")),
+    *(b"\xef\xbb\xbf" + GOOD_FILE, GOOD_FILE + b"\xff", GOOD_FILE[:-9], b"", b"[" * 10**5),
+    GOOD_FILE.replace(b'"version": 1,', b'"version": 1,\n "version": 1,', 1),
+    *(
+        canonical(DATA | changed).encode()
+        for changed in (
+            {"more": 1},
+            {"theorem": "another"},
+            {"claims": []},
+            {"claims": [FIRST, FIRST | {"claim": "empty", "statements": []}]},
+            {"claims": [FIRST, FIRST]},
+        )
+    ),
+]
 
 
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
-    """For the grade as for `proofs.check`: line ends, a byte order mark, what is no UTF-8, what is cut off."""
+    """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
-    good = (FOLDER / path.name).read_bytes()
     monkeypatch.setattr(check, "FOLDER", tmp_path)
-    monkeypatch.setattr(stored_file, "FOLDER", tmp_path)
-    path.write_bytes(good.replace(b'"-1"', b'"1"', 1))
-    assert check.main([]) == 1 and "the two sides differ" in capsys.readouterr().out
-    for bad in (good.replace(b"\n", b"\r\n"), b"\xef\xbb\xbf" + good, good + b"\xff", good[:-9]):
+    monkeypatch.setattr(stored, "FOLDER", tmp_path)
+    for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
+        path.write_bytes(GOOD_FILE.replace(was, false, 1))
+        assert check.main([]) == 1 and why in capsys.readouterr().out
+    for bad in REFUSED_FILES:
         path.write_bytes(bad)
-        assert check.main([]) == 1
-        with pytest.raises(Stale, match="of its stored certificates"):
-            stored(theorems["unit_length"], theorems)
-    assert check.main(["no_such_theorem"]) == 2 and "no_such_theorem" in capsys.readouterr().err
+        assert check.main([]) == 1 and "the file: " in capsys.readouterr().out
+        with pytest.raises(stored.Stale, match="of its stored certificates"):
+            stored.stored(theorems["unit_length"], theorems)
+    assert check.main(["nothing"]) == 2 and "nothing" in capsys.readouterr().err
 
 
 def test_the_schema_is_the_form_that_the_kernel_asks_for():

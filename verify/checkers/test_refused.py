@@ -30,8 +30,8 @@ from proofs.engine.program import Program
 from proofs.engine.stored import statements
 
 x, y, n = symbols("x y n", real=True)
-HIDDEN = ["nonnegative", "integer", "rational", "nonzero", "extended_real", "infinite", "positive"]
-TAKEN = ["pi", "root_1", "inverse_12", "sum_1", "cos(x)", "sin(pi*x)", "x y", "", "x^2", "2x", "é", "_x", "x\n", "x'"]
+HIDDEN = ["nonnegative", "nonzero", "extended_real", "positive"]
+TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "x y", "", "x^2", "2x", "é", "_x", "x\n"]
 with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
 
@@ -70,7 +70,7 @@ def of_values():
 
     Of e·x and of the product of x and a symbol E the cosine would have one name.
     """
-    for angle in (1 / x, Abs(x), I * x, E * x, 0.5 * x, INFINITE):
+    for angle in (Abs(x), I * x, E * x, 0.5 * x, INFINITE):
         yield equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1), "polynomial"
     for value in (NONE_AT_0, UNORDERED, Piecewise((x, x > 0))):
         yield equation(value, x), "no rule|compar|no value"
@@ -90,30 +90,34 @@ def of_states():
     """Yield (a claim, why it has no statement): a line's name may change with x, and a state with n."""
     for changing in (Derivative(y, x), Derivative(y**2, y), Derivative(y * x, x)):
         yield Claim("of a line", (equation(changing, 0),), (), line(y, x + 1)), "a line defines"
-    none, whole = (equation(x, 0),), Symbol("n", integer=True)
+    none = (equation(x, 0),)
+    state = Induction("of states", n, none, ((x, 0, x),))
+    for why, shown in (
+        ("in an angle", equation(cos(x), 1)),
+        ("shows equations", greater(1, x)),
+        ("a radical", equation(sqrt(y), x)),
+        ("neither given nor chosen", equation(Max(x, y), x)),
+        ("an angle that occurs", equation(cos(n * y), 1)),
+        ("an angle that occurs", equation(cos(n * y / 2) * cos(y), 1)),
+    ):
+        yield state.but(shows=(shown,)), why
+    yield state.but(n=Symbol("n", integer=True, zero=False)), "nothing else"
+    whole = Symbol("n", integer=True)
     for why, changes in (
+        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
+        ("no name", {"n": Symbol("pi", integer=True)}),
         ("twice", {"states": ((x, 1, x), (x, 0, x))}),
         ("starts from", {"states": ((x, y, x), (y, 1, y))}),
-        ("in an angle", {"shows": (equation(cos(x), 1),)}),
         ("what is given", {"given": none}),
         ("what is given", {"given": (greater(cos(n * y), 0),)}),
-        ("shows equations", {"shows": (greater(1, x),)}),
-        ("a radical", {"shows": (equation(sqrt(y), x),)}),
-        ("neither given nor chosen", {"shows": (equation(Max(x, y), x),)}),
-        ("an angle that occurs", {"shows": (equation(cos(n * y), 1),)}),
-        ("an angle that occurs", {"shows": (equation(cos(n * y / 2) * cos(y), 1),)}),
-        ("nothing else", {"n": Symbol("n", positive=True)}),
-        ("nothing else", {"n": Symbol("n", integer=True, zero=False)}),
-        ("no name", {"n": Symbol("pi", integer=True)}),
-        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
     ):
-        yield Induction("of states", n, none, ((x, 0, x),)).but(**changes), why
+        yield state.but(**changes), why
 
 
 REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
 
 
-@pytest.mark.parametrize(("claim", "why"), REFUSED, ids=lambda part: getattr(part, "name", ""))
+@pytest.mark.parametrize(("claim", "why"), REFUSED)
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})

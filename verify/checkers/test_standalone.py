@@ -10,8 +10,8 @@ import pytest
 from proofs import check
 from proofs.check import FOLDER
 from proofs.engine import kernel, standalone
-from proofs.engine.standalone import main, standalone_script
-from proofs.engine.theorem import Theorem, all_theorems
+from proofs.engine.standalone import standalone_script
+from proofs.engine.theorem import all_theorems
 from verify.sources import ROOT
 
 
@@ -49,20 +49,7 @@ def test_the_script_says_its_verdict(id, was, changed, says, tmp_path):
 
 
 def test_every_certificate_has_a_script_that_holds_the_checker_as_it_stands():
-    """Its two files share one set of names there: none means two things."""
     for id in all_theorems().keys() & {path.stem for path in FOLDER.glob("*.json")}:
         script = standalone_script(id)
         compile(script, id, "exec")
         assert all(inspect.getsource(part).strip() in script for part in (kernel, check, standalone.run))
-    shared = {name for name in vars(kernel).keys() & vars(check).keys() if not name.startswith("__")}
-    assert all(vars(kernel)[name] is vars(check)[name] for name in shared)
-
-
-def test_what_has_no_certificate_has_no_script(monkeypatch, capsys):
-    cited = Theorem("elsewhere", "Elsewhere", "", expected="cited", source="Blinn1978")
-    monkeypatch.setattr(standalone, "all_theorems", lambda: {"elsewhere": cited})
-    with pytest.raises(ValueError, match="elsewhere is cited: it has no certificate"):
-        standalone_script("elsewhere")
-    with pytest.raises(SystemExit, match="2"):
-        main(["nothing"])
-    assert "elsewhere" in capsys.readouterr().err

@@ -33,12 +33,11 @@ def test_a_bound_that_forgets_half_the_unit_is_seen(monkeypatch):
     assert max(map(worst_share, EXPRESSIONS)) > 1
 
 
-def test_what_is_exact_costs_nothing():
+def test_what_is_exact_costs_nothing_and_nothing_else():
+    """By Sterbenz, among others."""
     x = Rounded(rounding.between(1, 1.5))
-    assert (2.0 * x).error == (0.0 + x).error == 0
-    assert (x - Rounded(rounding.between(0.8, 1.4))).error == 0  # Sterbenz
+    assert (2.0 * x).error == (x - Rounded(rounding.between(0.8, 1.4))).error == 0
     assert (x - Rounded(rounding.between(0.1, 0.4))).error > 0
-    assert arb(2) ** -53 < (x * x).error < arb(2) ** -52 * 1.001
 
 
 @pytest.mark.parametrize("undecided", [lambda x: x > 0.5, lambda x: Rounded(1) / x])
