@@ -11,7 +11,7 @@ from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import HALF, both_ways, named, ridges, rings, sine
+from proofs.theorems.relations import HALF, both_ways, ridges, rings, sine
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
@@ -103,7 +103,6 @@ _first_ridge = Claim(
         equation(ridges.expression, _odd_ridge),
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
-    squares=named(sin(pi * k_u * u)) * named(sin(pi * k_v * v)),
     cited=sine_of_half_turn(k_v * v),
     ranges={v: (0, 1), k_v: (0, 3)},
 )

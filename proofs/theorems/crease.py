@@ -1,6 +1,6 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Derivative, S, Symbol, cos, pi, sin, sqrt
+from sympy import Abs, Derivative, S, cos, pi, sin, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import Program
@@ -129,7 +129,6 @@ _tent, _room = -tent_bound[tent].xreplace(_at) / rate, tent_bound[rest].xreplace
 _after = (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0])
 _sin_y, _cos_y, _cos_x = sin(y), cos(y), cos(x)
 _rest = straddled / rate - _cos_y - _tent
-_names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
 _near_tent = Claim(
     "tent",
     (
@@ -150,10 +149,9 @@ _near_tent = Claim(
         ),
     ),
     _after,
-    squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
+    squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
     ranges=ranges,
-    example={epsilon: "13/30", delta: "13/30", k_u: 1, _sin_y: "24/25"},
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
@@ -182,7 +180,7 @@ def _mean_square(name, k, number, constant=None):
         constant >= sqrt(total),
         equation(sqrt(total), constant),
     )
-    return Claim(name, shows, (k >= 1, epsilon > 0), squares=Symbol("pi", real=True) * k)
+    return Claim(name, shows, (k >= 1, epsilon > 0))
 
 
 _in_u = _mean_square("in_u", k_u, k_u)

@@ -60,7 +60,6 @@ _projection = Claim(
     ),
     _seen,
     point_on_a,
-    squares=(1 - cos_phi, sin_phi),
 )
 _creases = tuple(
     Claim(

@@ -37,7 +37,6 @@ _quadratic = Claim(
     ),
     (),
     shadow,
-    squares=segment,
 )
 _conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
 _program = Claim("program", equation(occluded, 1), _conditions, shadow)
@@ -151,10 +150,7 @@ _cone = Claim(
 )
 _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
-    "within",
-    (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),
-    ball_radius**2 >= squared(_to_ball),
-    squares=share,
+    "within", (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball), ball_radius**2 >= squared(_to_ball)
 )
 _on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)

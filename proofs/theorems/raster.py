@@ -45,7 +45,7 @@ _linear = Claim(
     (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
     (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a, eye > radius),
     parallel_radius,
-    squares=(sin_phi, 1 - cos_phi),
+    squares=1 - cos_phi,
 )
 _bound = Rational(44, 10000)
 _far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))

@@ -39,7 +39,6 @@ _flat = Claim(
         _distance >= 0,
         4 * _small_enough**2 >= _steepest**2 * _distance,
     ),
-    squares=_h,
 )
 
 
@@ -60,7 +59,6 @@ def _either_side(name, along, k, step, across):
             sides[0] >= slope * step * (1 - angle**2 / 6),
         ),
         (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
-        squares=(named(across), named(across) * named(sin(angle))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
         ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )

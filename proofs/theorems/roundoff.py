@@ -154,7 +154,6 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    squares=epsilon - best,
     ranges=between(0, 3, best, epsilon, rounding),
 )
 

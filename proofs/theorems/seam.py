@@ -8,7 +8,7 @@ from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
 from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import between, named, positive, ridges, rings, sine, without, zero
+from proofs.theorems.relations import between, positive, ridges, rings, sine, without, zero
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
@@ -61,7 +61,6 @@ _crease = Claim(
         _beside[1] >= _beside[0],
     ),
     _whole,
-    squares=named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),
 )
 _broken = Claim(
     "ridges_jump",

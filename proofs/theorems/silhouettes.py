@@ -56,12 +56,11 @@ _apart = (
     equation(_bh**2 - _q**2, eye * _h * (2 * _bh - eye * _h)),
 )
 _inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
-_hints = (x * _cy - y * _cx, x, y)
 _all_seen = Claim(
     "all_seen",
     (positive(_h, eye * _h), _apart, positive(2 * _bh - eye * _h, _bh)),
     (lengths_of_b, _h >= ball_radius, _inside),
-    squares=_hints,
+    squares=x * _cy - y * _cx,
 )
 _none_seen = Claim(
     "none_seen",
@@ -73,14 +72,13 @@ _none_seen = Claim(
         greater(0, _bh),
     ),
     (lengths_of_b, -_h >= ball_radius, _inside),
-    squares=_hints,
+    squares=x * _cy - y * _cx,
 )
 _branch = Claim(
     "branch",
     (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
     (eye > 0, _outside, equation(discriminant_b, 0)),
     hit_of_b,
-    squares=(x, y, eye),
 )
 
 
@@ -109,7 +107,7 @@ theorem = Theorem(
     mutants=(
         variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
         variant("an ellipse even if |H| < R₂", _types[2], _determinant > 0),
-        variant("b > 0 on all of the silhouette", _branch, toward_b > 0, squares=()),
+        variant("b > 0 on all of the silhouette", _branch, toward_b > 0),
     ),
     side_conditions=(
         SideCondition("$|H| > R_2$", "ellipse", holds=_scene(5, 0), fails=_scene(4, 0)),

@@ -52,15 +52,8 @@ _visible = Claim(
     (_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
-    example={eye: 5, radius: 3, x: "9/4", y: 0},
 )
-_hidden = Claim(
-    "hidden",
-    (_place, _from_center > 0, t > t_a),
-    (_on_a, eye * _cos_phi < radius),
-    hit_of_a,
-    squares=(rho * t, eye * t),
-)
+_hidden = Claim("hidden", (_place, _from_center > 0, t > t_a), (_on_a, eye * _cos_phi < radius), hit_of_a)
 
 
 def _rim(t):
@@ -108,7 +101,7 @@ visible = Theorem(
     },
     mutants=(
         variant("visible where cos φ ≥ 0", _visible, equation(t, t_a), given=(_on_a, _cos_phi >= 0)),
-        variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius)), squares=()),
+        variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius))),
         variant("the hidden point is nearer", _hidden, t < t_a),
     ),
     side_conditions=SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=_rim("16/25"), fails=_rim(1)),
