@@ -23,7 +23,7 @@ _clamp = Claim(
     pole_clamps,
     central(sine),
 )
-_bends = tuple(part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest))
+_bends = [part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest)]
 _first = Claim(
     "first_order",
     (
@@ -93,7 +93,7 @@ first_order = Theorem(
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
 _names, _fields = real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge)
 _odd = Program("odd", (u, v, k_u, k_v), tuple(zip(_names, _fields, strict=True)))
-_are_odd = Claim("odd", tuple(equation(h, -field) for h, field in _odd.definitions), lines=_odd.at({v: -v}))
+_are_odd = Claim("odd", [equation(h, -field) for h, field in _odd.definitions], lines=_odd.at({v: -v}))
 _first_ridge = Claim(
     "first_ridge",
     (
@@ -115,7 +115,7 @@ _second = Claim(
     (
         equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
         _rise >= 0,
-        *(_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)),
+        [_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)],
         both_ways(largest * _room, h_v - slope),
     ),
     (pole_clamps, _bends),

@@ -31,7 +31,7 @@ half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1
 ranges = ((delta, (-QUARTER, QUARTER)), (epsilon, (0, QUARTER)), (k_u, (0, 4)))
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
 reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
-signs = tuple(sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta))
+signs = [sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta)]
 
 across = inside(ridges).expand(h_u).subs(half).subs(u, delta)
 straddled = cos(rate * epsilon) * sin(rate * delta) / epsilon
@@ -45,10 +45,10 @@ _centre = Claim(
     "at_the_crease", (zero(difference), equation(difference - after, -rate)), epsilon > 0, _beside.at({delta: S.Zero})
 )
 _period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
-_slopes = tuple(
+_slopes = [
     Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
-)
+]
 
 theorem = Theorem(
     "straddling",
@@ -76,7 +76,7 @@ theorem = Theorem(
         variant(
             "ε + |δ| ≤ 2/k",
             _value,
-            given=(straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
+            given=(straddles, [r.func(r.lhs + 1, 0) for r in reach]),
             cited=(),
             at={k_u: 1, epsilon: "5/4", delta: "1/4"},
         ),

@@ -44,8 +44,8 @@ _along = _along_phi.but(name="derivatives", shows=(_along_phi.shows, _along_thet
 _unit = Claim(
     "orthonormal",
     (
-        *(equation(squared(a), 1) for a in (e_theta, e_phi, normal)),
-        *(equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))),
+        [equation(squared(a), 1) for a in (e_theta, e_phi, normal)],
+        [equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))],
     ),
     on_circles,
     frame,

@@ -40,7 +40,7 @@ _rings = Claim(
     lines=gradient(rings),
 )
 _p = sine.expression
-_ridges = tuple(
+_ridges = [
     Claim(
         f"ridges_{name}",
         (
@@ -51,7 +51,7 @@ _ridges = tuple(
         gradient(ridges),
     )
     for name, side in SIDES
-)
+]
 _printed = Claim("ridges_on_creases", zero(h_u, h_v), zero(_p), gradient(ridges))
 p, d = real("p d")
 _same = equation(Abs(p + d), Abs(p) + sign(p) * d)

@@ -61,7 +61,7 @@ def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
     return unclamped(program).xreplace(seen)
 
 
-_units = tuple(equation(squared(p), 1) for p in (n, m, omega))
+_units = [equation(squared(p), 1) for p in (n, m, omega)]
 _cosines = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
@@ -80,7 +80,7 @@ _swing = Claim(
     (
         equation(squared(_swung), 4 * _gram_part),
         equation(squared(n - m), 2 - 2 * _cosines[2]),
-        *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
+        [equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)],
     ),
     _units[:2],
 )
@@ -123,8 +123,8 @@ _factored = (
 _powers = Induction("factors", count, _factored, _states)
 _signs = Claim(
     "no_state_is_negative",
-    tuple(following >= 0 for _, _, following in _states),
-    (x >= 0, z >= 0, *(s >= 0 for s, _, _ in _states)),
+    [following >= 0 for _, _, following in _states],
+    (x >= 0, z >= 0, [s >= 0 for s, _, _ in _states]),
 )
 _power = Claim(
     "power",
@@ -132,7 +132,7 @@ _power = Claim(
     (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
-_dropped = tuple((s, start, x * quotient if s == quotient else following) for s, start, following in _states)
+_dropped = [(s, start, x * quotient if s == quotient else following) for s, start, following in _states]
 _parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 
 theorem = Theorem(

@@ -63,11 +63,11 @@ def _term(name, given, lit_side, shiny):
     return Claim(name, (sides, equation(Derivative(share, s), closed)), (given, zero(s), *[power_rule] * shiny))
 
 
-_sides = tuple(
+_sides = [
     _term(f"{a}_{b}", ((mu > 0, mu < 0)[i], (specular_base > 0, specular_base < 0)[j]), 1 - i, 1 - j)
     for i, a in enumerate(("lit", "unlit"))
     for j, b in enumerate(("shiny", "dull"))
-)
+]
 _power = Induction(
     "power_rule",
     n,

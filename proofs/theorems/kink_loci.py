@@ -61,7 +61,7 @@ _projection = Claim(
     _seen,
     point_on_a,
 )
-_creases = tuple(
+_creases = [
     Claim(
         f"crease_{c}",
         zero(crease, h),
@@ -69,10 +69,10 @@ _creases = tuple(
         chain("crease", Program("factor", (u, v, k_u, k_v), {crease: factor}), height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
-)
+]
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
 _other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
-_elsewhere = tuple(
+_elsewhere = [
     Claim(
         f"elsewhere_{name}",
         (
@@ -85,7 +85,7 @@ _elsewhere = tuple(
         chain("ridges", height(ridges), gradient(ridges)),
     )
     for name, side in SIDES
-)
+]
 
 theorem = Theorem(
     "kink_loci",

@@ -162,14 +162,14 @@ _clearance = Claim(
 )
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
-_least = tuple(
+_least = [
     Claim(name, _parabola >= bound, given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
         ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
         ("turns_after", _low + 2 * _slope + _bend, (share <= 1, _bend > 0, _slope + _bend <= 0)),
     )
-)
+]
 _chord = Claim(
     "bends_down",
     _parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),

@@ -41,10 +41,10 @@ _length = Claim(
     (equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(squared(g), (pi * k_v * sin(_turned)) ** 2)),
     lines=_sine,
 )
-_vanishes = tuple(
+_vanishes = [
     Claim(f"sine_{name}", zero(*g), lines=_sine.at(at))
     for name, at in (("seam", {theta: -pi}), ("k_u_0", {k_u: S.Zero}), ("k_v_0", {k_v: S.Zero}))
-)
+]
 _differs = Claim(
     "sine_differs",
     (_length.shows[-1], positive((k_v * sin(_turned)) ** 2, squared(g))),
@@ -85,10 +85,10 @@ _limit = Claim(
     equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
     lines=_tangential,
 )
-_same_limit = tuple(
+_same_limit = [
     Claim(f"surface_gradient_{k}".replace("-", "minus_"), equations(_surface, limit), lines=_tangential.at({k_u: S(k)}))
     for k, limit in ((0, (0, 0)), (2, (0, -1)), (-2, (0, 1)))
-)
+]
 
 theorem = Theorem(
     "pole",

@@ -31,7 +31,7 @@ _pixel = [c.xreplace(_default) for c in chain("pixel", image_extent, image_point
 _nearest = Rational(34, 15) / 256**2  # ρ² of the pixels beside the axis
 _whole = ((m - 127) * (m - 128) >= 0, (n - 108) * (n - 109) >= 0)
 _radius_squared = sum(c**2 for c in _pixel)
-_on_the_raster = tuple(
+_on_the_raster = [
     Claim(
         f"raster_{name}",
         ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
@@ -39,7 +39,7 @@ _on_the_raster = tuple(
         ranges=between(0, 255, m, n),
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
-)
+]
 _linear = Claim(
     "linear",
     (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
@@ -51,7 +51,7 @@ _bound = Rational(44, 10000)
 _far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))
 _needed = (FALLBACK * Rational(4, 3)) ** 2
 _only_near = Claim("only_near", _needed > rho**2, (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
-_no_pixel = tuple(c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster)
+_no_pixel = [c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster]
 _half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
 _in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))
 _beside = Claim("beside", _needed > _half_squared * _in_halves, (_whole, (n - 107) * (n - 110) <= 0))

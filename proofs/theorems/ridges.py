@@ -12,9 +12,9 @@ to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
 _sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
 _whole = zero(sin(pi * m), sin(pi * n))
-_small = tuple(
+_small = [
     CitedLemma((pi * k * d) ** 2 >= s**2, "DLMF") for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
-)
+]
 
 
 _crossed = Claim(
@@ -53,8 +53,8 @@ def _either_side(name, along, k, step, across):
     return Claim(
         name,
         (
-            *(r for f in factors for r in (f >= sin(angle), sin(angle) >= f, equation(f, sin(angle)))),
-            *(equation(side, height) for side in sides),
+            [(f >= sin(angle), sin(angle) >= f, equation(f, sin(angle))) for f in factors],
+            [equation(side, height) for side in sides],
             slope * step >= sides[0],
             sides[0] >= slope * step * (1 - angle**2 / 6),
         ),

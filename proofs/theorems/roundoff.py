@@ -65,7 +65,7 @@ def _rounded(name, output, samples, over, given):
             both_ways(over * bound, over * (output * growth - mean)),
             both_ways(bound, output * growth - mean),
         ),
-        (given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
+        (given, [both_ways(most, quantity) for most, quantity in magnitudes]),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges=(
             *between("-1/4", "1/4", off_plus, off_minus, mean),

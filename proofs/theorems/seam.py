@@ -39,7 +39,7 @@ _sine = Claim(
 )
 _even = Claim(
     "even",
-    (*(equation(jump(f), 0) for f in (sine.expression, *sine.gradient())), equation(_turned, sine.expression)),
+    ([equation(jump(f), 0) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
     equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
@@ -48,10 +48,10 @@ _odd = Claim(
     equation(cos(pi * k_u), -1),
 )
 _ends = real("h_first h_last")
-_at_ends = tuple((h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True))
+_at_ends = [(h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True)]
 _ridges = Claim("ridges", zero(*_ends), _whole, Program("ends", (k_u, k_v, v), _at_ends))
 _step = real("step")
-_beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
+_beside = [ridges.expression.subs(u, at) for at in (_step, 1 - _step)]
 _crease = Claim(
     "ridges_crease",
     (

@@ -25,13 +25,13 @@ def _light(channel, factor=None):
         f"light_{channel}",
         (
             nonnegative(albedo * kd, *weights),
-            *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
+            [both_ways(weight * largest, weight * change) for weight, change, largest in parts],
             both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
-            *(c >= 0 for c in (albedo, color, kd, ks)),
+            [c >= 0 for c in (albedo, color, kd, ks)],
             both_ways(so_far, before - _before),
-            *(r for _, change, largest in parts for r in both_ways(largest, change)),
+            [both_ways(largest, change) for _, change, largest in parts],
         ),
     )
 
@@ -48,10 +48,10 @@ _all_lights = Claim(
     "all_lights",
     (sum(_factors) * step >= _changes[-1], sum(_factors) >= 0, sum(_factors) * _slope_error >= _changes[-1]),
     (
-        *(
+        [
             so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
-        ),
+        ],
         nonnegative(*_factors),
         _slope_error >= step,
     ),

@@ -85,7 +85,7 @@ def _from_the_light(name):
         )
         for field in ("shows", "given")
     }
-    moved["squares"] = tuple(e.xreplace(_rename) for e in claim.squares)
+    moved["squares"] = [e.xreplace(_rename) for e in claim.squares]
     return claim.but(**moved)
 
 

@@ -53,16 +53,16 @@ def _between_creases(name, output, coordinate, given, side):
     return Claim(
         name,
         equations((difference(ridges, output), slopes[0]), (side * difference(sine, output), side * slopes[1])),
-        (given, *(side * height >= 0 for height in sines[:2]), side * sines[2] > 0),
+        (given, [side * height >= 0 for height in sines[:2]], side * sines[2] > 0),
         ranges=INSIDE,
     )
 
 
-_ridges = tuple(
+_ridges = [
     _between_creases(f"ridges_{coordinate}_{name}", output, coordinate, given, side)
     for output, coordinate, given in ((h_u, u, nothing_wraps), (h_v, v, nothing_clamps))
     for name, side in SIDES
-)
+]
 _quotient, _slope = real("quotient slope")
 _steepest = slope_bound[steepest]
 _apart = Claim("apart", both_ways(crease_bound[apart], _quotient - _slope), both_ways(_steepest, _quotient, _slope))
