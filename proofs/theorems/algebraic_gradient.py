@@ -1,9 +1,5 @@
 """The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
 
-from sympy import cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.algebraic_form import (
     base_of_u,
     base_of_v,
@@ -17,9 +13,8 @@ from proofs.formulas.algebraic_form import (
     real_part,
 )
 from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
-from proofs.formulas.symbols import k_u, k_v, phi, real, theta, u, v
 from proofs.theorems.frame import angles
-from proofs.theorems.relations import equations
+from proofs.theorems.language import *
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
 _chart = {u: (theta + pi) / (2 * pi), v: phi / pi}

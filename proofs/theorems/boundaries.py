@@ -1,17 +1,12 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
-from sympy import Symbol
-
-from proofs.engine.claim import Claim, Separation, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import central, central4, forward
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, squared, towards
+from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
 
 _ridges = HEIGHT_FIELDS["ridges"]

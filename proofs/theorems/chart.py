@@ -1,16 +1,10 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
-from sympy import S, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, squared, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
-from proofs.theorems.relations import HALF, equations
+from proofs.theorems.language import *
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}

@@ -3,7 +3,7 @@
 from sympy import Expr, cos, pi, sin
 
 from proofs.engine.claim import CitedLemma, at_least, greater
-from proofs.theorems.relations import nonnegative
+from proofs.theorems.language import nonnegative
 
 SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 

@@ -1,17 +1,11 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from sympy import Abs, S, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
-from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import HALF, both_ways, ridges, rings, sine
+from proofs.theorems.language import *
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
 ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))

@@ -1,9 +1,5 @@
 """What float64 loses between the gradient and the colour: the bumped normal, the light's cosine, a share, the clip."""
 
-from sympy import Abs, Max, Pow, Rational
-
-from proofs.engine.claim import Rounded
-from proofs.engine.theorem import Theorem
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.certified import COSINE, NORMAL, SHARE
 from proofs.formulas.shading import (
@@ -18,7 +14,7 @@ from proofs.formulas.shading import (
     light_term,
     lit,
 )
-from proofs.formulas.symbols import beta, bumped, light, mu, normal, point, specular, squared
+from proofs.theorems.language import *
 
 _UNIT = Pow(2, -53)
 _m = normal + beta * g

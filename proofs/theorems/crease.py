@@ -1,10 +1,5 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Derivative, S, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.step_bounds import (
     crease_rms,
@@ -21,9 +16,8 @@ from proofs.formulas.step_bounds import (
     truncation,
     truncation_bound,
 )
-from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
+from proofs.theorems.language import *
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})

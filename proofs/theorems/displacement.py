@@ -1,16 +1,10 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Derivative, Pow, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, squared, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations, positive, without, zero
+from proofs.theorems.language import *
 
 theta_0, phi_0 = real("theta_0 phi_0")
 _here = equations((theta, phi), (theta_0, phi_0))

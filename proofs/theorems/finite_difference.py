@@ -1,14 +1,9 @@
 """The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
 
-from sympy import Expr, Symbol, cos, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from proofs.theorems.relations import HALF, rings, sine
+from proofs.theorems.language import *
 
 
 def difference(field: HeightField, output: Symbol) -> Expr:

@@ -1,31 +1,9 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Derivative, Expr, cos, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a
-from proofs.formulas.symbols import (
-    cos_phi,
-    cos_theta,
-    cross,
-    dot,
-    eye,
-    normal,
-    phi,
-    radius,
-    rho,
-    sin_phi,
-    sin_theta,
-    squared,
-    theta,
-    x,
-    y,
-)
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
 from proofs.theorems.hits import met, ray_meets_a, t_a
-from proofs.theorems.relations import equations, positive
+from proofs.theorems.language import *
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))

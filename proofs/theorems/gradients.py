@@ -1,12 +1,7 @@
 """The gradients of the three fields, as the kernels print them: exact differences, and the sign of ridges."""
 
-from sympy import Abs, Derivative, cos, pi, sign, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.height_fields import gradient
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from proofs.theorems.relations import SIDES, equations, ridges, rings, sine, zero
+from proofs.theorems.language import *
 
 _of_sine = [Derivative(sine.expression, c) for c in (u, v)]
 

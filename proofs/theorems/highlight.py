@@ -1,12 +1,5 @@
 """The highlight: from one root and one division; Lipschitz in the normal for a whole shininess p ≥ 1, not for p < 1."""
 
-from collections.abc import Sequence
-
-from sympy import Abs, Expr, Max, sqrt
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.pixel import instance
 from proofs.formulas.shading import (
     along_halfway,
@@ -22,8 +15,7 @@ from proofs.formulas.shading import (
     light_scale,
     phong,
 )
-from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, squared, towards, vector, view
-from proofs.theorems.relations import both_ways, equations, positive
+from proofs.theorems.language import *
 
 apart, turned = real("apart turned")
 

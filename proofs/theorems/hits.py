@@ -1,12 +1,5 @@
 """The rays' hits with both spheres: the near roots of their quadratics, and what the seed's for B draws (F1)."""
 
-from collections.abc import Sequence
-
-from sympy import Expr, Rational, sqrt
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.program import Program, chain, evaluated
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas import camera, symbols
 from proofs.formulas.camera import (
     POLE,
@@ -23,24 +16,7 @@ from proofs.formulas.camera import (
     tangent_squared,
     toward_b,
 )
-from proofs.formulas.symbols import (
-    Vector,
-    ball_center,
-    ball_on,
-    ball_radius,
-    eye,
-    lengths_of_a,
-    normal,
-    point,
-    radius,
-    real,
-    rho,
-    squared,
-    where,
-    x,
-    y,
-)
-from proofs.theorems.relations import HALF, QUARTER, equations
+from proofs.theorems.language import *
 
 t, t_a, t_b, hits_a, hits_b = real("t t_a t_b hits_a hits_b")
 _APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}

@@ -1,9 +1,5 @@
 """The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
 
-from sympy import Derivative, Max, Pow
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.image_derivative import (
     base_by_beta,
@@ -29,9 +25,8 @@ from proofs.formulas.shading import (
     lit,
     phong,
 )
-from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
 from proofs.theorems.highlight import unclamped
-from proofs.theorems.relations import equations, zero
+from proofs.theorems.language import *
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")

@@ -1,37 +1,11 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
-from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import parallel_radius, point_on_a
 from proofs.formulas.height_fields import gradient, height
-from proofs.formulas.symbols import (
-    cos_phi,
-    cos_theta,
-    eye,
-    h,
-    h_u,
-    h_v,
-    k_u,
-    k_v,
-    lengths_of_a,
-    point,
-    radius,
-    real,
-    rho,
-    sin_phi,
-    sin_theta,
-    u,
-    v,
-    x,
-    y,
-)
 from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import QUARTER, SIDES, equations, ridges, sine, zero
+from proofs.theorems.language import *
 
 t, m, crease = real("t m crease")
 

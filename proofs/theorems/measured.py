@@ -2,13 +2,9 @@
 
 The measurements are in verify/checkers/measurements."""
 
-from sympy import Abs, Basic, Expr, Max, Or, Pow, Symbol, pi
-
-from proofs.engine.claim import Rounded, equation
-from proofs.engine.theorem import Theorem
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
+from proofs.theorems.language import *
 
 products = Theorem(
     "crease_products",

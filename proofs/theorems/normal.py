@@ -1,16 +1,8 @@
 """The bumped normal: its length before normalising, and its derivative in β, which the seed checks by a difference."""
 
-from collections.abc import Sequence
-
-from sympy import Abs, Derivative, Expr, Rational
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
-from proofs.formulas.symbols import beta, dot, h_u, h_v, normal, squared
 from proofs.theorems.frame import on_circles
-from proofs.theorems.relations import equations, zero
+from proofs.theorems.language import *
 
 
 def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:

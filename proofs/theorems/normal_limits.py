@@ -1,13 +1,8 @@
 """How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
 
-from sympy import Abs, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
-from proofs.formulas.symbols import beta, cross, dot, normal, real, squared, towards
+from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = squared(g), dot(normal, bumped)

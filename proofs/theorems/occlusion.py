@@ -1,9 +1,5 @@
 """The shadow test: which signs say that a sphere stands between two points, and when none can."""
 
-from sympy import sqrt
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
@@ -17,9 +13,8 @@ from proofs.formulas.shadow import (
     toward_center,
 )
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
-from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, squared, vector
 from proofs.theorems.hits import distance_squared, hit_of_b
-from proofs.theorems.relations import HALF, nonnegative, positive
+from proofs.theorems.language import *
 
 s = real("s")
 _between = point + s * segment

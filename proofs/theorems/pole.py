@@ -1,28 +1,8 @@
 """At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
 
-from sympy import S, cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import HeightField, gradient
-from proofs.formulas.symbols import (
-    Vector,
-    cos_phi,
-    cos_theta,
-    k_u,
-    k_v,
-    phi,
-    real,
-    sin_phi,
-    sin_theta,
-    squared,
-    theta,
-    u,
-    v,
-)
-from proofs.theorems.relations import equations, positive, rings, sine, without, zero
+from proofs.theorems.language import *
 
 _meridian = u, (theta + pi) / (2 * pi)
 

@@ -1,27 +1,8 @@
 """How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
 
-from sympy import Rational
-
-from proofs.engine.claim import Claim, equation, number
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
-from proofs.formulas.symbols import (
-    column,
-    cos_phi,
-    eye,
-    height,
-    lengths_of_a,
-    radius,
-    real,
-    rho,
-    row,
-    sin_phi,
-    width,
-    x,
-    y,
-)
-from proofs.theorems.relations import between, without
+from proofs.formulas.symbols import column, height, row, width
+from proofs.theorems.language import *
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis

@@ -1,12 +1,7 @@
 """Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
 
-from sympy import Abs, pi, sin
-
-from proofs.engine.claim import CitedLemma, Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
-from proofs.formulas.symbols import k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import HALF, named, ridges, sine, without, zero
+from proofs.theorems.language import *
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})

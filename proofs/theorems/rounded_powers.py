@@ -1,7 +1,5 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.algebraic_form import (
     complex_product,
     complex_square,
@@ -13,8 +11,7 @@ from proofs.formulas.algebraic_form import (
     real_part,
 )
 from proofs.formulas.step_bounds import excess, unit
-from proofs.formulas.symbols import real
-from proofs.theorems.relations import QUARTER, between, both_ways, nonnegative
+from proofs.theorems.language import *
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")

@@ -1,9 +1,5 @@
 """The rounding error of the central difference in floating point, the best step, and the floor that it leaves."""
 
-from sympy import Rational
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.step_bounds import (
@@ -22,8 +18,7 @@ from proofs.formulas.step_bounds import (
     two_roundings,
     unit,
 )
-from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import between, both_ways, nonnegative, positive
+from proofs.theorems.language import *
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")

@@ -1,14 +1,8 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, S, cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.formulas.height_fields import gradient, height
-from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import between, positive, ridges, rings, sine, without, zero
+from proofs.theorems.language import *
 
 n, alternating = real("n alternating")
 _whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)

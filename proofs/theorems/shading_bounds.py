@@ -1,14 +1,9 @@
 """How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
 
-from sympy import Max, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
-from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, squared, vector
-from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
+from proofs.theorems.language import *
 
 _other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
 

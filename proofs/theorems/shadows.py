@@ -1,16 +1,10 @@
 """The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a "
 "row of pixels."""
 
-from sympy import Derivative
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, squared, x, y
 from proofs.theorems.hits import distance_squared
-from proofs.theorems.relations import zero
+from proofs.theorems.language import *
 from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 

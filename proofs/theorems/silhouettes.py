@@ -1,14 +1,9 @@
 """The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
 "shadows need it."""
 
-from sympy import Basic, Expr
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, eye, lengths_of_b, squared, x, y
 from proofs.theorems.hits import distance_squared, hit_of_b
-from proofs.theorems.relations import nonnegative, positive
+from proofs.theorems.language import *
 
 _cx, _cy, _cz = ball_center
 _above = eye - _cz  # H: how far the eye is above B's centre

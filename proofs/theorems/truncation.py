@@ -1,16 +1,11 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
-from sympy import Derivative, Expr, Rational, cos, pi, sin
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference
-from proofs.theorems.relations import SIDES, both_ways, equations, named, nonnegative, positive, ridges, rings, sine
+from proofs.theorems.language import *
 
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
 

@@ -1,11 +1,8 @@
 """Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
 
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
-from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, squared, x, y
 from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
-from proofs.theorems.relations import HALF, positive
+from proofs.theorems.language import *
 
 t = real("t")
 _square = rho**2 + eye**2
