@@ -1,7 +1,7 @@
 """What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
 
-from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Self
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
@@ -35,13 +35,16 @@ def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
     return tuple((symbol, number(value)) for symbol, value in pairs(values))
 
 
+@dataclass(frozen=True)
 class Parts:
-    """What has fields that are given as one thing or several: tuples from here on."""
-
-    several: ClassVar[tuple[str, ...]] = ("given",)
+    """What has fields of Some: tuples from here on."""
 
     def __post_init__(self):
-        vars(self).update({name: flat(getattr(self, name)) for name in self.several})
+        vars(self).update({each.name: flat(getattr(self, each.name)) for each in fields(self) if each.type is Some})
+
+    def but(self, **changes: Any) -> Self:
+        """Return the same with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
 
 
 @dataclass(frozen=True)
@@ -63,16 +66,7 @@ class CitedLemma(Parts):
 
 
 @dataclass(frozen=True)
-class Changeable(Parts):
-    """What every sort of claim can do."""
-
-    def but(self, **changes: Any) -> Self:
-        """Return the claim with some fields changed: how a mutant is made."""
-        return replace(self, **changes)
-
-
-@dataclass(frozen=True)
-class Claim(Changeable):
+class Claim(Parts):
     """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
@@ -82,8 +76,6 @@ class Claim(Changeable):
     ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
     as far as the search for one needs to be told. Both are tuples of pairs from here on.
     """
-
-    several = ("shows", "given", "squares", "cited")
 
     name: str
     shows: Some
@@ -123,10 +115,8 @@ class Claim(Changeable):
 
 
 @dataclass(frozen=True)
-class Separation(Changeable):
+class Separation(Parts):
     """In the program `lines`, none of `outputs` depends on any of `avoid`."""
-
-    several = ("outputs", "avoid")
 
     name: str
     lines: Program
@@ -135,14 +125,12 @@ class Separation(Changeable):
 
 
 @dataclass(frozen=True)
-class Induction(Changeable):
+class Induction(Parts):
     """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
     the addition formulas. given: relations over the parameters.
     """
-
-    several = ("shows", "given")
 
     name: str
     n: Symbol
@@ -153,7 +141,7 @@ class Induction(Changeable):
 
 
 @dataclass(frozen=True)
-class Rounded(Changeable):
+class Rounded(Parts):
     """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
 
     program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
@@ -171,7 +159,7 @@ class Rounded(Changeable):
 
 
 @dataclass(frozen=True)
-class Encloses(Changeable):
+class Encloses(Parts):
     """For all float64 numbers and bounds: if `given` holds, a rule of the enclosing machine bounds what it computes.
 
     program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations

@@ -7,7 +7,7 @@ they need.
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import wraps
-from typing import Any
+from typing import Annotated, Any
 
 from sympy import Expr, Symbol, evaluate
 
@@ -23,8 +23,7 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-Some = Any
-"""One thing, or several in tuples and lists, one in another."""
+Some = Annotated[Any, "one thing, or several in tuples and lists, one in another"]
 
 
 def flat(part: Some) -> tuple:
