@@ -8,14 +8,11 @@ from proofs.theorems.cited import sine_of_half_turn
 from proofs.theorems.language import *
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
-ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
+ranges = {(v, epsilon): (0, HALF), largest: (0, 3)}
 
 
 _clamp = Claim(
-    "clamp",
-    (equation(v_plus, v + epsilon), equation(v_minus, 0), equation(span_v, v + epsilon)),
-    pole_clamps,
-    central(sine),
+    "clamp", (equation(v_plus, v + epsilon), zero(v_minus), equation(span_v, v + epsilon)), pole_clamps, central(sine)
 )
 _bends = [part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest)]
 _first = Claim(
@@ -85,8 +82,7 @@ first_order = Theorem(
 )
 
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
-_names, _fields = real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge)
-_odd = Program("odd", (u, v, k_u, k_v), tuple(zip(_names, _fields, strict=True)))
+_odd = chain("odd", {real("h_sine h_rings h_ridge"): (sine.expression, rings.expression, _odd_ridge)})
 _are_odd = Claim("odd", [equation(h, -field) for h, field in _odd.definitions], lines=_odd.at({v: -v}))
 _first_ridge = Claim(
     "first_ridge",
@@ -118,10 +114,16 @@ _second = Claim(
     ranges=ranges,
 )
 _off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})  # type: ignore[index]
+
+
+def _error(h):
+    """Return the error of the clamped difference of a field h(v)."""
+    field = HeightField("of_v", h)
+    return at_pole(field).expand(h_v) - field.gradient()[1]
+
+
 _cubic = HeightField("cubic", v**3 / 6)
-_attained = Claim(
-    "second_order_sharp", equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room), pole_clamps
-)
+_attained = Claim("second_order_sharp", equation(_error(v**3 / 6), _room), pole_clamps)
 
 second_order = Theorem(
     "clamped_difference_of_odd",
@@ -163,15 +165,9 @@ second_order = Theorem(
     ),
 )
 
-
-def _at_zero_of(h):
-    """Return the error of the clamped difference at v = 0 of a field h(v)."""
-    field = HeightField("at_zero", h)
-    return (at_pole(field).expand(h_v) - field.gradient()[1]).subs(v, 0)
-
-
 _steps = (epsilon > 0, epsilon <= 1)
-_costs = Claim("costs_an_order", Abs(_at_zero_of(v - v**3)) >= epsilon, _steps)
+_of_cubic = _error(v - v**3).subs(v, 0)
+_costs = Claim("costs_an_order", Abs(_of_cubic) >= epsilon, _steps)
 
 always_first_order = Theorem(
     "seed_clamp",
@@ -183,7 +179,9 @@ always_first_order = Theorem(
     refuted_at={epsilon: "1/2"},
     steps={r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$": "$h$ is odd"},
     mutants=(
-        variant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),
-        variant("of v + v², not odd, it is ε", Claim("not_odd", equation(_at_zero_of(v + v**2), epsilon), _steps)),
+        variant("of v − v³ it is −ε²", Claim("odd", equation(_of_cubic, -(epsilon**2)), _steps)),
+        variant(
+            "of v + v², not odd, it is ε", Claim("not_odd", equation(_error(v + v**2).subs(v, 0), epsilon), _steps)
+        ),
     ),
 )

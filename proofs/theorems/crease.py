@@ -21,8 +21,8 @@ from proofs.theorems.language import *
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
-half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1
-ranges = ((delta, (-QUARTER, QUARTER)), (epsilon, (0, QUARTER)), (k_u, (0, 4)))
+half = {v: 1, k_v: HALF}  # sin πk_v v = 1
+ranges = {delta: ("-1/4", "1/4"), epsilon: (0, "1/4"), k_u: (0, 4)}
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
 reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
 signs = [sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta)]
@@ -34,7 +34,7 @@ slope_after = rate * cos(rate * delta)  # where sin πkδ > 0, as a claim below 
 
 _value = Claim("value", equation(across, straddled), (straddles, reach), cited=signs, ranges=ranges)
 difference, after = real("difference after")
-_beside = Program("beside", (k_u, delta, epsilon), {difference: straddled, after: slope_after})
+_beside = chain("beside", {difference: straddled, after: slope_after})
 _centre = Claim(
     "at_the_crease", (zero(difference), equation(difference - after, -rate)), epsilon > 0, _beside.at({delta: S.Zero})
 )
@@ -157,7 +157,7 @@ _tents = Claim(
 _means = Claim(
     "mean_of_a_square",
     (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
-    (k_v > 0, equation(sin(pi * k_v), 0)),
+    (k_v > 0, zero(sin(pi * k_v))),
     ranges={k_v: (1, 9)},
 )
 

@@ -71,7 +71,7 @@ displaced_theorem = Theorem(
             _product,
             equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
-        variant("Blinn's is the displaced normal", _first_order, equations(cross(displaced, _blinn), (0, 0, 0))),
+        variant("Blinn's is the displaced normal", _first_order, zero(*cross(displaced, _blinn))),
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
@@ -89,7 +89,7 @@ _only_where_flat = Claim(
         positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
         zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
     ),
-    (raised, equations(cross(m, displaced), (0, 0, 0))),
+    (raised, zero(*cross(m, displaced))),
     _both,
 )
 _where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, zero(beta * h_u, beta * h_v)), _both)
@@ -126,7 +126,7 @@ difference_theorem = Theorem(
         variant(
             "parallel only if h_u = h_v = 0, whatever β",
             _only_where_flat,
-            equation(h_u, 0),
+            zero(h_u),
             at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
         ),
         variant("the opposite sign, as Blinn's", _like_blinn),
@@ -156,9 +156,7 @@ seed_theorem = Theorem(
         )
     },
     mutants=(
-        variant("true where β = 0", _parallel, given=(_parallel.given, equation(beta, 0))),
-        variant(
-            "on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, equation(h_u, 0))
-        ),
+        variant("true where β = 0", _parallel, given=(_parallel.given, zero(beta))),
+        variant("on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, zero(h_u))),
     ),
 )

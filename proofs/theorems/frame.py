@@ -23,7 +23,7 @@ _unit = Claim(
     "orthonormal",
     (
         [equation(squared(a), 1) for a in (e_theta, e_phi, normal)],
-        [equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))],
+        [zero(dot(a, b)) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))],
     ),
     on_circles,
     frame,
@@ -46,7 +46,7 @@ theorem = Theorem(
     mutants=(
         variant("e_θ × e_φ = N (F3)", _right_handed, equations(cross(e_theta, e_phi), normal)),
         variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, equations(_theta, [Derivative(n, theta) for n in _n])),
-        variant("e_φ ⟂ N without θ's circle", _unit, equation(dot(e_phi, normal), 0), given=on_circles[1:]),
+        variant("e_φ ⟂ N without θ's circle", _unit, zero(dot(e_phi, normal)), given=on_circles[1:]),
     ),
 )
 

@@ -27,7 +27,7 @@ _sine = Claim(
 _rings = Claim(
     "rings",
     (
-        equation(h_u, 0),
+        zero(h_u),
         equation(h_v, 2 * pi * k_v * cos(2 * pi * k_v * v)),
         equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
         _difference(rings, v, h_v, 2 * pi * k_v),

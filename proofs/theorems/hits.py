@@ -34,13 +34,13 @@ def met(program: Program) -> Program:
 
     hits_a is 1 where there is one, else 0; t_a is where: the value that the line has there, a real number.
     """
-    lines: list[tuple] = []
+    lines = {}
     for symbol, line in program.definitions:
         if symbol in _APART:
             line, condition = line.args[0]
-            lines.append((_APART[symbol][0], where(condition, 1, 0)))
-        lines.append((symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)))
-    return Program(program.name, program.inputs, tuple(lines), tuple(s.xreplace(_NUMBERS) for s in program.outputs))
+            lines[_APART[symbol][0]] = where(condition, 1, 0)
+        lines[symbol.xreplace(_NUMBERS)] = line.xreplace(_NUMBERS)
+    return chain(program.name, lines)
 
 
 hit_of_a, hit_of_b = met(camera.hit_of_a), met(camera.hit_of_b)
@@ -78,7 +78,7 @@ _near_a = Claim(
 )
 _misses_a = Claim(
     "misses",
-    (distance_squared(along(t), _origin) > radius**2, equation(hits_a, 0)),
+    (distance_squared(along(t), _origin) > radius**2, zero(hits_a)),
     (eye_outside_a, discriminant_a < 0),
     hit_of_a,
     squares=(rho**2 + eye**2) * t - eye**2,
@@ -145,7 +145,7 @@ _near_b = Claim(
 )
 _behind_b = Claim(
     "behind",
-    (t < 0, equation(hits_b, 0)),
+    (t < 0, zero(hits_b)),
     (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),

@@ -72,7 +72,7 @@ _power = Induction(
 _kept = clip_derivative[clipped]
 _clip = (
     Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
-    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), color > 1),
+    Claim("above", (equation(clip[clipped], 1), zero(_kept)), color > 1),
     Claim("below", zero(Max(0, color), _kept), color < 0),
 )
 

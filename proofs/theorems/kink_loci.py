@@ -12,7 +12,7 @@ t, m, crease = real("t m crease")
 
 def whole(number: Expr) -> Basic:
     """Return the hypothesis that a number is whole, by what the translation knows of it: sin πm = 0."""
-    return equation(sin(pi * number), 0)
+    return zero(sin(pi * number))
 
 
 circle_radius = parallel_radius[rho]
@@ -40,7 +40,7 @@ _creases = [
         f"crease_{c}",
         zero(crease, h),
         (k > 0, whole(m)),
-        chain("crease", Program("factor", (u, v, k_u, k_v), {crease: factor}), height(ridges)).at({c: m / k}),
+        chain("crease", {crease: factor}, height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 ]
@@ -107,7 +107,7 @@ _default = Claim(
     "count",
     (cos(pi / 4) > QUARTER, greater(QUARTER, cos(pi / 2)), cos(pi / 2) > cos(3 * pi / 4), cos(3 * pi / 4) > cos(pi)),
 )
-_poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
+_poles = Claim("pole", zero(rho), (zero(sin_phi), equation(cos_phi, 1), eye > radius), parallel_radius)
 
 parallels = Theorem(
     "visible_parallels",

@@ -10,10 +10,10 @@ def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
     return {normal: (0, 0, 1), g: g_at, beta: beta_at}
 
 
-tangent = (equation(squared(normal), 1), equation(dot(normal, g), 0))
+tangent = (equation(squared(normal), 1), zero(dot(normal, g)))
 
 _tangent = Claim(
-    "g_is_tangent", (equation(dot(normal, g), 0), equation(squared(g), h_u**2 + h_v**2)), on_circles, bumped_normal
+    "g_is_tangent", (zero(dot(normal, g)), equation(squared(g), h_u**2 + h_v**2)), on_circles, bumped_normal
 )
 _length = Claim(
     "length",

@@ -58,8 +58,8 @@ _small = Claim(
     borrowed=_length,
     ranges=_clear,
 )
-_still = Claim("zero_beta", equations(bumped, normal), (tangent, equation(beta, 0)), perturbed, ranges=_clear)
-_flat = Claim("zero_height", equations(bumped, normal), (tangent, equations(g, (0, 0, 0))), perturbed, ranges=_clear)
+_still = Claim("zero_beta", equations(bumped, normal), (tangent, zero(beta)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (tangent, zero(*g)), perturbed, ranges=_clear)
 
 
 def _large(name, side):

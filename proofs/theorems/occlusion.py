@@ -47,14 +47,14 @@ _if = Claim(
         equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
         positive(_a - _b + sqrt(_d), 1 / _a, _first),
         greater(1, _first),
-        equation(_a * _first**2 - 2 * _b * _first + _c, 0),
+        zero(_a * _first**2 - 2 * _b * _first + _c),
     ),
     (_positive_at_p, _d >= 0, _b > 0, _b < _a),
 )
 _only_if = Claim(
     "only_if",
     (positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
-    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, zero(_a * s**2 - 2 * _b * s + _c)),
     squares=_a * s - _b,
 )
 _of_b = Claim(
@@ -161,7 +161,7 @@ _least = [
     Claim(name, _parabola >= bound, given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
-        ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
+        ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, zero(_slope + _at * _bend))),
         ("turns_after", _low + 2 * _slope + _bend, (share <= 1, _bend > 0, _slope + _bend <= 0)),
     )
 ]

@@ -57,9 +57,7 @@ _smooth = Induction(
 # The surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v.
 _along = Vector((-sin(theta), cos(theta))), Vector((cos(theta), sin(theta)))
 _surface = real("surface_x surface_y")
-_tangential = Program(
-    "tangential", (theta, k_u), {_surface: k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]}
-)
+_tangential = chain("tangential", {_surface: k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]})
 _limit = Claim(
     "surface_gradient",
     equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),

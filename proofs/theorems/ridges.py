@@ -53,7 +53,7 @@ def _either_side(name, along, k, step, across):
             slope * step >= sides[0],
             sides[0] >= slope * step * (1 - angle**2 / 6),
         ),
-        (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
+        (k > 0, step > 0, k * step <= 1, zero(sin(pi * m))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
         ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )
@@ -138,7 +138,7 @@ differentiable = Theorem(
     refuted_at={u: "1/4", v: "1/8", k_u: 8, k_v: 4},
     steps={r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$": "arithmetic"},
     mutants=(
-        variant("true at a crossing", _one_slope, given=(_one_slope.given, equation(sin(pi * k_v * v), 0))),
-        variant("true where k_u = 0", _one_slope, given=(_one_slope.given, equation(k_u, 0))),
+        variant("true at a crossing", _one_slope, given=(_one_slope.given, zero(sin(pi * k_v * v)))),
+        variant("true where k_u = 0", _one_slope, given=(_one_slope.given, zero(k_u))),
     ),
 )

@@ -5,7 +5,7 @@ from proofs.formulas.height_fields import gradient, height
 from proofs.theorems.language import *
 
 n, alternating = real("n alternating")
-_whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
+_whole, _in_v = zero(sin(pi * k_u)), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 
 
@@ -18,7 +18,7 @@ _slope = sine.gradient()[0]
 _parity = Induction(
     "parity",
     n,
-    (equation(cos(pi * n), alternating), equation(sin(pi * n), 0), equation(cos(2 * pi * n), 1)),
+    (equation(cos(pi * n), alternating), zero(sin(pi * n)), equation(cos(2 * pi * n), 1)),
     ((alternating, 1, -alternating),),
 )
 h_jump, slope_jump = real("h_jump slope_jump")
@@ -29,23 +29,21 @@ _sine = Claim(
         equation(slope_jump, pi * k_u * (1 - cos(pi * k_u)) * _in_v),
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
-    lines=Program("jumps", (k_u, k_v, v), {h_jump: jump(sine.expression), slope_jump: jump(_slope)}),
+    lines=chain("jumps", {h_jump: jump(sine.expression), slope_jump: jump(_slope)}),
 )
 _even = Claim(
     "even",
-    ([equation(jump(f), 0) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
+    ([zero(jump(f)) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
     equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
-    "odd",
-    (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
-    equation(cos(pi * k_u), -1),
+    "odd", (zero(jump(sine.expression)), equation(jump(_slope), 2 * pi * k_u * _in_v)), equation(cos(pi * k_u), -1)
 )
 _ends = real("h_first h_last")
-_at_ends = [(h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True)]
-_ridges = Claim("ridges", zero(*_ends), _whole, Program("ends", (k_u, k_v, v), _at_ends))
+_at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
+_ridges = Claim("ridges", zero(*_ends), _whole, _at_ends)
 _step = real("step")
-_beside = [ridges.expression.subs(u, at) for at in (_step, 1 - _step)]
+_beside = [ridges.at(at, v) for at in (_step, 1 - _step)]
 _crease = Claim(
     "ridges_crease",
     (
@@ -92,7 +90,7 @@ theorem = Theorem(
     },
     mutants=(
         variant("C¹ for odd k_u", _odd, _even.shows),
-        variant("continuous for every k_u", _sine, equation(h_jump, 0)),
+        variant("continuous for every k_u", _sine, zero(h_jump)),
         variant("ridges continuous for every k_u", _ridges, given=()),
         variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=_whole),
     ),

@@ -31,7 +31,7 @@ def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside:
     """Return the claims that a sphere's outline is an ellipse, a parabola or a hyperbola, by the height above it."""
     cases = (
         ("ellipse", determinant > 0, height**2 > radius**2),
-        ("parabola", equation(determinant, 0), equation(height**2, radius**2)),
+        ("parabola", zero(determinant), equation(height**2, radius**2)),
         ("hyperbola", greater(0, determinant), height**2 < radius**2),
     )
     return tuple(Claim(name, (c > 0, shown), (outside, given)) for name, shown, given in cases)
@@ -72,7 +72,7 @@ _none_seen = Claim(
 _branch = Claim(
     "branch",
     (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
-    (eye > 0, _outside, equation(discriminant_b, 0)),
+    (eye > 0, _outside, zero(discriminant_b)),
     hit_of_b,
 )
 

@@ -25,10 +25,10 @@ _touching = along(1 - radius**2 / eye**2)
 _tangent = Claim(
     "tangent",
     (
-        equation(discriminant_a, 0),
+        zero(discriminant_a),
         equation(rho**2, rho_silhouette**2),
         equation(squared(_touching), radius**2),
-        equation(dot(_touching, ray_direction), 0),
+        zero(dot(_touching, ray_direction)),
         equation(eye * _touching[2], radius**2),
     ),
     (eye_outside_a, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
@@ -75,7 +75,7 @@ silhouette = Theorem(
     mutants=(
         variant("ρ_s = R e/√(e² + R²)", _only_inside, eye**2 * radius**2 >= rho**2 * (eye**2 + radius**2)),
         variant("t < 1/2", _in_front, greater(HALF, t_a)),
-        variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
+        variant("cos φ = 0 on the silhouette", _tangent, zero(_touching[2])),
     ),
     side_conditions=(
         SideCondition(r"$\rho \le \rho_s$", "inside", holds=off_the_axis("15/16"), fails=off_the_axis(1)),
