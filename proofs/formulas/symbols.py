@@ -74,9 +74,6 @@ eye, radius, ball_radius = real("eye radius ball_radius")
 ball_on, floor_on = real("ball_on floor_on")
 ball_center = vector("ball_center")
 
-lengths_of_a = (eye > 0, radius > 0)  # what the spheres' lengths have to be, as hypotheses
-lengths_of_b = (eye > 0, ball_radius > 0)
-
 # Sphere A: the angles of a point, and the chart.
 cos_theta, sin_theta, cos_phi, sin_phi = real("cos_theta sin_theta cos_phi sin_phi")
 theta, phi = real("theta phi")

@@ -4,7 +4,6 @@ from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
-from proofs.theorems.cited import sine_of_half_turn
 from proofs.theorems.language import *
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")

@@ -16,7 +16,6 @@ from proofs.formulas.step_bounds import (
     truncation,
     truncation_bound,
 )
-from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
 from proofs.theorems.language import *
 
 delta, m = real("delta m")

@@ -71,7 +71,7 @@ displaced_theorem = Theorem(
             _product,
             equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
-        variant("Blinn's is the displaced normal", _first_order, zero(*cross(displaced, _blinn))),
+        variant("Blinn's is the displaced normal", _first_order, zero(cross(displaced, _blinn))),
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
@@ -89,7 +89,7 @@ _only_where_flat = Claim(
         positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
         zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
     ),
-    (raised, zero(*cross(m, displaced))),
+    (raised, zero(cross(m, displaced))),
     _both,
 )
 _where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, zero(beta * h_u, beta * h_v)), _both)

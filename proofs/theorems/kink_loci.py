@@ -1,8 +1,7 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
+from proofs.formulas import height_fields
 from proofs.formulas.camera import parallel_radius, point_on_a
-from proofs.formulas.height_fields import gradient, height
-from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
 from proofs.theorems.language import *
@@ -17,7 +16,7 @@ def whole(number: Expr) -> Basic:
 
 circle_radius = parallel_radius[rho]
 
-_seen = (*on_circles, sin_phi >= 0, *lengths_of_a, eye > radius, *equations(along(t), point))
+_seen = (on_circles, sin_phi >= 0, lengths_of_a, equations(along(t), point))
 _projection = Claim(
     "projection",
     (
@@ -40,7 +39,7 @@ _creases = [
         f"crease_{c}",
         zero(crease, h),
         (k > 0, whole(m)),
-        chain("crease", {crease: factor}, height(ridges)).at({c: m / k}),
+        chain("crease", {crease: factor}, height_fields.height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 ]
@@ -56,7 +55,7 @@ _elsewhere = [
             equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
         ),
         side * sine.expression > 0,
-        chain("ridges", height(ridges), gradient(ridges)),
+        chain("ridges", height_fields.height(ridges), height_fields.gradient(ridges)),
     )
     for name, side in SIDES
 ]

@@ -7,7 +7,7 @@ from proofs.theorems.normal import at, tangent
 _length = (("unit_length", "length"),)
 _g_squared, cosine = squared(g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = between("-2/3", "2/3", *normal[:2])  # samples keep N_z off zero
+_clear = {normal[:2]: ("-2/3", "2/3")}  # samples keep N_z off zero
 
 
 _angle = Claim(
@@ -59,7 +59,7 @@ _small = Claim(
     ranges=_clear,
 )
 _still = Claim("zero_beta", equations(bumped, normal), (tangent, zero(beta)), perturbed, ranges=_clear)
-_flat = Claim("zero_height", equations(bumped, normal), (tangent, zero(*g)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (tangent, zero(g)), perturbed, ranges=_clear)
 
 
 def _large(name, side):

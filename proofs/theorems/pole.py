@@ -22,7 +22,7 @@ _length = Claim(
     lines=_sine,
 )
 _vanishes = [
-    Claim(f"sine_{name}", zero(*g), lines=_sine.at(at))
+    Claim(f"sine_{name}", zero(g), lines=_sine.at(at))
     for name, at in (("seam", {theta: -pi}), ("k_u_0", {k_u: S.Zero}), ("k_v_0", {k_v: S.Zero}))
 ]
 _differs = Claim(
@@ -100,7 +100,7 @@ theorem = Theorem(
     },
     mutants=(
         variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
-        variant("rings' has one", _opposite, zero(*_across)),
+        variant("rings' has one", _opposite, zero(_across)),
         variant(
             "the true gradient has one for k_u = 1",
             _limit,

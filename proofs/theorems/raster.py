@@ -1,7 +1,6 @@
 """How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
 
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
-from proofs.formulas.symbols import column, height, row, width
 from proofs.theorems.language import *
 
 m, n = real("m n")
@@ -17,14 +16,14 @@ _on_the_raster = [
         f"raster_{name}",
         ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
         (_whole[0], given),
-        ranges=between(0, 255, m, n),
+        ranges={(m, n): (0, 255)},
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
 ]
 _linear = Claim(
     "linear",
     (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
-    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a, eye > radius),
+    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a),
     parallel_radius,
     squares=1 - cos_phi,
 )

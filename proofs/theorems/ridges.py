@@ -1,6 +1,5 @@
 """Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
 
-from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
 from proofs.theorems.language import *
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v

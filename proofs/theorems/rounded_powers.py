@@ -26,7 +26,7 @@ _terms = (
 )
 _kappa = equation(excess, (1 + unit) ** 3 - 1)
 _unit = (unit >= 0, unit <= QUARTER)
-_small = between("-1/8", "1/8", unit, first, second, third, fourth, excess)
+_small = {(unit, first, second, third, fourth, excess): ("-1/8", "1/8")}
 
 _three = Claim(
     "three_roundings_of_one",
@@ -92,11 +92,11 @@ _power = Claim(
         excess * size * other_size >= own,
         own + off_first * other_size + off_second >= off,
     ),
-    ranges=(
-        *between("1/4", 1, excess, size, other_size, off_first, off_second),
-        *between(0, "1/8", own, off),
-        *between(2, 3, most, most_other),
-    ),
+    ranges={
+        (excess, size, other_size, off_first, off_second): ("1/4", 1),
+        (own, off): (0, "1/8"),
+        (most, most_other): (2, 3),
+    },
 )
 _factors = Claim(
     "factors",
@@ -111,7 +111,7 @@ _factors = Claim(
         both_ways(most - 1, value - exact),
         both_ways(most_other - 1, other_value - other_exact),
     ),
-    ranges=(*between(-1, 1, exact, other_exact, value, other_value), *between(1, 2, most, most_other)),
+    ranges={(exact, other_exact, value, other_value): (-1, 1), (most, most_other): (1, 2)},
 )
 
 theorem = Theorem(

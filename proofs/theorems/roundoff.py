@@ -41,7 +41,7 @@ _three = Claim(
         both_ways(three_roundings[excess], growth - 1),
     ),
     (_unit, _factors, equation(growth * (1 + third), _both)),
-    ranges=between("-1/8", "1/8", unit, first, second, third),
+    ranges={(unit, first, second, third): ("-1/8", "1/8")},
 )
 
 
@@ -62,11 +62,11 @@ def _rounded(name, output, samples, over, given):
         ),
         (given, [both_ways(most, quantity) for most, quantity in magnitudes]),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
-        ranges=(
-            *between("-1/4", "1/4", off_plus, off_minus, mean),
-            *between(0, 3, evaluation, argument, excess, steepest),
-            *between(0, "1/2", epsilon, v),
-        ),
+        ranges={
+            (off_plus, off_minus, mean): ("-1/4", "1/4"),
+            (evaluation, argument, excess, steepest): (0, 3),
+            (epsilon, v): (0, "1/2"),
+        },
     )
 
 
@@ -149,7 +149,7 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    ranges=between(0, 3, best, epsilon, rounding),
+    ranges={(best, epsilon, rounding): (0, 3)},
 )
 
 best_step_theorem = Theorem(

@@ -1,7 +1,7 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
+from proofs.formulas import height_fields
 from proofs.formulas.half_turns import sinpi
-from proofs.formulas.height_fields import gradient, height
 from proofs.theorems.language import *
 
 n, alternating = real("n alternating")
@@ -41,7 +41,7 @@ _odd = Claim(
 )
 _ends = real("h_first h_last")
 _at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
-_ridges = Claim("ridges", zero(*_ends), _whole, _at_ends)
+_ridges = Claim("ridges", zero(_ends), _whole, _at_ends)
 _step = real("step")
 _beside = [ridges.at(at, v) for at in (_step, 1 - _step)]
 _crease = Claim(
@@ -58,12 +58,12 @@ _broken = Claim(
     "ridges_jump",
     positive(-jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=between("1/8", "7/8", k_u, k_v, v),  # samples keep off the zeros
+    ranges={(k_u, k_v, v): ("1/8", "7/8")},  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings",
     (equation(h, rings.expression), zero(h_u)),
-    lines=chain("rings", height(rings), gradient(rings)).at({u: u + 1}),
+    lines=chain("rings", height_fields.height(rings), height_fields.gradient(rings)).at({u: u + 1}),
 )
 
 theorem = Theorem(

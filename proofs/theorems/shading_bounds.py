@@ -47,7 +47,7 @@ _all_lights = Claim(
             so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
         ],
-        nonnegative(*_factors),
+        nonnegative(_factors),
         _slope_error >= step,
     ),
 )

@@ -3,7 +3,6 @@
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
 from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
 from proofs.formulas.step_bounds import frequency as half_turns
-from proofs.theorems.cited import sine_above, sine_below
 from proofs.theorems.finite_difference import difference
 from proofs.theorems.language import *
 
