@@ -144,7 +144,6 @@ _near_tent = Claim(
     _after,
     squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
-    ranges=ranges,
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
@@ -157,7 +156,6 @@ _means = Claim(
     "mean_of_a_square",
     (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
     (k_v > 0, zero(sin(pi * k_v))),
-    ranges={k_v: (1, 9)},
 )
 
 

@@ -16,7 +16,6 @@ _on_the_raster = [
         f"raster_{name}",
         ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
         (_whole[0], given),
-        ranges={(m, n): (0, 255)},
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
 ]

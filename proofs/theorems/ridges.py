@@ -54,7 +54,6 @@ def _either_side(name, along, k, step, across):
         ),
         (k > 0, step > 0, k * step <= 1, zero(sin(pi * m))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
-        ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )
 
 

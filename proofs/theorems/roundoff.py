@@ -149,7 +149,6 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    ranges={(best, epsilon, rounding): (0, 3)},
 )
 
 best_step_theorem = Theorem(
