@@ -9,18 +9,16 @@ from proofs.theorems.language import *
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
 _by_turns = chain("by_turns", {s: e.xreplace(_of_angles) for s, e in chart.definitions})
-_half_turns = (turn > -1, turn <= 1)
 _range = Claim(
-    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (_half_turns, polar >= 0, polar <= 1), _by_turns
+    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (turn > -1, turn <= 1, polar >= 0, polar <= 1), _by_turns
 )
 _seam = Claim("seam", (equation(u_closed, 1), zero(u)), equation(turn, 1), _by_turns)
 _inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), turn < 1, _by_turns)
 
 
-_angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
 _round_trip = Claim(
     "round_trip",
-    equations(chart_inverse.outputs, _angles),
+    equations(chart_inverse.outputs, [f(a) for a in (turn, polar) for f in (cospi, sinpi)]),
     lines=chart_inverse.at({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}),
 )
 _on_the_seam = Claim(

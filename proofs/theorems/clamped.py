@@ -98,7 +98,7 @@ _first_ridge = Claim(
 _end = v + epsilon
 _room = clamped_bound[truncation].xreplace({third_derivative: S.One})
 _rise = _end**2 / 8 - v**2 / 2
-_middle = slope + bend_minus * _rise
+_upper = _end * (slope + bend_minus * _rise) + bend_plus * _end**3 / 24
 _second = Claim(
     "second_order",
     (
@@ -108,11 +108,10 @@ _second = Claim(
         both_ways(largest * _room, h_v - slope),
     ),
     (pole_clamps, _bends),
-    of_heights({h_v_plus: _end * _middle + bend_plus * _end**3 / 24, h_v_minus: S.Zero}),
+    of_heights({h_v_plus: _upper, h_v_minus: S.Zero}),
     squares=_end,
     ranges=ranges,
 )
-_off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})  # type: ignore[index]
 
 
 def _error(h):
@@ -121,7 +120,6 @@ def _error(h):
     return at_pole(field).expand(h_v) - field.gradient()[1]
 
 
-_cubic = HeightField("cubic", v**3 / 6)
 _attained = Claim("second_order_sharp", equation(_error(v**3 / 6), _room), pole_clamps)
 
 second_order = Theorem(
@@ -150,10 +148,12 @@ second_order = Theorem(
     },
     mutants=(
         variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
-        variant("h(0) = 0 is not needed", _second, lines=_off_zero),
+        variant("h(0) = 0 is not needed", _second, lines=of_heights({h_v_plus: _upper, h_v_minus: here})),
         variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
         variant(
-            "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
+            "w³/6 attains ε²/6 for v > 0",
+            _attained,
+            equation(at_pole(HeightField("cubic", v**3 / 6)).expand(h_v) - v**2 / 2, epsilon**2 / 6),
         ),
     ),
     side_conditions=SideCondition(

@@ -2,6 +2,7 @@
 
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.certified import COSINE, NORMAL, SHARE
+from proofs.formulas.pixel import CHANNELS
 from proofs.formulas.shading import (
     albedos,
     clip,
@@ -19,10 +20,6 @@ from proofs.theorems.language import *
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
 _to_light = light - point
-_shares = [
-    before + color * (albedo * (kd * Max(0, mu)) + ks * specular)
-    for before, color, albedo in zip(colors, light_colors, albedos, strict=True)
-]
 
 theorem = Theorem(
     "colour_accuracy",
@@ -56,15 +53,13 @@ theorem = Theorem(
             Rounded(
                 f"share_{name}",
                 light_term,
-                {channel: SHARE * _UNIT * share + Pow(10, -30)},
+                {channel: SHARE * _UNIT * light_term.expand(channel) + Pow(10, -30)},
                 (
                     [weight >= 0 for weight in (before, color, albedo, kd, ks, specular)],
                     [weight <= Pow(2, 20) for weight in (color, albedo)],
                 ),
             )
-            for name, channel, share, before, color, albedo in zip(
-                ("red", "green", "blue"), lit, _shares, colors, light_colors, albedos, strict=True
-            )
+            for name, channel, before, color, albedo in zip(CHANNELS, lit, colors, light_colors, albedos, strict=True)
         ],
         Rounded("clip", clip, {clipped: Rational(0)}),
     ),

@@ -7,7 +7,6 @@ from proofs.theorems.frame import angles, at_angle, frame, on_circles
 from proofs.theorems.language import *
 
 theta_0, phi_0 = real("theta_0 phi_0")
-_here = equations((theta, phi), (theta_0, phi_0))
 _field = h + h_theta * (theta - theta_0) + h_phi * (phi - phi_0)  # any field, to first order around a point
 
 
@@ -16,12 +15,13 @@ def _along(angle):
     return [Derivative(s, angle) for s in (1 + beta * _field) * frame.expand(normal).xreplace(angles)]
 
 
-def _in_angles(program, names):
-    return program.expand(names, until=(h_theta, h_phi)).xreplace(angles)
-
-
-_scaled = (1 + beta * h) * sin(phi) * _in_angles(displaced_normal, displaced)
-_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (_here, sin(phi) > 0))
+_in_angles = displaced_normal.expand(displaced, until=(h_theta, h_phi)).xreplace(angles)
+_scaled = (1 + beta * h) * sin(phi) * _in_angles
+_product = Claim(
+    "product",
+    equations(cross(_along(phi), _along(theta)), _scaled),
+    (equations((theta, phi), (theta_0, phi_0)), sin(phi) > 0),
+)
 _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
@@ -75,8 +75,8 @@ displaced_theorem = Theorem(
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
-        SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), h: 1, h_u: 1, h_v: 1, beta: 1}),
-        SideCondition(r"$1+\beta h > 0$", "outward", fails={**at_angle(0, 1), h: -1, h_u: 1, h_v: 1, beta: 1}),
+        SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), (h, h_u, h_v, beta): 1}),
+        SideCondition(r"$1+\beta h > 0$", "outward", fails={**at_angle(0, 1), h: -1, (h_u, h_v, beta): 1}),
     ),
 )
 
@@ -127,7 +127,7 @@ difference_theorem = Theorem(
             "parallel only if h_u = h_v = 0, whatever β",
             _only_where_flat,
             zero(h_u),
-            at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
+            at={**at_angle(0, 1), (beta, h): 0, (h_u, h_v): 1},
         ),
         variant("the opposite sign, as Blinn's", _like_blinn),
         variant(
@@ -138,9 +138,9 @@ difference_theorem = Theorem(
     ),
 )
 
-_in_half_turns = {slope: without(Pow(pi, -1), displaced_normal[slope]) for slope in (h_theta, h_phi)}
+_half_turns = {slope: without(Pow(pi, -1), displaced_normal[slope]) for slope in (h_theta, h_phi)}
 _parallel = Claim(
-    "parallel", zero(dot(normal, cross(m, -beta * _slopes.xreplace(_in_half_turns)))), _off_the_poles, bumped_normal
+    "parallel", zero(dot(normal, cross(m, -beta * _slopes.xreplace(_half_turns)))), _off_the_poles, bumped_normal
 )
 
 seed_theorem = Theorem(
@@ -149,7 +149,7 @@ seed_theorem = Theorem(
     r"""$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular $N\cdot(M\times
     D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).""",
     claims=_parallel,
-    refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
+    refuted_at={**at_angle("3/5", "4/5"), (beta, h_u, h_v): 1},
     steps={
         r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
             r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"

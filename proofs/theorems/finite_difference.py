@@ -43,7 +43,6 @@ _cosine = Claim(
     ),
     (epsilon > 0, k_u > 0),
 )
-_angle = pi * k_u * epsilon
 
 theorem = Theorem(
     "central_difference_of_sine",
@@ -63,7 +62,11 @@ theorem = Theorem(
     },
     mutants=(
         variant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
-        variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
+        variant(
+            "the step 2ε in sinc",
+            _u,
+            equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * (pi * k_u * epsilon))),
+        ),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
         variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),
     ),

@@ -63,11 +63,10 @@ seed_orientation = Theorem(
     ),
 )
 
-_north = (sin_phi > 0,)
 _seed = Claim(
     "seed_frame",
     (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi))),
-    (on_circles[1], _north),
+    (on_circles[1], sin_phi > 0),
     frame,
 )
 _angles = Claim(

@@ -20,14 +20,13 @@ from proofs.theorems.language import *
 apart, turned = real("apart turned")
 
 n, m, omega = vector("n"), vector("m"), vector("omega")
-_gap = (equation(apart**2, squared(n - m)),)
 x, z = real("x z")
 
 
 _scalar = Claim(
     "along_a_direction",
     (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, _gap, equation(squared(omega), 1)),
+    (apart >= 0, equation(apart**2, squared(n - m)), equation(squared(omega), 1)),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
@@ -49,8 +48,7 @@ def unclamped(program: Program) -> Expr:
 
 def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
     """Return the same with another normal."""
-    seen = dict(zip((*bumped, *towards), (*normal_of_light, *omega), strict=True))
-    return unclamped(program).xreplace(seen)
+    return unclamped(program.at({bumped: normal_of_light, towards: omega}))
 
 
 _units = [equation(squared(p), 1) for p in (n, m, omega)]
@@ -64,13 +62,12 @@ def gram(a: Expr, b: Expr, c: Expr) -> Expr:
 
 
 _reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
-_swung = _reflected[0] - _reflected[1]
 _a, _b, _c = real("a b c")
 _gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _units)
 _swing = Claim(
     "mirror",
     (
-        equation(squared(_swung), 4 * _gram_part),
+        equation(squared(_reflected[0] - _reflected[1]), 4 * _gram_part),
         equation(squared(n - m), 2 - 2 * _cosines[2]),
         [equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)],
     ),

@@ -149,7 +149,6 @@ _behind_b = Claim(
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
-_whole = met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b))
 _from_the_center = Vector(along(t_b)) - ball_center
 _outward_b = Claim(
     "outward",
@@ -161,7 +160,7 @@ _outward_b = Claim(
         equations(point, along(t_b)),
     ),
     (_sees_b, ball_radius > 0),
-    _whole,
+    met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b)),
 )
 _seed_c = sum(c**2 for c in ball_center) - ball_radius**2
 _c = distance_squared(_eye, ball_center) - ball_radius**2

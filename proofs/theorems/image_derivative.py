@@ -79,8 +79,8 @@ _clip = (
 
 def _grazing(cosine):
     """Return a light's inputs at μ = cosine, of unit coefficients, in a highlight that does not move."""
-    values = {mu: cosine, mu_by_beta: 1, specular_base: 1, base_by_beta: 0, raised: 1, raised_by_beta: 0, shininess: 1}
-    return values | dict.fromkeys((kd, ks, albedos[0], light_colors[0]), 1)
+    ones = (mu_by_beta, specular_base, raised, shininess, kd, ks, albedos[0], light_colors[0])
+    return {mu: cosine, ones: 1, (base_by_beta, raised_by_beta): 0}
 
 
 theorem = Theorem(

@@ -87,7 +87,6 @@ def _large(name, side):
 
 
 _up, _down = _large("large_beta", 1), _large("large_negative_beta", -1)
-_gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 
 limits = Theorem(
     "normal_limits",
@@ -108,7 +107,7 @@ limits = Theorem(
     mutants=(
         variant("half as far", _small, w >= 2 * sqrt(squared(_moved))),
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
-        variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
+        variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * (2 - 2 * dot(bumped, g) / sqrt(_g_squared)))),
     ),
     side_conditions=SideCondition(
         r"$\beta \ne 0$, $g \ne 0$",

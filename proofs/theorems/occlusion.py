@@ -17,13 +17,12 @@ from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.language import *
 
 s = real("s")
-_between = point + s * segment
 _excess = squared(offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",
     (
         equation(
-            distance_squared(_between, center) - body_radius**2,
+            distance_squared(point + s * segment, center) - body_radius**2,
             segment_squared * s**2 - 2 * toward_center * s + _excess,
         ),
         equation(distance_squared(light, center) - body_radius**2, segment_squared - 2 * toward_center + _excess),
@@ -33,8 +32,12 @@ _quadratic = Claim(
     (),
     shadow,
 )
-_conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
-_program = Claim("program", equation(occluded, 1), _conditions, shadow)
+_program = Claim(
+    "program",
+    equation(occluded, 1),
+    (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared),
+    shadow,
+)
 _a, _b, _c, _d = real("a b c d")
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
 _first = (_b - sqrt(_d)) / _a

@@ -26,8 +26,9 @@ _linear = Claim(
     parallel_radius,
     squares=1 - cos_phi,
 )
-_bound = Rational(44, 10000)
-_far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))
+_far = Claim(
+    "far", (sin_phi > Rational(44, 10000), sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest)
+)
 _needed = (FALLBACK * Rational(4, 3)) ** 2
 _only_near = Claim("only_near", _needed > rho**2, (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
 _no_pixel = [c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster]

@@ -1,21 +1,14 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
-from proofs.formulas.algebraic_form import (
-    complex_product,
-    complex_square,
-    imaginary_part,
-    other_imaginary,
-    other_real,
-    product_imaginary,
-    product_real,
-    real_part,
-)
+from proofs.formulas.algebraic_form import complex_product, complex_square
 from proofs.formulas.step_bounds import excess, unit
 from proofs.theorems.language import *
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
 size, other_size, exact, other_exact, value, other_value = real("size other_size exact other_exact value other_value")
+real_part, imaginary_part, other_real, other_imaginary = complex_product.inputs
+_squared, _multiplied = (program.expand(program.outputs) for program in (complex_square, complex_product))
 _modulus = real_part**2 + imaginary_part**2
 _moduli = _modulus * (other_real**2 + other_imaginary**2)
 _terms = (
@@ -40,23 +33,19 @@ _three = Claim(
 _square = Claim(
     "square",
     (
-        equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
+        equation(_squared[0] ** 2 + _squared[1] ** 2, _modulus**2),
         nonnegative(excess**2 - first**2, excess**2 - second**2),
         excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
-    (
-        equation(off_first, first * complex_square.expand(product_real)),
-        equation(off_second, second * complex_square.expand(product_imaginary)),
-        both_ways(excess, first, second),
-    ),
-    squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
+    (equations((off_first, off_second), (first * _squared[0], second * _squared[1])), both_ways(excess, first, second)),
+    squares=_squared,
     ranges=_small,
 )
 _twice = 2 * unit + unit**2
 _product = Claim(
     "product",
     (
-        equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
+        equation(_multiplied[0] ** 2 + _multiplied[1] ** 2, _moduli),
         nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
         2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
         2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
@@ -145,20 +134,18 @@ theorem = Theorem(
             _product,
             unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
-                (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
-                (first, second, third, fourth): ("17/64", 0, 0, 0),
-                (unit, excess, off_first, off_second): ("1/8", "217/512", "17/64", 0),
+                (real_part, other_real): 1,
+                (imaginary_part, other_imaginary, second, third, fourth, off_second): 0,
+                (first, off_first): "17/64",
+                unit: "1/8",
+                excess: "217/512",
             },
         ),
         variant(
             "errors add without a second order",
             _power,
             excess + most + most_other - 2 >= off,
-            at={
-                (excess, off_first, off_second): (1, 1, 1),
-                (size, other_size, most, most_other): (2, 2, 2, 2),
-                (own, off): (4, 7),
-            },
+            at={(excess, off_first, off_second): 1, (size, other_size, most, most_other): 2, own: 4, off: 7},
         ),
         variant("the larger error alone", _factors, both_ways(most - 1, value * other_value - exact * other_exact)),
     ),

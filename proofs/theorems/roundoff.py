@@ -77,9 +77,9 @@ _clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (*pole_c
 
 def _at(error):
     """Return a constant height whose two samples are off by 1, up and down, because of `error` alone."""
-    none = dict.fromkeys((evaluation, argument, here, mean, excess), 0)
-    ones = {growth: 1, epsilon: 1, error: 1, off_plus: 1, off_minus: -1, steepest: int(error is argument)}
-    return none | ones
+    other = {evaluation: argument, argument: evaluation}[error]
+    none = {(other, here, mean, excess): 0, off_minus: -1, steepest: int(error is argument)}
+    return none | {(growth, epsilon, error, off_plus): 1}
 
 
 theorem = Theorem(
@@ -120,18 +120,16 @@ theorem = Theorem(
             both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(argument),
         ),
-        variant(
-            "one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): ["1/4"] * 3, growth: "25/16"}
-        ),
+        variant("one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): "1/4", growth: "25/16"}),
         variant(
             "the span's rounding costs nothing",
             _three,
             2 * unit + unit**2 >= growth - 1,
-            at={(unit, first, second): ["1/4"] * 3, third: "-1/4", growth: "25/12"},
+            at={(unit, first, second): "1/4", third: "-1/4", growth: "25/12"},
         ),
     ),
     side_conditions=SideCondition(
-        r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
+        r"$\varepsilon > 0$", "in_u", undefined={tuple({here, *_in_u.names()[0]} - {h_u}): 0}
     ),
 )
 

@@ -31,7 +31,7 @@ def _light(channel, factor=None):
     )
 
 
-_lights = tuple(map(_light, range(3)))
+_lights = [_light(channel) for channel in range(3)]
 _weights = [light_bound(0)[share] for share in (diffuse_share, specular_share)]
 
 _first, _second, _bound_on, _slope_error = real("first second bound_on slope_error")
@@ -61,8 +61,8 @@ def _at_unit_weights(factor):
 
 def _lamp(shine):
     """Return the light's inputs with k_s = shine, and a highlight that changes by 1."""
-    known = {light_colors[0]: 1, albedos[0]: 1, kd: 1, ks: shine, mu: 0, _other_mu: 0, specular: 1, _other_specular: 0}
-    return {**known, q: 1, step: 1, so_far: 0, colors[0]: 0, _before: 0}
+    ones = (light_colors[0], albedos[0], kd, specular, q, step)
+    return {ks: shine, ones: 1, (mu, _other_mu, _other_specular, so_far, colors[0], _before): 0}
 
 
 difference_bound = Theorem(
@@ -98,7 +98,7 @@ difference_bound = Theorem(
             "without the last light",
             _all_lights,
             sum(_factors[:4]) * step >= _changes[-1],
-            at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
+            at={(_factors[:4], _changes[:4]): 0, (_factors[4], _changes[4], step, _slope_error): 1},
         ),
         variant("without the highlight", _at_unit_weights(_weights[0])),
         variant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
@@ -135,12 +135,11 @@ one_more = Theorem(
 
 a, b = vector("a"), vector("b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
-_change = a / length_a - b / length_b
 _outside = (
     *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
     equation(product, dot(a, b)),
     equation(apart**2, squared(a - b)),
-    equation(turned**2, squared(_change)),
+    equation(turned**2, squared(a / length_a - b / length_b)),
 )
 _normalise = Claim(
     "normalise",
@@ -174,8 +173,8 @@ _moved = Claim(
 
 def _pair(length):
     """Return two orthogonal vectors of equal length, with what is derived from them."""
-    vectors = {a: (length, 0, 0), b: (0, length, 0)}
-    return {**vectors, length_a: length, length_b: length, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
+    vectors = {a: (length, 0, 0), b: (0, length, 0), (length_a, length_b): length}
+    return {**vectors, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
 
 
 normalising = Theorem(

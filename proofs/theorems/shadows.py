@@ -33,14 +33,13 @@ _conic = Claim(
 _determinant = _xx * _yy - _xy**2
 _types = conic_types(_c, _determinant, _w[2], body_radius, _apart)
 _along_row = cross(light, center) - cross(_w, (0, y, 0))
-_turn = cross((1, 0, 0), _w)
 _row = Claim(
     "row",
     (
         equation(
             shadow_discriminant,
             (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
-            - 2 * (body_radius**2 * light[0] + dot(_along_row, _turn)) * x
+            - 2 * (body_radius**2 * light[0] + dot(_along_row, cross((1, 0, 0), _w))) * x
             + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
             - squared(_along_row),
         ),
@@ -83,8 +82,6 @@ def _from_the_light(name):
     return claim.but(**moved)
 
 
-_cast = (_from_the_light("all_seen"), _from_the_light("none_seen"))
-
 _behind_a = Claim(
     "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1])
 )
@@ -92,7 +89,6 @@ _leading = Claim(
     "leading",
     equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),
 )
-_given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 
 shadow_of_b = Theorem(
     "shadow_of_b_on_floor",
@@ -104,7 +100,7 @@ shadow_of_b = Theorem(
     ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
     hyperbola.""",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
-    claims=(_conic, _types, _away, _cast),
+    claims=(_conic, _types, _away, _from_the_light("all_seen"), _from_the_light("none_seen")),
     steps={
         r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$": ("expansion", "lagrange_identity"),
         r"its quadratic part has the determinant $c\,(w_z^2-r^2)$": "expansion; $c > 0$",
@@ -116,7 +112,9 @@ shadow_of_b = Theorem(
         variant("an ellipse from any height", _types[2], _determinant > 0),
         variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
-    side_conditions=SideCondition("the light is not level with the top", "ellipse", fails=_given_scene),
+    side_conditions=SideCondition(
+        "the light is not level with the top", "ellipse", fails={light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
+    ),
 )
 
 shadow_of_a = Theorem(

@@ -30,9 +30,10 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
         *(epsilon * (bound + s * error) >= 0 for s in (1, -1)),
         *(bound + s * error >= 0 for s in (1, -1)),
     )
-    lemmas = (sine_below(angle), sine_above(angle))
     (k,) = frequency.free_symbols
-    return Claim(name, shows, (given, k > 0), None, squares, cited=lemmas, ranges=INSIDE)
+    return Claim(
+        name, shows, (given, k > 0), None, squares, cited=(sine_below(angle), sine_above(angle)), ranges=INSIDE
+    )
 
 
 _u = _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), (named(sin(_in_u)), named(cos(_in_v))))
@@ -62,7 +63,6 @@ _steepest = slope_bound[steepest]
 _apart = Claim("apart", both_ways(crease_bound[apart], _quotient - _slope), both_ways(_steepest, _quotient, _slope))
 _at_eight = Claim("at_eight", ((8 * pi) ** 3 > 24**3, greater(24**3, 6 * 2000)))
 _at_four = Claim("at_four", ((4 * pi) ** 3 > 1728, greater(1987, (4 * pi) ** 3)))
-_rings_by_k_v = bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1]
 
 theorem = Theorem(
     "truncation_bound",
@@ -87,7 +87,12 @@ theorem = Theorem(
         r"$|D_\varepsilon h - h'| \le |D_\varepsilon h| + |h'|$": "the triangle's inequality",
     },
     mutants=(
-        variant("rings with k_v for 2k_v", _rings, _rings_by_k_v >= 0, at={k_v: 2, v: "1/4", epsilon: "1/16"}),
+        variant(
+            "rings with k_v for 2k_v",
+            _rings,
+            bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1] >= 0,
+            at={k_v: 2, v: "1/4", epsilon: "1/16"},
+        ),
         variant(
             "a seventh for the sixth",
             _bounded("sine", sine, h_u, k_u, cos(_in_u) * sin(_in_v), share=Rational(6, 7)),
