@@ -41,6 +41,8 @@ def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
 class Parts:
     """What has fields of Some: tuples from here on."""
 
+    borrowed = cited = squares = example = ()  # what a Claim may have
+
     def __post_init__(self):
         vars(self).update({each.name: flat(getattr(self, each.name)) for each in fields(self) if each.type is Some})
 
@@ -84,7 +86,7 @@ class Claim(Parts):
     given: Some = ()
     lines: Program | None = None
     squares: Some = ()
-    borrowed: tuple[tuple[str, str], ...] = ()
+    borrowed: Any = ()
     ranges: Any = ()
     cited: Some = ()
     example: Any = ()

@@ -116,5 +116,5 @@ def _still_said(claim, now, entry):
     if now["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
         less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in steps]}
     # that a case cannot occur is not said of what a lemma adds: its conditions are shown, and not assumed
-    empty = [contradiction(less)] if now["kind"] == "derivation" and not getattr(claim, "cited", ()) else []
+    empty = [contradiction(less)] if now["kind"] == "derivation" and not claim.cited else []
     return digest(kept) == entry["sha256"] and kept in [less, *empty]

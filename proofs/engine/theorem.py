@@ -154,7 +154,7 @@ class Theorem(Parts):
     @property
     def named(self) -> list[str]:
         """The theorems that a claim borrows from or a step uses."""
-        lent = [id for claim in self.claims for id, _ in getattr(claim, "borrowed", ())]
+        lent = [id for claim in self.claims for id, _ in claim.borrowed]
         return lent + [id for step in self.steps for id in step.uses]
 
     @property
@@ -224,7 +224,7 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     Raises ValueError unless the other claim's givens and lines are among this one's.
     """
     added: tuple = ()
-    for id, name in getattr(claim, "borrowed", ()):
+    for id, name in claim.borrowed:
         other = theorems[id].claim(name)
         if not isinstance(other, Claim) or not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")

@@ -49,7 +49,6 @@ def _rounded(name, output, samples, over, given):
     """Return the claim about the difference `output` over the span `over` of its two samples, times `growth`."""
     plus, minus = samples
     off, bound = off_plus - off_minus, rounding_bound[rounding].xreplace({span: over})
-    magnitudes = ((excess, growth - 1), (_each, off_plus), (_each, off_minus), (steepest, mean))
     return Claim(
         name,
         (
@@ -60,7 +59,7 @@ def _rounded(name, output, samples, over, given):
             both_ways(over * bound, over * (output * growth - mean)),
             both_ways(bound, output * growth - mean),
         ),
-        (given, [both_ways(most, quantity) for most, quantity in magnitudes]),
+        (given, both_ways(excess, growth - 1), both_ways(_each, off_plus, off_minus), both_ways(steepest, mean)),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
         ranges={
             (off_plus, off_minus, mean): ("-1/4", "1/4"),
