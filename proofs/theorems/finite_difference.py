@@ -11,7 +11,7 @@ def difference(field: HeightField, output: Symbol) -> Expr:
     return inside(field).expand(output)
 
 
-def sinc(x: Expr) -> Expr:
+def _sinc(x):
     """Return sin x / x."""
     return sin(x) / x
 
@@ -20,7 +20,7 @@ def _times_sinc(name, field, output, frequency, given):
     slope = dict(zip((h_u, h_v), field.gradient(), strict=True))[output]
     shows = (
         equation(2 * epsilon * difference(field, output), 2 * slope / (pi * frequency) * sin(pi * frequency * epsilon)),
-        equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
+        equation(difference(field, output), slope * _sinc(pi * frequency * epsilon)),
     )
     (k,) = frequency.free_symbols
     return Claim(name, shows, (given, k > 0), ranges=INSIDE)
@@ -39,7 +39,7 @@ _cosine = Claim(
     "cosine",
     equation(
         (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
-        -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
+        -pi * k_u * sin(pi * k_u * u) * _sinc(pi * k_u * epsilon),
     ),
     (epsilon > 0, k_u > 0),
 )
@@ -65,7 +65,7 @@ theorem = Theorem(
         variant(
             "the step 2ε in sinc",
             _u,
-            equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * (pi * k_u * epsilon))),
+            equation(difference(sine, h_u), sine.gradient()[0] * _sinc(2 * (pi * k_u * epsilon))),
         ),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
         variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),

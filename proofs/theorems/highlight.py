@@ -46,7 +46,7 @@ def unclamped(program: Program) -> Expr:
     return inner.xreplace({mu: program[mu]})
 
 
-def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
+def _seen_from(normal_of_light, program):
     """Return the same with another normal."""
     return unclamped(program.at({bumped: normal_of_light, towards: omega}))
 
@@ -56,20 +56,23 @@ _cosines = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
 
 
-def gram(a: Expr, b: Expr, c: Expr) -> Expr:
+def _gram_of(a, b, c):
     """Return the Gram determinant of three unit vectors, from their scalar products."""
     return 1 + 2 * a * b * c - a**2 - b**2 - c**2
 
 
-_reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
+def _reflected(p):
+    return 2 * dot(p, omega) * p - omega
+
+
 _a, _b, _c = real("a b c")
-_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _units)
+_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, _gram_of(*_cosines)), _units)
 _swing = Claim(
     "mirror",
     (
-        equation(squared(_reflected[0] - _reflected[1]), 4 * _gram_part),
+        equation(squared(_reflected(n) - _reflected(m)), 4 * _gram_part),
         equation(squared(n - m), 2 - 2 * _cosines[2]),
-        [equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)],
+        [equation(_seen_from(p, phong), dot(_reflected(p), view)) for p in (n, m)],
     ),
     _units[:2],
 )
@@ -78,7 +81,7 @@ _twice = Claim(
     (4 * apart**2 >= turned**2, 2 * apart >= turned),
     (
         apart >= 0,
-        gram(_a, _b, _c) >= 0,
+        _gram_of(_a, _b, _c) >= 0,
         equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
         equation(apart**2, 2 - 2 * _c),
     ),
@@ -87,7 +90,7 @@ _twice = Claim(
 _blinn = Claim(
     "blinn",
     (
-        equation(seen_from(n, blinn) * halfway_length, dot(n, halfway)),
+        equation(_seen_from(n, blinn) * halfway_length, dot(n, halfway)),
         equation(squared(halfway) / halfway_length**2, 1),
     ),
     (halfway_length > 0, equation(halfway_length**2, squared(halfway))),

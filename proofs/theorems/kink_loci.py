@@ -7,16 +7,8 @@ from proofs.theorems.hits import along
 from proofs.theorems.language import *
 
 t, m, crease = real("t m crease")
-
-
-def whole(number: Expr) -> Basic:
-    """Return the hypothesis that a number is whole, by what the translation knows of it: sin πm = 0."""
-    return zero(sin(pi * number))
-
-
 circle_radius = parallel_radius[rho]
 
-_seen = (on_circles, sin_phi >= 0, lengths_of_a, equations(along(t), point))
 _projection = Claim(
     "projection",
     (
@@ -31,20 +23,19 @@ _projection = Claim(
         circle_radius >= 0,
         equation(sqrt(x**2 + y**2), circle_radius),
     ),
-    _seen,
+    (on_circles, sin_phi >= 0, lengths_of_a, equations(along(t), point)),
     point_on_a,
 )
 _creases = [
     Claim(
         f"crease_{c}",
         zero(crease, h),
-        (k > 0, whole(m)),
+        (k > 0, zero(sin(pi * m))),  # m is whole
         chain("crease", {crease: factor}, height_fields.height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
 ]
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
-_other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
 _elsewhere = [
     Claim(
         f"elsewhere_{name}",
@@ -81,7 +72,11 @@ theorem = Theorem(
         r"$|p| = \pm p$ where $p \ne 0$": "by the sign of $p$, which is the same all around",
     },
     mutants=(
-        variant("ρ with e + R cos φ", _projection, _other_sign),
+        variant(
+            "ρ with e + R cos φ",
+            _projection,
+            equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta),
+        ),
         variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
         variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
         variant("the slope of p, whatever its sign", _elsewhere[1], _elsewhere[0].shows[4:5]),

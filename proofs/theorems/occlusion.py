@@ -39,16 +39,17 @@ _program = Claim(
     shadow,
 )
 _a, _b, _c, _d = real("a b c d")
+_root = sqrt(_d)
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
-_first = (_b - sqrt(_d)) / _a
+_first = (_b - _root) / _a
 _if = Claim(
     "if",
     (
         _a > 0,
-        equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
-        positive(_b + sqrt(_d), _b - sqrt(_d)),
-        equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
-        positive(_a - _b + sqrt(_d), 1 / _a, _first),
+        equation((_b - _root) * (_b + _root), _a * _c),
+        positive(_b + _root, _b - _root),
+        equation((_a - _b - _root) * (_a - _b + _root), _a * (_a - 2 * _b + _c)),
+        positive(_a - _b + _root, 1 / _a, _first),
         greater(1, _first),
         zero(_a * _first**2 - 2 * _b * _first + _c),
     ),
@@ -60,17 +61,15 @@ _only_if = Claim(
     (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, zero(_a * s**2 - 2 * _b * s + _c)),
     squares=_a * s - _b,
 )
-_of_b = Claim(
-    "of_b",
-    equation(
-        discriminant_b,
-        toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
-    ),
-    (),
-    hit_of_b,
-)
-_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], (), shadow)
-_wrong_side = toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, 0), ball_center) - ball_radius**2)
+
+
+def _lagrange(apex):
+    """Return what B's discriminant is, by Lagrange's identity, where rays start at the apex."""
+    return toward_b**2 - squared(ray_direction) * (distance_squared(apex, ball_center) - ball_radius**2)
+
+
+_of_b = Claim("of_b", equation(discriminant_b, _lagrange((0, 0, eye))), lines=hit_of_b)
+_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], lines=shadow)
 
 lagrange = Theorem(
     "lagrange_identity",
@@ -80,7 +79,7 @@ lagrange = Theorem(
     claims=(_of_b, _of_shadow),
     steps={r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$": "Lagrange's identity, by expansion"},
     mutants=(
-        variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
+        variant("w = C", _of_b, equation(discriminant_b, _lagrange((0, 0, 0)))),
         variant(
             "+ |a × w|²",
             _of_shadow,

@@ -1,20 +1,20 @@
 """At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
 
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.height_fields import HeightField, gradient
+from proofs.formulas.height_fields import gradient
 from proofs.theorems.language import *
 
 _meridian = u, (theta + pi) / (2 * pi)
 
 
-def at_pole(field: HeightField) -> Program:
+def _at_pole(field):
     """Return the lines of g on the meridian θ as v → 0: those at v = 0, φ = 0."""
     pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
     return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(dict([_meridian]) | pole)
 
 
 _turned = k_u * (theta + pi) / 2
-_sine, _rings = at_pole(sine), at_pole(rings)
+_sine, _rings = _at_pole(sine), _at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",

@@ -43,12 +43,11 @@ def _either_side(name, along, k, step, across):
     (factor,) = (crease for crease in ridges.creases if crease.has(along))
     factors = [Abs(factor.xreplace(at)) for at in beside]
     angle, slope = pi * k * step, pi * k * Abs(across)
-    height = sin(angle) * Abs(across)
     return Claim(
         name,
         (
             [(f >= sin(angle), sin(angle) >= f, equation(f, sin(angle))) for f in factors],
-            [equation(side, height) for side in sides],
+            [equation(side, sin(angle) * Abs(across)) for side in sides],
             slope * step >= sides[0],
             sides[0] >= slope * step * (1 - angle**2 / 6),
         ),
@@ -65,13 +64,13 @@ _differ = Claim(
     (6 * _right >= 5 * _slope, _right - _left > _slope),
     (_slope > 0, _angle**2 <= 1, 6 * _right >= _slope * (6 - _angle**2), equation(_left, -_right)),
 )
-_level = {_right: 0, _left: 0, _slope: 0, _angle: 1}
+_level = {(_right, _left, _slope): 0, _angle: 1}
 _beyond = [ridges.expression.subs(u, m / k_u + side * to_u) for side in (1, -1)]
 
 
 def _at(whole_u, whole_v):
     """Return a point at half a wave from u = whole_u, v = whole_v."""
-    return {k_u: 1, k_v: 1, m: whole_u, n: whole_v, to_u: HALF, to_v: HALF}
+    return {(k_u, k_v): 1, m: whole_u, n: whole_v, (to_u, to_v): "1/2"}
 
 
 crossings = Theorem(

@@ -9,7 +9,7 @@ _whole, _in_v = zero(sin(pi * k_u)), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 
 
-def jump(expression: Expr) -> Expr:
+def _jump(expression):
     """Return the change of an expression in u across the seam: at u = 0 less at u = 1."""
     return expression.subs(u, 0) - expression.subs(u, 1)
 
@@ -29,15 +29,15 @@ _sine = Claim(
         equation(slope_jump, pi * k_u * (1 - cos(pi * k_u)) * _in_v),
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
-    lines=chain("jumps", {h_jump: jump(sine.expression), slope_jump: jump(_slope)}),
+    lines=chain("jumps", {h_jump: _jump(sine.expression), slope_jump: _jump(_slope)}),
 )
 _even = Claim(
     "even",
-    ([zero(jump(f)) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
+    ([zero(_jump(f)) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
     equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
-    "odd", (zero(jump(sine.expression)), equation(jump(_slope), 2 * pi * k_u * _in_v)), equation(cos(pi * k_u), -1)
+    "odd", (zero(_jump(sine.expression)), equation(_jump(_slope), 2 * pi * k_u * _in_v)), equation(cos(pi * k_u), -1)
 )
 _ends = real("h_first h_last")
 _at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
@@ -56,7 +56,7 @@ _crease = Claim(
 )
 _broken = Claim(
     "ridges_jump",
-    positive(-jump(ridges.expression)),
+    positive(-_jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
     ranges={(k_u, k_v, v): ("1/8", "7/8")},  # samples keep off the zeros
 )
@@ -102,7 +102,7 @@ theorem = Theorem(
     ),
 )
 
-_periodic = Claim("slope", zero(jump(without(pi, _slope))), _whole)
+_periodic = Claim("slope", zero(_jump(without(pi, _slope))), _whole)
 
 seam_saved = Theorem(
     "periodic_u_saves_the_seam",
@@ -114,6 +114,6 @@ seam_saved = Theorem(
     steps={r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$": "arithmetic"},
     mutants=(
         variant("true for even k_u", _periodic, given=equation(cos(pi * k_u), 1)),
-        variant("true for the height", Claim("height", zero(jump(sine.expression)), _whole)),
+        variant("true for the height", Claim("height", zero(_jump(sine.expression)), _whole)),
     ),
 )

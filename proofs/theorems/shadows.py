@@ -72,14 +72,10 @@ _rename = {
 def _from_the_light(name):
     """Return a claim about B's silhouette with the light as its eye."""
     claim = silhouette_of_b.claim(name)
-    moved = {
-        field: tuple(
-            r.func(r.lhs.xreplace(_rename), r.rhs.xreplace(_rename), evaluate=False) for r in getattr(claim, field)
-        )
-        for field in ("shows", "given")
-    }
-    moved["squares"] = [e.xreplace(_rename) for e in claim.squares]
-    return claim.but(**moved)
+    shows, given, squares = (
+        [part.xreplace(_rename) for part in parts] for parts in (claim.shows, claim.given, claim.squares)
+    )
+    return claim.but(shows=shows, given=given, squares=squares)
 
 
 _behind_a = Claim(

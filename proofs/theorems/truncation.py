@@ -9,7 +9,7 @@ from proofs.theorems.language import *
 _in_u, _in_v = pi * k_u * u, pi * k_v * v
 
 
-def bound_at(frequency: Expr) -> Expr:
+def _bound_at(frequency):
     """Return the bound of the truncation error for a frequency."""
     return truncation_bound.expand(truncation).xreplace({half_turns: frequency})
 
@@ -20,7 +20,7 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     slope, third = (Derivative(field.expression, coordinate, n) for n in (1, 3))
     rate = slope_bound[steepest].xreplace({half_turns: frequency})
     angle = rate * epsilon
-    error, bound = difference(field, output) - slope, share * bound_at(frequency)
+    error, bound = difference(field, output) - slope, share * _bound_at(frequency)
     shows = (
         *nonnegative(1 - factors, 1 + factors),
         *positive(rate, rate**3),
@@ -90,7 +90,7 @@ theorem = Theorem(
         variant(
             "rings with k_v for 2k_v",
             _rings,
-            bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1] >= 0,
+            _bound_at(k_v) - difference(rings, h_v) + rings.gradient()[1] >= 0,
             at={k_v: 2, v: "1/4", epsilon: "1/16"},
         ),
         variant(
