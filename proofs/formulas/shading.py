@@ -142,7 +142,7 @@ def clipped_value(channel: Expr) -> Expr:
     return Min(1, Max(0, channel))
 
 
-clip = Program("clip", (color,), {clipped: clipped_value(color)})
+clip = Program("clip", color, {clipped: clipped_value(color)})
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(

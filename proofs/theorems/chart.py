@@ -25,14 +25,15 @@ _on_the_seam = Claim(
     "on_the_seam", equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]), lines=chart_inverse.at({u: S.Zero})
 )
 
-_across = sqrt(normal[0] ** 2 + normal[1] ** 2)
+_nx, _ny, _nz = normal
+_across = sqrt(_nx**2 + _ny**2)
 _recovered = Claim(
     "recovered",
     (
         equation(_across**2, sin_phi**2),
         equation(_across, sin_phi),
-        equation(normal[2], cos_phi),
-        equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
+        equation(_nz, cos_phi),
+        equations((_nx / _across, _ny / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
     unit_normal,

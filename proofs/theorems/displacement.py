@@ -26,8 +26,7 @@ _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
     (equation(h_theta, h_u * Derivative(_u, theta)), equation(h_phi, h_v * Derivative(_v, phi))),
-    (),
-    displaced_normal,
+    lines=displaced_normal,
 )
 _off_the_poles = (*on_circles, sin_phi > 0)
 raised = (*_off_the_poles, 1 + beta * h > 0)

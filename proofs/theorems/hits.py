@@ -170,8 +170,7 @@ _quadratic = Claim(
         equation(distance_squared(along(t), ball_center) - ball_radius**2, _length * t**2 - 2 * toward_b * t + _c),
         equation(discriminant_b, toward_b**2 - _length * _c),
     ),
-    (),
-    hit_of_b,
+    lines=hit_of_b,
 )
 
 theorem_b = Theorem(

@@ -29,8 +29,7 @@ _quadratic = Claim(
         equation(shadow_discriminant, toward_center**2 - segment_squared * _excess),
         segment_squared >= 0,
     ),
-    (),
-    shadow,
+    lines=shadow,
 )
 _program = Claim(
     "program",

@@ -1,5 +1,4 @@
-"""The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a "
-"row of pixels."""
+"""The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a row."""
 
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
@@ -9,14 +8,16 @@ from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
-_w = light - center
+_w = _wx, _wy, _wz = light - center
+_lx, _ly, _lz = light
 _c = squared(_w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
-_xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
+_xx, _xy, _yy = _wx**2 - _c, _wx * _wy, _wy**2 - _c
 _to_light = Vector((x, y, 0)) - light  # P − L
 _across = dot(_to_light, _w)
 foot_x, foot_y = real("foot_x foot_y")
 _at_foot = _on_floor.expand(shadow_discriminant).xreplace({x: foot_x, y: foot_y})
+_determinant = _xx * _yy - _xy**2
 _conic = Claim(
     "conic",
     (
@@ -25,47 +26,45 @@ _conic = Claim(
             shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
             x * Derivative(_at_foot, foot_x) + y * Derivative(_at_foot, foot_y) + _at_foot,
         ),
-        equation(_xx * _yy - _xy**2, _c * (_w[2] ** 2 - body_radius**2)),
+        equation(_determinant, _c * (_wz**2 - body_radius**2)),
     ),
     zero(foot_x, foot_y),
     _on_floor,
 )
-_determinant = _xx * _yy - _xy**2
-_types = conic_types(_c, _determinant, _w[2], body_radius, _apart)
+_types = conic_types(_c, _determinant, _wz, body_radius, _apart)
 _along_row = cross(light, center) - cross(_w, (0, y, 0))
 _row = Claim(
     "row",
     (
         equation(
             shadow_discriminant,
-            (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
-            - 2 * (body_radius**2 * light[0] + dot(_along_row, cross((1, 0, 0), _w))) * x
-            + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
+            (body_radius**2 - _wy**2 - _wz**2) * x**2
+            - 2 * (body_radius**2 * _lx + dot(_along_row, cross((1, 0, 0), _w))) * x
+            + body_radius**2 * (_lx**2 + (_ly - y) ** 2 + _lz**2)
             - squared(_along_row),
         ),
-        equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
-        equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
+        equation(segment_squared, x**2 - 2 * _lx * x + _lx**2 + (_ly - y) ** 2 + _lz**2),
+        equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - _lx - center[0]),
     ),
-    (),
-    _on_floor,
+    lines=_on_floor,
 )
 _origin = dict.fromkeys(center, 0)
 _of_a = Claim(
     "of_a",
     equation(
         _on_floor.expand(shadow_discriminant).xreplace(_origin),
-        (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
+        (x * _lx + y * _ly) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
     ),
 )
-_away = Claim("away", equation(segment_squared - toward_center, -_across), (), _on_floor)
+_away = Claim("away", equation(segment_squared - toward_center, -_across), lines=_on_floor)
 _rename = {
-    x: x - light[0],
-    y: y - light[1],
-    eye: light[2],
-    distance: light[2] - center[2],
+    x: x - _lx,
+    y: y - _ly,
+    eye: _lz,
+    distance: _lz - center[2],
     ball_radius: body_radius,
-    ball_center[0]: center[0] - light[0],
-    ball_center[1]: center[1] - light[1],
+    ball_center[0]: center[0] - _lx,
+    ball_center[1]: center[1] - _ly,
 }
 
 
@@ -79,11 +78,10 @@ def _from_the_light(name):
 
 
 _behind_a = Claim(
-    "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1])
+    "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * _lx - y * _ly)
 )
 _leading = Claim(
-    "leading",
-    equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),
+    "leading", equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _wy**2 - _wz**2))
 )
 
 shadow_of_b = Theorem(
@@ -104,7 +102,7 @@ shadow_of_b = Theorem(
         "its sign, type by type": ("the silhouette of the sphere with the light as the eye", "silhouette_of_b"),
     },
     mutants=(
-        variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
+        variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_wz**2 + body_radius**2))),
         variant("an ellipse from any height", _types[2], _determinant > 0),
         variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
@@ -151,12 +149,10 @@ row = Theorem(
         variant(
             "the leading coefficient is r² − w_z²",
             _leading,
-            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[2] ** 2)),
+            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _wz**2)),
         ),
         variant(
-            "w_x in place of w_y",
-            _leading,
-            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[0] ** 2 - _w[2] ** 2)),
+            "w_x in place of w_y", _leading, equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _wx**2 - _wz**2))
         ),
     ),
 )

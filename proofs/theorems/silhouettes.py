@@ -1,5 +1,4 @@
-"""The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
-"shadows need it."""
+"""The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as shadows need it."""
 
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
 from proofs.theorems.hits import distance_squared, hit_of_b
@@ -11,20 +10,19 @@ _c = _cx**2 + _cy**2 + _above**2 - ball_radius**2
 _outside = distance_squared((0, 0, eye), ball_center) > ball_radius**2
 _xx, _xy, _yy = _cx**2 - _c, _cx * _cy, _cy**2 - _c
 _xz, _yz, _zz = eye * _above * _cx, eye * _above * _cy, eye**2 * (_above**2 - _c)
+_determinant = _xx * _yy - _xy**2
 _conic = Claim(
     "conic",
     (
         equation(discriminant_b, _xx * x**2 + 2 * _xy * x * y + _yy * y**2 + 2 * _xz * x + 2 * _yz * y + _zz),
-        equation(_xx * _yy - _xy**2, _c * (_above**2 - ball_radius**2)),
+        equation(_determinant, _c * (_above**2 - ball_radius**2)),
         equation(
             _xx * (_yy * _zz - _yz**2) - _xy * (_xy * _zz - _yz * _xz) + _xz * (_xy * _yz - _yy * _xz),
             eye**2 * _c**2 * ball_radius**2,
         ),
     ),
-    (),
-    hit_of_b,
+    lines=hit_of_b,
 )
-_determinant = _xx * _yy - _xy**2
 
 
 def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside: Basic) -> tuple[Claim, ...]:

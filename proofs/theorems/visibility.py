@@ -53,9 +53,9 @@ _visible = Claim(
 _hidden = Claim("hidden", (_place, _from_center > 0, t > t_a), (_on_a, eye * _cos_phi < radius), hit_of_a)
 
 
-def _rim(t):
+def _rim(at):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return off_the_axis("15/16") | {real("t"): t}
+    return off_the_axis("15/16") | {t: at}
 
 
 silhouette = Theorem(
