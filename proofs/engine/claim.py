@@ -104,18 +104,16 @@ class Claim(Parts):
 
     def everywhere(self) -> list[Basic]:
         """Return what else the claim is made of: every line of its program, ranges, coordinates."""
-        lines = (part for line in self.lines.definitions for part in line) if self.lines else ()
-        inputs = self.lines.inputs if self.lines else ()
-        return [*lines, *inputs, *(symbol for symbol, *_ in (*self.ranges, *self.example))]
+        lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
+        return [*flat(lines), *(symbol for symbol, *_ in (*self.ranges, *self.example))]
 
     def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
-        cited = (relation for lemma in self.cited for relation in (lemma.relation, *lemma.given))
-        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
+        cited = [(lemma.relation, lemma.given) for lemma in self.cited]
+        used = set().union(*(r.free_symbols for r in flat((self.shows, self.given, cited))))
         if self.lines is None:
             return used, None
-        defined = tuple(s for s, _ in self.lines.definitions if s in used)
-        return used, self.lines.keep(*defined)
+        return used, self.lines.keep(*(s for s in dict(self.lines.definitions) if s in used))
 
 
 @dataclass(frozen=True)

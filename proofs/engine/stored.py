@@ -46,7 +46,7 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 def _statements(claim, theorems):
     if isinstance(claim, Separation):
-        known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
+        known = {*claim.lines.inputs, *dict(claim.lines.definitions)}
         if unknown := {*claim.outputs, *claim.avoid} - known:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]

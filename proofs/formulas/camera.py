@@ -31,7 +31,7 @@ from proofs.formulas.symbols import (
     sin_phi,
     sin_theta,
     squared,
-    vector,
+    vectors,
     view,
     where,
     width,
@@ -153,7 +153,7 @@ point_on_a = Program(
 point_on_b = chain("point_on_b", hit_of_b, {point: (t_b * x, t_b * y, eye * (1 - t_b))})
 """P = P(t_B)."""
 
-moment, radius_vector = vector("moment"), vector("radius_vector")
+moment, radius_vector = vectors("moment radius_vector")
 ray_length_squared, radius_length = real("ray_length_squared radius_length")
 
 normal_of_b = chain(

@@ -18,14 +18,13 @@ from proofs.formulas.symbols import (
     specular_base,
     squared,
     towards,
-    vector,
+    vectors,
     view,
     where,
 )
 
-to_light = vector("to_light")
+to_light, halfway = vectors("to_light halfway")
 light_distance, light_scale = real("light_distance light_scale")
-halfway = vector("halfway")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
 distance_squared, along_light = real("distance_squared along_light")
 

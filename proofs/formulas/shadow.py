@@ -3,12 +3,11 @@
 from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, squared, vector, where
+from proofs.formulas.symbols import cross, dot, light, point, real, squared, vectors, where
 
-center, body_radius = vector("center"), real("body_radius")
-segment, offset = vector("segment"), vector("offset")
-segment_squared, toward_center, shadow_discriminant, occluded = real(
-    "segment_squared toward_center shadow_discriminant occluded"
+center, segment, offset = vectors("center segment offset")
+body_radius, segment_squared, toward_center, shadow_discriminant, occluded = real(
+    "body_radius segment_squared toward_center shadow_discriminant occluded"
 )
 square, dark = real("square dark")
 _x, _y, _z = point

@@ -6,9 +6,9 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vector
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vectors
 
-e_theta, e_phi = vector("e_theta"), vector("e_phi")
+e_theta, e_phi = vectors("e_theta e_phi")
 seed_sin_phi = real("seed_sin_phi")
 
 _angles = (cos_theta, sin_theta, cos_phi, sin_phi)

@@ -2,7 +2,7 @@
 
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
-from proofs.formulas.finite_difference import central, central4, forward
+from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
@@ -17,13 +17,13 @@ _unmoved = {
     model: Separation(model, pixel(ridges, model, LIGHTS, _any_gradient), _chamber, _bump) for model in LIGHT_MODELS
 }
 _by_difference = {
-    f"{method.__name__}_{name}": Separation(
-        f"{method.__name__}_{name}",
-        pixel(field, lights=1, gradient_program=method(field)),
+    f"{method}_{name}": Separation(
+        f"{method}_{name}",
+        pixel(field, lights=1, gradient_program=difference(field)),
         (surface, occlusion(0), dark_square),
         (k_u, k_v, epsilon, _bump),
     )
-    for method in (forward, central, central4)
+    for method, difference in METHODS.items()
     for name, field in HEIGHT_FIELDS.items()
 }
 theorem = Theorem(

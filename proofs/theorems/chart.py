@@ -63,11 +63,7 @@ forward = Theorem(
     mutants=(
         variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
-        variant(
-            "back with cos 2πu, without the minus",
-            _round_trip,
-            equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),
-        ),
+        variant("back with cos 2πu, without the minus", _round_trip, negated(_round_trip)),
     ),
     side_conditions=SideCondition(
         r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0}
@@ -88,7 +84,7 @@ inverse = Theorem(
         "the root and the quotients": r"$\sin\varphi > 0$",
     },
     mutants=(
-        variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
+        variant("N_x = + sin πv cos 2πu", _formula, negated(_formula)),
         variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
     ),
     side_conditions=SideCondition(

@@ -55,7 +55,7 @@ theorem = Theorem(
                 light_term,
                 {channel: SHARE * _UNIT * light_term.expand(channel) + Pow(10, -30)},
                 (
-                    [weight >= 0 for weight in (before, color, albedo, kd, ks, specular)],
+                    nonnegative(before, color, albedo, kd, ks, specular),
                     [weight <= Pow(2, 20) for weight in (color, albedo)],
                 ),
             )

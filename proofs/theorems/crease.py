@@ -141,11 +141,9 @@ _near_tent = Claim(
             x**2 / 2 - (1 - _cos_y),
             _sin_y * (1 - _cos_x),
             x**3 / 2 - _sin_y * (1 - _cos_x),
-            _room * x - x * _rest,
-            _room * x + x * _rest,
-            _room - _rest,
-            _room + _rest,
         ),
+        both_ways(_room * x, x * _rest),
+        both_ways(_room, _rest),
     ),
     (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0]),
     squares=named(sin(x)),
@@ -170,7 +168,7 @@ def _mean_square(name, k, number, constant=None):
     total = number * (pi * k) ** 2 * 2 * _area * HALF
     shows = (
         pi * k > 0,
-        *nonnegative(number * epsilon, total, constant),
+        nonnegative(number * epsilon, total, constant),
         equation(total, constant**2),
         sqrt(total) >= constant,
         constant >= sqrt(total),

@@ -28,8 +28,8 @@ _chart_scale = Claim(
     (equation(h_theta, h_u * Derivative(_u, theta)), equation(h_phi, h_v * Derivative(_v, phi))),
     lines=displaced_normal,
 )
-_off_the_poles = (*on_circles, sin_phi > 0)
-raised = (*_off_the_poles, 1 + beta * h > 0)
+_off_the_poles = (on_circles, sin_phi > 0)
+raised = (_off_the_poles, 1 + beta * h > 0)
 _outward = Claim(
     "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
 )
@@ -82,11 +82,12 @@ displaced_theorem = Theorem(
 
 _both = chain("both", displaced_normal, bumped_normal)
 _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
+_both_scales = lift + 1 / (2 * pi * sin_phi), lift + 1 / pi
 _only_where_flat = Claim(
     "only_where_flat",
     (
-        positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
-        zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
+        positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, _both_scales),
+        zero(beta * h_u * _both_scales[0], beta * h_v * _both_scales[1], beta * h_u, beta * h_v),
     ),
     (raised, zero(cross(m, displaced))),
     _both,

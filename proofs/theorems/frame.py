@@ -63,9 +63,10 @@ seed_orientation = Theorem(
     ),
 )
 
+_both = (*e_theta, *e_phi)
 _seed = Claim(
     "seed_frame",
-    (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi))),
+    (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand(_both), _both)),
     (on_circles[1], sin_phi > 0),
     frame,
 )

@@ -19,7 +19,7 @@ from proofs.theorems.language import *
 
 apart, turned = real("apart turned")
 
-n, m, omega = vector("n"), vector("m"), vector("omega")
+n, m, omega = vectors("n m omega")
 x, z = real("x z")
 
 
@@ -52,8 +52,8 @@ def _seen_from(normal_of_light, program):
 
 
 _units = [equation(squared(p), 1) for p in (n, m, omega)]
-_cosines = dot(n, omega), dot(m, omega), dot(n, m)
-_gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
+_cosines = _of_n, _of_m, _between = dot(n, omega), dot(m, omega), dot(n, m)
+_gram_part = _of_n**2 + _of_m**2 - 2 * _of_n * _of_m * _between
 
 
 def _gram_of(a, b, c):
@@ -71,7 +71,7 @@ _swing = Claim(
     "mirror",
     (
         equation(squared(_reflected(n) - _reflected(m)), 4 * _gram_part),
-        equation(squared(n - m), 2 - 2 * _cosines[2]),
+        equation(squared(n - m), 2 - 2 * _between),
         [equation(_seen_from(p, phong), dot(_reflected(p), view)) for p in (n, m)],
     ),
     _units[:2],

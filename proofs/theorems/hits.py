@@ -57,8 +57,8 @@ def distance_squared(point: Sequence[Expr], center: Sequence[Expr]) -> Expr:
 
 
 _origin = (0, 0, 0)
-eye_outside_a = (*lengths_of_a, rho_raw >= POLE * eye)
-ray_meets_a = (*eye_outside_a, discriminant_a >= 0)
+eye_outside_a = (lengths_of_a, rho_raw >= POLE * eye)
+ray_meets_a = (eye_outside_a, discriminant_a >= 0)
 _solves_a = Claim(
     "solves",
     (equation(hits_a, 1), equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0),

@@ -47,6 +47,11 @@ def zero(*expressions: Some) -> tuple[Basic, ...]:
     return tuple(equation(e, 0) for e in flat(expressions))
 
 
+def negated(claim: Claim) -> Basic:
+    """Return the first equation that a claim shows, its left side with the other sign."""
+    return equation(-claim.shows[0].lhs, claim.shows[0].rhs)
+
+
 def both_ways(bound: Expr, *quantities: Expr) -> tuple[Basic, ...]:
     """Return −bound ≤ quantity ≤ bound of each quantity."""
     return nonnegative([(bound - quantity, bound + quantity) for quantity in quantities])

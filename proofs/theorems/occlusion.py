@@ -120,7 +120,7 @@ theorem = Theorem(
 )
 
 
-axis, aside = vector("axis"), vector("aside")
+axis, aside = vectors("axis aside")
 distance, wander, reach, product, share = real("distance wander reach product share")
 _met = axis + aside
 _cone = Claim(

@@ -99,7 +99,7 @@ theorem = Theorem(
         r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$": r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
     },
     mutants=(
-        variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
+        variant("sine's g has a limit", _length, [equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
         variant("rings' has one", _opposite, zero(_across)),
         variant(
             "the true gradient has one for k_u = 1",

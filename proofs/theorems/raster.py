@@ -7,10 +7,10 @@ m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
 
 _default = {eye: 4, radius: 1, width: 256, height: 256, column: m, row: n}
-_pixel = [c.xreplace(_default) for c in chain("pixel", image_extent, image_point).expand((x, y))]
+_pixel = chain("pixel", image_extent, image_point).expand((x, y))
 _nearest = Rational(34, 15) / 256**2  # ρ² of the pixels beside the axis
 _whole = ((m - 127) * (m - 128) >= 0, (n - 108) * (n - 109) >= 0)
-_radius_squared = sum(c**2 for c in _pixel)
+_radius_squared = sum(c.xreplace(_default) ** 2 for c in _pixel)
 _on_the_raster = [
     Claim(
         f"raster_{name}",
@@ -26,11 +26,10 @@ _linear = Claim(
     parallel_radius,
     squares=1 - cos_phi,
 )
-_far = Claim(
-    "far", (sin_phi > Rational(44, 10000), sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest)
-)
+_on_a = (4 * sin_phi >= 3 * rho, rho >= 0)
+_far = Claim("far", (sin_phi > Rational(44, 10000), sin_phi > FALLBACK), (_on_a, rho**2 >= _nearest))
 _needed = (FALLBACK * Rational(4, 3)) ** 2
-_only_near = Claim("only_near", _needed > rho**2, (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
+_only_near = Claim("only_near", _needed > rho**2, (_on_a, sin_phi < FALLBACK))
 _no_pixel = [c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster]
 _half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
 _in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))

@@ -4,23 +4,19 @@ from proofs.theorems.language import *
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
-_sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
+_sine_u, _sine_v = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
 _whole = zero(sin(pi * m), sin(pi * n))
-_small = [
-    CitedLemma((pi * k * d) ** 2 >= s**2, "DLMF") for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
-]
-
 
 _crossed = Claim(
     "crossing",
     (
-        equation(_crossing**2, (_sines[0] * _sines[1]) ** 2),
-        (_sines[0] ** 2 + _sines[1] ** 2) ** 2 >= 4 * _crossing**2,
-        (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sines[0] ** 2 + _sines[1] ** 2,
+        equation(_crossing**2, (_sine_u * _sine_v) ** 2),
+        (_sine_u**2 + _sine_v**2) ** 2 >= 4 * _crossing**2,
+        (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sine_u**2 + _sine_v**2,
     ),
     (k_u > 0, k_v > 0, _whole),
-    squares=named(_sines[0]) ** 2 - named(_sines[1]) ** 2,
-    cited=_small,
+    squares=named(_sine_u) ** 2 - named(_sine_v) ** 2,
+    cited=[CitedLemma((pi * k * d) ** 2 >= sin(pi * k * d) ** 2, "DLMF") for k, d in ((k_u, to_u), (k_v, to_v))],
 )
 _a, _b, _h, _steepest, _distance, _small_enough = real("a b h steepest distance small_enough")
 _flat = Claim(
@@ -92,7 +88,7 @@ crossings = Theorem(
     mutants=(
         variant("half the bound", _flat, _a**2 + _b**2 >= 4 * _h),
         variant("on one crease only", _crossed, _crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
-        variant("the sum for the product", _crossed, equation(_crossing**2, (_sines[0] + _sines[1]) ** 2)),
+        variant("the sum for the product", _crossed, equation(_crossing**2, (_sine_u + _sine_v) ** 2)),
     ),
     side_conditions=SideCondition("$m$, $n$ whole", "crossing", holds=_at(1, 1), fails=_at(1, HALF)),
 )

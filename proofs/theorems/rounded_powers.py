@@ -11,7 +11,7 @@ real_part, imaginary_part, other_real, other_imaginary = complex_product.inputs
 _squared, _multiplied = (program.expand(program.outputs) for program in (complex_square, complex_product))
 _modulus = real_part**2 + imaginary_part**2
 _moduli = _modulus * (other_real**2 + other_imaginary**2)
-_terms = (
+_terms = _real_1, _real_2, _imaginary_1, _imaginary_2 = (
     real_part * other_real,
     imaginary_part * other_imaginary,
     real_part * other_imaginary,
@@ -47,19 +47,19 @@ _product = Claim(
     (
         equation(_multiplied[0] ** 2 + _multiplied[1] ** 2, _moduli),
         nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
-        2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
-        2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
+        2 * _twice**2 * (_real_1**2 + _real_2**2) >= off_first**2,
+        2 * _twice**2 * (_imaginary_1**2 + _imaginary_2**2) >= off_second**2,
         excess**2 >= 2 * _twice**2,
         excess**2 * _moduli >= off_first**2 + off_second**2,
     ),
     (
         unit >= 0,
         _kappa,
-        equation(off_first, first * _terms[0] - second * _terms[1]),
-        equation(off_second, third * _terms[2] + fourth * _terms[3]),
+        equation(off_first, first * _real_1 - second * _real_2),
+        equation(off_second, third * _imaginary_1 + fourth * _imaginary_2),
         both_ways(_twice, first, second, third, fourth),
     ),
-    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], _terms),
+    squares=(first * _real_1 + second * _real_2, third * _imaginary_1 - fourth * _imaginary_2, _terms),
     ranges=_small,
 )
 _power = Claim(

@@ -71,7 +71,7 @@ def _rounded(name, output, samples, over, given):
 
 _in_u = _rounded("in_u", h_u, (h_u_plus, h_u_minus), 2 * epsilon, (epsilon > 0,))
 _in_v = _rounded("in_v", h_v, (h_v_plus, h_v_minus), 2 * epsilon, nothing_clamps)
-_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (*pole_clamps, v + epsilon > 0))
+_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (pole_clamps, v + epsilon > 0))
 
 
 def _at(error):

@@ -33,7 +33,7 @@ _sine = Claim(
 )
 _even = Claim(
     "even",
-    ([zero(_jump(f)) for f in (sine.expression, *sine.gradient())], equation(_turned, sine.expression)),
+    (zero([_jump(f) for f in (sine.expression, *sine.gradient())]), equation(_turned, sine.expression)),
     equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
@@ -43,14 +43,14 @@ _ends = real("h_first h_last")
 _at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
 _ridges = Claim("ridges", zero(_ends), _whole, _at_ends)
 _step = real("step")
-_beside = [ridges.at(at, v) for at in (_step, 1 - _step)]
+_after, _before = (ridges.at(at, v) for at in (_step, 1 - _step))
 _crease = Claim(
     "ridges_crease",
     (
-        equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2),
-        equation(_beside[1] ** 2, _beside[0] ** 2),
-        _beside[0] >= _beside[1],
-        _beside[1] >= _beside[0],
+        equation(_after**2, sin(pi * k_u * _step) ** 2 * _in_v**2),
+        equation(_before**2, _after**2),
+        _after >= _before,
+        _before >= _after,
     ),
     _whole,
 )

@@ -19,12 +19,12 @@ def _light(channel, factor=None):
     return Claim(
         f"light_{channel}",
         (
-            nonnegative(albedo * kd, *weights),
+            nonnegative(albedo * kd, weights),
             [both_ways(weight * largest, weight * change) for weight, change, largest in parts],
             both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
-            [c >= 0 for c in (albedo, color, kd, ks)],
+            nonnegative(albedo, color, kd, ks),
             both_ways(so_far, before - _before),
             [both_ways(largest, change) for _, change, largest in parts],
         ),
@@ -133,7 +133,7 @@ one_more = Theorem(
 )
 
 
-a, b = vector("a"), vector("b")
+a, b = vectors("a b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
 _outside = (
     *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
@@ -145,12 +145,8 @@ _normalise = Claim(
     "normalise",
     (
         equation(length_a**2 * length_b**2 - product**2, squared(cross(a, b))),
-        nonnegative(
-            length_a**2 * length_b**2 - product**2,
-            length_a * length_b - 1,
-            length_a * length_b - product,
-            length_a * length_b + product,
-        ),
+        nonnegative(length_a**2 * length_b**2 - product**2, length_a * length_b - 1),
+        both_ways(length_a * length_b, product),
         equation(length_a * length_b * turned**2, 2 * (length_a * length_b - product)),
         equation(apart**2, length_a**2 + length_b**2 - 2 * product),
         length_a * length_b * (apart**2 - turned**2) >= 0,
@@ -162,7 +158,7 @@ _normalise = Claim(
     (length_a >= 1, length_b >= 1, apart >= 0, _outside),
     squares=(cross(a, b), length_a - length_b),
 )
-_other_m, _other_g = vector("other_m"), vector("other_g")
+_other_m, _other_g = vectors("other_m other_g")
 _moved = Claim(
     "moved",
     equation(squared(m - _other_m), beta**2 * squared(g - _other_g)),

@@ -129,7 +129,7 @@ shadow_of_a = Theorem(
             _of_a,
             equation(_of_a.shows[0].lhs, 2 * _of_a.shows[0].lhs - _of_a.shows[0].rhs + body_radius**2),
         ),
-        variant("the vertex on the light's side", _behind_a, equation(-_behind_a.shows[0].lhs, _behind_a.shows[0].rhs)),
+        variant("the vertex on the light's side", _behind_a, negated(_behind_a)),
     ),
 )
 

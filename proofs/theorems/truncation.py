@@ -22,13 +22,13 @@ def _bounded(name, field, output, frequency, factors, squares=(), share=1):
     angle = rate * epsilon
     error, bound = difference(field, output) - slope, share * _bound_at(frequency)
     shows = (
-        *nonnegative(1 - factors, 1 + factors),
-        *positive(rate, rate**3),
+        both_ways(1, factors),
+        positive(rate, rate**3),
         equation(third, -(rate**3) * factors),
-        *nonnegative(rate**3 - third, rate**3 + third),
+        both_ways(rate**3, third),
         equation(epsilon * error, factors * (sin(angle) - angle)),
-        *(epsilon * (bound + s * error) >= 0 for s in (1, -1)),
-        *(bound + s * error >= 0 for s in (1, -1)),
+        [epsilon * (bound + s * error) >= 0 for s in (1, -1)],
+        [bound + s * error >= 0 for s in (1, -1)],
     )
     (k,) = frequency.free_symbols
     return Claim(

@@ -34,14 +34,14 @@ _tangent = Claim(
     (eye_outside_a, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
     hit_of_a,
 )
-_on_a = (*ray_meets_a, equation(squared(along(t)), radius**2))
+_on_a = (ray_meets_a, equation(squared(along(t)), radius**2))
 _cos_phi = along(t)[2] / radius
 _from_center = _square * t - eye**2
 _place = (
     equation(t * _from_center, radius * (radius - eye * _cos_phi)),
     equation(_from_center**2, discriminant_a),
     equation(2 * eye**2 * t, _square * t**2 + eye**2 - radius**2),
-    *positive(eye**2 * t, t),
+    positive(eye**2 * t, t),
 )
 _visible = Claim(
     "visible",
