@@ -48,8 +48,6 @@ writes it: proofs/certificates.schema.json has the grammar.
 import sys
 from fractions import Fraction
 
-from sympy import sympify
-
 from proofs.check import canonical, contradiction, digest, reasons
 from proofs.engine.claim import AnyClaim
 from proofs.engine.points import find_point, without_unused
@@ -61,8 +59,8 @@ from proofs.engine.theorem import Theorem, Theorems, all_theorems
 
 def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
     """Return what proves a claim, found anew; raises NotFound."""
-    example = {str(s).replace(" ", ""): Fraction(str(sympify(value))) for s, value in getattr(claim, "example", ())}
-    return [_proved(s, getattr(claim, "squares", ()), effort, example) for s in statements(claim, theorems)]
+    example = {str(s).replace(" ", ""): Fraction(str(value)) for s, value in claim.example}
+    return [_proved(s, claim.squares, effort, example) for s in statements(claim, theorems)]
 
 
 def _proved(statement, squares, effort, example):

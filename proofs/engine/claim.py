@@ -1,7 +1,7 @@
 """What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
 
-from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Self
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self
 
 from sympy import Basic, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
@@ -31,17 +31,24 @@ def number(value: Basic | int | str) -> Basic:
 
 
 def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
-    """Return ((symbol, exact number), …) of {symbol or vector: value or values}, or of such pairs."""
-    return tuple((symbol, number(value)) for symbol, value in pairs(values))
+    """Return ((symbol, exact number), …) of {symbol, or several: value of each, or values}, or of such pairs."""
+    given = [(flat(symbols), value) for symbols, value in dict(values).items()]
+    each = {symbols: value if isinstance(value, tuple | list) else [value] * len(symbols) for symbols, value in given}
+    return tuple((symbol, number(value)) for symbol, value in pairs(each))
 
 
+@dataclass(frozen=True)
 class Parts:
-    """What has fields that are given as one thing or several: tuples from here on."""
+    """What has fields of Some: tuples from here on."""
 
-    several: ClassVar[tuple[str, ...]] = ("given",)
+    borrowed = cited = squares = example = ()  # what a Claim may have
 
     def __post_init__(self):
-        vars(self).update({name: flat(getattr(self, name)) for name in self.several})
+        vars(self).update({each.name: flat(getattr(self, each.name)) for each in fields(self) if each.type is Some})
+
+    def but(self, **changes: Any) -> Self:
+        """Return the same with some fields changed: how a mutant is made."""
+        return replace(self, **changes)
 
 
 @dataclass(frozen=True)
@@ -63,16 +70,7 @@ class CitedLemma(Parts):
 
 
 @dataclass(frozen=True)
-class Changeable(Parts):
-    """What every sort of claim can do."""
-
-    def but(self, **changes: Any) -> Self:
-        """Return the claim with some fields changed: how a mutant is made."""
-        return replace(self, **changes)
-
-
-@dataclass(frozen=True)
-class Claim(Changeable):
+class Claim(Parts):
     """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
@@ -83,14 +81,12 @@ class Claim(Changeable):
     as far as the search for one needs to be told. Both are tuples of pairs from here on.
     """
 
-    several = ("shows", "given", "squares", "cited")
-
     name: str
     shows: Some
     given: Some = ()
     lines: Program | None = None
     squares: Some = ()
-    borrowed: tuple[tuple[str, str], ...] = ()
+    borrowed: Any = ()
     ranges: Any = ()
     cited: Some = ()
     example: Any = ()
@@ -108,25 +104,21 @@ class Claim(Changeable):
 
     def everywhere(self) -> list[Basic]:
         """Return what else the claim is made of: every line of its program, ranges, coordinates."""
-        lines = (part for line in self.lines.definitions for part in line) if self.lines else ()
-        inputs = self.lines.inputs if self.lines else ()
-        return [*lines, *inputs, *(symbol for symbol, *_ in (*self.ranges, *self.example))]
+        lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
+        return [*flat(lines), *(symbol for symbol, *_ in (*self.ranges, *self.example))]
 
     def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
-        cited = (relation for lemma in self.cited for relation in (lemma.relation, *lemma.given))
-        used = set().union(*(r.free_symbols for r in (*self.shows, *self.given, *cited)))
+        cited = [(lemma.relation, lemma.given) for lemma in self.cited]
+        used = set().union(*(r.free_symbols for r in flat((self.shows, self.given, cited))))
         if self.lines is None:
             return used, None
-        defined = tuple(s for s, _ in self.lines.definitions if s in used)
-        return used, self.lines.keep(*defined)
+        return used, self.lines.keep(*(s for s in dict(self.lines.definitions) if s in used))
 
 
 @dataclass(frozen=True)
-class Separation(Changeable):
+class Separation(Parts):
     """In the program `lines`, none of `outputs` depends on any of `avoid`."""
-
-    several = ("outputs", "avoid")
 
     name: str
     lines: Program
@@ -135,14 +127,12 @@ class Separation(Changeable):
 
 
 @dataclass(frozen=True)
-class Induction(Changeable):
+class Induction(Parts):
     """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
     the addition formulas. given: relations over the parameters.
     """
-
-    several = ("shows", "given")
 
     name: str
     n: Symbol
@@ -153,7 +143,7 @@ class Induction(Changeable):
 
 
 @dataclass(frozen=True)
-class Rounded(Changeable):
+class Rounded(Parts):
     """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
 
     program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
@@ -171,7 +161,7 @@ class Rounded(Changeable):
 
 
 @dataclass(frozen=True)
-class Encloses(Changeable):
+class Encloses(Parts):
     """For all float64 numbers and bounds: if `given` holds, a rule of the enclosing machine bounds what it computes.
 
     program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations

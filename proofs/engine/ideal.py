@@ -20,8 +20,8 @@ class Ideal:
 
     def __init__(self, names: Sequence[str], equations: Mapping[int, Polynomial]):
         """equations: {index: kernel polynomial}. Beyond MAX_PAIRS and MAX_TERMS the basis stays incomplete."""
-        self.ring, *_ = ring(list(reversed(names)), QQ, lex)
-        self.position = {name: i for i, name in enumerate(reversed(names))}
+        self.names = list(reversed(names))
+        self.ring, *_ = ring(self.names, QQ, lex)
         equations = {i: g for i, p in equations.items() if (g := self.element(p))}
         self.basis = []
         for i, g in equations.items():
@@ -31,21 +31,15 @@ class Ideal:
 
     def element(self, p: Polynomial) -> PolyElement:
         """Return a kernel polynomial as an element of the ring."""
-        terms = {}
-        for monomial, coefficient in p.items():
-            exponents = [0] * len(self.position)
-            for name in monomial:
-                exponents[self.position[name]] += 1
-            terms[tuple(exponents)] = QQ(coefficient.numerator, coefficient.denominator)
-        return self.ring.from_dict(terms)
+        exponents = ((tuple(map(monomial.count, self.names)), c) for monomial, c in p.items())
+        return self.ring.from_dict({powers: QQ(c.numerator, c.denominator) for powers, c in exponents})
 
     def data(self, element: PolyElement) -> dict[str, str]:
         """Return an element as {"x^2 y": "-3/2"}."""
-        names = [str(g) for g in self.ring.gens]
         result = {}
         for exponents, c in element.terms():
-            factors = sorted(n if e == 1 else f"{n}^{e}" for n, e in zip(names, exponents, strict=True) if e)
-            result[" ".join(factors)] = f"{c.numerator}" if c.denominator == 1 else f"{c.numerator}/{c.denominator}"
+            factors = sorted(n if e == 1 else f"{n}^{e}" for n, e in zip(self.names, exponents, strict=True) if e)
+            result[" ".join(factors)] = str(c)
         return dict(sorted(result.items()))
 
     def divide(self, p: PolyElement) -> tuple[PolyElement, dict[int, PolyElement]]:
@@ -66,11 +60,11 @@ class Ideal:
             i, j = pairs.pop()
             (f, f_origin), (g, g_origin) = self.basis[i], self.basis[j]
             both = self._lcm(i, j)
-            if both == tuple(a + b for a, b in zip(f.LM, g.LM, strict=True)):
+            if both == self.ring.monomial_mul(f.LM, g.LM):
                 continue
             if (done := done + 1) > MAX_PAIRS:
                 return
-            up = [self._quotient_term(both, h) for h in (f, g)]
+            up = [self.ring.term_new(self.ring.monomial_ldiv(both, h.LM), 1 / h.LC) for h in (f, g)]
             s, cofactors = f * up[0] - g * up[1], {}
             _accumulate(cofactors, f_origin, up[0])
             _accumulate(cofactors, g_origin, -up[1])
@@ -83,10 +77,7 @@ class Ideal:
                 pairs += [(k, len(self.basis) - 1) for k in range(len(self.basis) - 1)]
 
     def _lcm(self, i, j):
-        return tuple(map(max, self.basis[i][0].LM, self.basis[j][0].LM))
-
-    def _quotient_term(self, monomial, g):
-        return self.ring.term_new(tuple(a - b for a, b in zip(monomial, g.LM, strict=True)), 1 / g.LC)
+        return self.ring.monomial_lcm(self.basis[i][0].LM, self.basis[j][0].LM)
 
 
 def _accumulate(total, cofactors, factor):

@@ -9,6 +9,7 @@ from proofs.engine.angles import angles_in, circle_of
 from proofs.engine.claim import Induction
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.names import plain, symbols_of
+from proofs.engine.program import flat
 from proofs.engine.statement import VERSION, Translation, polynomial_data
 
 
@@ -40,8 +41,7 @@ class Turning(Translation):
 
 def induction(claim: Induction) -> dict:
     """Return the statement of an Induction. Raises Untranslatable where a quotient or a radical occurs."""
-    relations = (*claim.given, *claim.shows)
-    expressions = (*relations, *(sympify(e) for state in claim.states for e in state))
+    expressions = tuple(map(sympify, flat((claim.given, claim.shows, claim.states))))
     if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
         raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
     plain([*(symbols_of(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])

@@ -20,39 +20,34 @@ TRIES = 4000
 
 def without_unused(statement: dict, certificate: dict) -> tuple[dict, dict]:
     """Return a derivation and its certificate without the assumptions that no proof uses; circles stay."""
-    assumed, used, number, proofs = {}, set(), 0, iter(certificate["proofs"])
+    assumed, used, number, proofs = {}, [], 0, iter(certificate["proofs"])
     for step in statement["steps"]:
         if step["step"] in ("show", "root", "inverse"):
-            used |= {i for i in _indices(next(proofs)) if i < number}  # the next one is the goal's negation
+            _renumbered(next(proofs), lambda i, end=number: used.append(i if i < end else None))  # end: what is negated
         elif step["step"] == "assume":
             assumed[number] = step
         number += {"define": 0, "root": 2}.get(step["step"], 1)
     needed = [step for i, step in assumed.items() if i in used or is_circle(step)]
     idle = [i for i, step in assumed.items() if step not in needed]
 
-    def left(i):
-        return i - bisect_left(idle, i)
-
-    def shorter(proof):
-        changed = {"cofactors": [[left(i), q] for i, q in proof["cofactors"]]}
-        if proof["rule"] == "contradiction":
-            changed["positive"] = [left(i) for i in proof["positive"]]
-            changed["sum"] = [[c, s, [left(i) for i in h]] for c, s, h in proof["sum"]]
-        return proof | changed
-
     steps = [step for step in statement["steps"] if step["step"] != "assume" or step in needed]
-    return statement | {"steps": steps}, {"proofs": [shorter(proof) for proof in certificate["proofs"]]}
+    proofs = [_renumbered(proof, lambda i: i - bisect_left(idle, i)) for proof in certificate["proofs"]]
+    return statement | {"steps": steps}, {"proofs": proofs}
+
+
+def _renumbered(proof, number):
+    """Return a proof with other numbers of facts."""
+    changed = {"cofactors": [[number(i), q] for i, q in proof["cofactors"]]}
+    if proof["rule"] == "contradiction":
+        changed["positive"] = [number(i) for i in proof["positive"]]
+        changed["sum"] = [[c, s, [number(i) for i in h]] for c, s, h in proof["sum"]]
+    return proof | changed
 
 
 def is_circle(step: dict) -> bool:
     """Return whether an assumption is the c² + s² = 1 of an angle's cosine and sine."""
     squares = [monomial for monomial in step["of"] if re.fullmatch(r"(cos|sin)\(\S+\)\^2", monomial)]
     return step["is"] == "=" and len(squares) == 2 and len(step["of"]) == 3
-
-
-def _indices(proof):
-    sums = [i for _, _, factors in proof.get("sum", ()) for i in factors]
-    return [*proof.get("positive", ()), *(i for i, _ in proof["cofactors"]), *sums]
 
 
 def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] | None:

@@ -7,7 +7,7 @@ they need.
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import wraps
-from typing import Any
+from typing import Annotated, Any
 
 from sympy import Expr, Symbol, evaluate
 
@@ -23,8 +23,7 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-Some = Any
-"""One thing, or several in tuples and lists, one in another."""
+Some = Annotated[Any, "one thing, or several in tuples and lists, one in another"]
 
 
 def flat(part: Some) -> tuple:
@@ -84,17 +83,17 @@ class Program:
         needed = self.reaches(*outputs)
         return Program(
             name or self.name,
-            tuple(s for s in self.inputs if s in needed),
-            tuple(line for line in self.definitions if line[0] in needed),
+            [s for s in self.inputs if s in needed],
+            [line for line in self.definitions if line[0] in needed],
             outputs,
         )
 
     def at(self, values: Mapping) -> "Program":
         """Return the program with {symbol or vector: value or values}: what inputs are, and what lines are called."""
         put = dict(pairs(values))
-        inputs = (t for s in self.inputs for t in sorted(put.get(s, s).free_symbols, key=str))
-        lines = tuple((put.get(symbol, symbol), expression.xreplace(put)) for symbol, expression in self.definitions)
-        return Program(self.name, tuple(dict.fromkeys(inputs)), lines, tuple(put.get(s, s) for s in self.outputs))
+        inputs = [t for s in self.inputs for t in sorted(put.get(s, s).free_symbols, key=str)]
+        lines = [(put.get(symbol, symbol), expression.xreplace(put)) for symbol, expression in self.definitions]
+        return Program(self.name, [*dict.fromkeys(inputs)], lines, [put.get(s, s) for s in self.outputs])
 
     def expand(self, symbol: Any, until: Collection[Symbol] = ()) -> Any:
         """Return a symbol, or each of a vector's, as one expression in the inputs and the names in `until`."""
@@ -121,10 +120,12 @@ def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program
         for symbol, expression in program.definitions:
             if lines.setdefault(symbol, expression) != expression:
                 raise ValueError(f"{name}: {symbol} is defined twice, differently")
-    return Program(name, tuple(inputs), lines, outputs or program.outputs)
+    return Program(name, [*inputs], lines, outputs or program.outputs)
 
 
 def _of_lines(name, lines):
     """Return the program of some lines: its inputs are what they use, line by line, and do not define."""
-    used = [s for line in flat(tuple(lines.values())) for s in sorted(line.free_symbols, key=str)]
-    return Program(name, tuple(dict.fromkeys(s for s in used if s not in flat(tuple(lines)))), lines)
+    each = pairs(lines)
+    defined = {symbol for symbol, _ in each}
+    used = [symbol for _, line in each for symbol in sorted(line.free_symbols - defined, key=str)]
+    return Program(name, [*dict.fromkeys(used)], lines)

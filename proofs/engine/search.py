@@ -136,13 +136,9 @@ def _contradiction_proof(candidates, elements, solution, ideal):
 
 
 def _separation(statement):
-    uses = dict(statement["lines"])
-    reached, pending = set(), list(statement["outputs"])
-    while pending:
-        name = pending.pop()
-        if name not in reached:
-            reached.add(name)
-            pending += uses.get(name, [])
+    reached = set(statement["outputs"])
+    for name, uses in reversed(statement["lines"]):
+        reached.update(uses if name in reached else ())
     if bad := sorted(reached & set(statement["avoid"])):
         raise NotFound(f"no certificate found: {', '.join(statement['outputs'])} without {', '.join(bad)}")
     return {"reached": sorted(reached)}

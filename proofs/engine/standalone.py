@@ -71,8 +71,8 @@ def standalone_script(theorem_id: str) -> str:
     theorem = all_theorems()[theorem_id]
     if not theorem.claims:
         raise ValueError(f"{theorem_id} is {theorem.expected}: it has no certificate")
-    borrowed = [f"{id}/{name}" for claim in theorem.claims for id, name in getattr(claim, "borrowed", ())]
-    cited = [lemma.source for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+    borrowed = [f"{id}/{name}" for claim in theorem.claims for id, name in claim.borrowed]
+    cited = [lemma.source for claim in theorem.claims for lemma in claim.cited]
     cited += [theorem.source] if theorem.source else []
     return SCRIPT.format(
         header=_header(theorem),
@@ -87,7 +87,7 @@ def standalone_script(theorem_id: str) -> str:
 
 def _header(theorem):
     """Return the script's docstring: the theorem as the reader sees it, and what to do with the file."""
-    lemmas = [lemma for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+    lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]
     claim = "refuted by an exact counterexample" if theorem.expected == "refuted" else "proved by a certificate"
     parts = [
         f"{theorem.title} ({theorem.id}), {claim}.",

@@ -24,6 +24,7 @@ from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of,
 from proofs.engine.claim import Claim
 from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner, small
 from proofs.engine.names import plain, symbols_of
+from proofs.engine.program import flat
 
 VERSION = 1
 RELATIONS = {frozenset(s): (f, r) for f, r, s in (
@@ -60,7 +61,7 @@ class Translation:
     """The steps that some expressions become; `choices` decide the conditions that are not given."""
 
     def __init__(self, expressions: Iterable[Basic], choices: Sequence[bool] = (), lines: Sequence = ()):
-        self.choices, self.lines = list(choices), {symbol for symbol, _ in lines}
+        self.choices, self.lines = list(choices), set(dict(lines))
         self.in_line, self.showing, self.shown = False, False, 0
         self.steps: list[dict] = []
         self.variables: list[str] = []
@@ -297,8 +298,7 @@ def _case(claim, choices):
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
     pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
-    relations = (*claim.shows, *(r for relation, conditions in pending for r in (relation, *conditions)))
-    expressions = (*relations, *(e for line in definitions for e in line))
+    expressions = flat((claim.shows, pending, definitions))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
     undefined = set(t.lines)
@@ -306,7 +306,7 @@ def _case(claim, choices):
         if line:
             t.line(*line)
             undefined.discard(line[0])
-        ready = [p for p in pending if not any(r.free_symbols & undefined for r in (p[0], *p[1]))]
+        ready = [p for p in pending if not any(r.free_symbols & undefined for r in flat(p))]
         pending = [p for p in pending if p not in ready]
         for relation, conditions in ready:
             for condition in conditions:

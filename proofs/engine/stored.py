@@ -46,7 +46,7 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 def _statements(claim, theorems):
     if isinstance(claim, Separation):
-        known = {*claim.lines.inputs, *(symbol for symbol, _ in claim.lines.definitions)}
+        known = {*claim.lines.inputs, *dict(claim.lines.definitions)}
         if unknown := {*claim.outputs, *claim.avoid} - known:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
@@ -116,5 +116,5 @@ def _still_said(claim, now, entry):
     if now["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
         less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in steps]}
     # that a case cannot occur is not said of what a lemma adds: its conditions are shown, and not assumed
-    empty = [contradiction(less)] if now["kind"] == "derivation" and not getattr(claim, "cited", ()) else []
+    empty = [contradiction(less)] if now["kind"] == "derivation" and not claim.cited else []
     return digest(kept) == entry["sha256"] and kept in [less, *empty]

@@ -22,8 +22,6 @@ Point = tuple[tuple[Symbol, object], ...]
 class Step(Parts):
     """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
 
-    several = ("uses",)
-
     what: str
     why: str
     uses: Some = ()
@@ -35,8 +33,6 @@ class Clause(Parts):
 
     One without claims is argued in the steps and decided by nothing; `argued` says why.
     """
-
-    several = ("claims",)
 
     text: str
     claims: Some = ()
@@ -51,8 +47,6 @@ class SideCondition(Parts):
     {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
     """
 
-    several = ("holds", "fails", "undefined")
-
     text: str
     claim: str
     holds: Some = ()
@@ -62,7 +56,8 @@ class SideCondition(Parts):
     @property
     def edges(self) -> list[tuple[Point, str]]:
         """The points, each with its outcome."""
-        return [(point(at), outcome) for outcome in self.several for at in getattr(self, outcome)]
+        outcomes = {"holds": self.holds, "fails": self.fails, "undefined": self.undefined}
+        return [(point(at), outcome) for outcome, points in outcomes.items() for at in points]
 
 
 @dataclass(frozen=True)
@@ -100,8 +95,6 @@ class Theorem(Parts):
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
     float64's own operations.
     """
-
-    several = ("claims", "mutants", "steps", "hypotheses", "side_conditions", "uses", "rounded")
 
     id: str
     title: str
@@ -161,7 +154,7 @@ class Theorem(Parts):
     @property
     def named(self) -> list[str]:
         """The theorems that a claim borrows from or a step uses."""
-        lent = [id for claim in self.claims for id, _ in getattr(claim, "borrowed", ())]
+        lent = [id for claim in self.claims for id, _ in claim.borrowed]
         return lent + [id for step in self.steps for id in step.uses]
 
     @property
@@ -212,20 +205,17 @@ def in_order(theorems: Sequence[Theorem]) -> Theorems:
         if unknown := set(theorem.uses) - by_id.keys():
             raise ValueError(f"{theorem.id} uses unknown theorems: {', '.join(sorted(unknown))}")
     try:
-        order = list(TopologicalSorter({t.id: t.uses for t in theorems}).static_order())
+        return {id: by_id[id] for id in TopologicalSorter({t.id: t.uses for t in theorems}).static_order()}
     except CycleError as error:
         raise ValueError(f"theorems use each other in a cycle: {' → '.join(error.args[1])}") from None
-    return {id: by_id[id] for id in order}
 
 
 def all_theorems() -> Theorems:
     """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
-    package = importlib.import_module("proofs.theorems")
-    listed = []
-    for module in sorted(m.name for m in pkgutil.iter_modules(package.__path__)):
-        namespace = vars(importlib.import_module(f"proofs.theorems.{module}"))
-        listed += [value for value in namespace.values() if isinstance(value, Theorem)]
-    return in_order(list({id(t): t for t in listed}.values()))
+    package = "proofs.theorems"
+    names = [module.name for module in pkgutil.iter_modules(importlib.import_module(package).__path__)]
+    modules = [vars(importlib.import_module(f"{package}.{name}")) for name in names]
+    return in_order([value for module in modules for value in module.values() if isinstance(value, Theorem)])
 
 
 def borrowed(claim: Claim, theorems: Theorems) -> Claim:
@@ -234,7 +224,7 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     Raises ValueError unless the other claim's givens and lines are among this one's.
     """
     added: tuple = ()
-    for id, name in getattr(claim, "borrowed", ()):
+    for id, name in claim.borrowed:
         other = theorems[id].claim(name)
         if not isinstance(other, Claim) or not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")

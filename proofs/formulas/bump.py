@@ -3,12 +3,11 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, squared, vector
+from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, squared, vectors
 from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
 
-g, m = vector("g"), vector("m")
+g, m, bumped_by_beta = vectors("g m bumped_by_beta")
 m_length, m_scale = real("m_length m_scale")
-bumped_by_beta = vector("bumped_by_beta")
 
 perturbed = Program(
     "perturbed",

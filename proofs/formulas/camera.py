@@ -31,7 +31,7 @@ from proofs.formulas.symbols import (
     sin_phi,
     sin_theta,
     squared,
-    vector,
+    vectors,
     view,
     where,
     width,
@@ -48,7 +48,8 @@ toward_b, discriminant_b, root_b = real("toward_b discriminant_b root_b")
 distance, view_scale, rho_inverse, hit_scale = real("distance view_scale rho_inverse hit_scale")
 
 ray_direction = Vector((x, y, -eye))
-_from_center = (-ball_center[0], -ball_center[1], distance)  # the eye less B's centre
+_cx, _cy, _cz = ball_center
+_from_center = (-_cx, -_cy, distance)  # the eye less B's centre
 _tangent = {tangent_squared: (eye - radius) * (eye + radius)}  # squared length of the tangents from E to A
 
 image_extent = Program("image_extent", (eye, radius), _tangent | {half: 5 * eye * radius / (4 * sqrt(tangent_squared))})
@@ -92,14 +93,13 @@ hit_of_b = Program(
     "hit_of_b",
     (x, y, eye, ball_center, ball_radius, ball_on),
     {
-        distance: eye - ball_center[2],
-        toward_b: x * ball_center[0] + y * ball_center[1] + eye * distance,
+        distance: eye - _cz,
+        toward_b: x * _cx + y * _cy + eye * distance,
         discriminant_b: squared(ray_direction) * ball_radius**2 - squared(cross(ray_direction, _from_center)),
         root_b: sqrt(Max(0, discriminant_b)),
         t_b: where(
             And(discriminant_b >= 0, toward_b > 0, ball_on > 0),
-            (ball_center[0] ** 2 + ball_center[1] ** 2 + (distance - ball_radius) * (distance + ball_radius))
-            / (toward_b + root_b),
+            (_cx**2 + _cy**2 + (distance - ball_radius) * (distance + ball_radius)) / (toward_b + root_b),
             oo,
         ),
     },
@@ -153,7 +153,7 @@ point_on_a = Program(
 point_on_b = chain("point_on_b", hit_of_b, {point: (t_b * x, t_b * y, eye * (1 - t_b))})
 """P = P(t_B)."""
 
-moment, radius_vector = vector("moment"), vector("radius_vector")
+moment, radius_vector = vectors("moment radius_vector")
 ray_length_squared, radius_length = real("ray_length_squared radius_length")
 
 normal_of_b = chain(

@@ -4,8 +4,6 @@ As in `elementary`, every constant is an exact rational that float64 holds, and 
 is a line of its own. What is short has so few bits that its products are exact. Theorem: elementary_functions.
 """
 
-from collections.abc import Sequence
-
 from sympy import And, Eq, Expr, Function, Integer, Piecewise, Rational, factorial, log, nan, oo, sqrt
 
 from proofs.engine.program import chain
@@ -96,8 +94,8 @@ logarithm_series = [float64(Rational(2, 2 * n + 1)) for n in range(1, LOGARITHM_
 nodes_short, nodes_rest = zip(*(_in_two(log(one)) for one in NODES), strict=True)
 
 
-def _by_node(values: Sequence[Expr]) -> Expr:
-    return Piecewise((values[0], mantissa < NODE_1_FROM), (values[1], mantissa < NODE_1_BELOW), (values[2], True))
+def _by_node(low, middle, high):
+    return Piecewise((low, mantissa < NODE_1_FROM), (middle, mantissa < NODE_1_BELOW), (high, True))
 
 
 logarithm_reduction = {
@@ -106,9 +104,9 @@ logarithm_reduction = {
     binary: binary_exponent(float64(sqrt(2)) * scaled),
     mantissa: scaled * power_of_two(-binary),
     doublings: binary - scaled_by,
-    node: _by_node(NODES),
-    node_short: _by_node(nodes_short),
-    node_rest: _by_node(nodes_rest),
+    node: _by_node(*NODES),
+    node_short: _by_node(*nodes_short),
+    node_rest: _by_node(*nodes_rest),
     above_node: mantissa - node,
     lifted: mantissa + LIFT,
     mantissa_short: lifted - LIFT,

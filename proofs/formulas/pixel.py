@@ -64,7 +64,7 @@ def instance(
     program: Program, suffix: str | int, kept: Collection[Symbol] = (), given: Mapping = MappingProxyType({})
 ) -> Program:
     """Return the program with its own names suffixed, except those in `kept`, and inputs replaced by `given`."""
-    own = tuple(symbol for symbol, _ in program.definitions if symbol not in kept)
+    own = tuple(symbol for symbol in dict(program.definitions) if symbol not in kept)
     return program.at({own: _suffixed(own, suffix), **given})
 
 
@@ -87,7 +87,7 @@ def _places(gradient_program):
         chart,
         gradient_program,
         instance(bumped_normal, "on_a"),
-        instance(camera.normal_of_b, "on_b", {symbol for symbol, _ in seen.definitions}),
+        instance(camera.normal_of_b, "on_b", dict(seen.definitions)),
         instance(camera.normal_of_floor, "on_floor"),
         _each_by_surface(point, *(_suffixed(point, surface) for surface in ("on_a", "on_b", "on_floor")))
         | _each_by_surface(bumped, _suffixed(bumped, "on_a"), _suffixed(normal, "on_b"), _suffixed(bumped, "on_floor")),

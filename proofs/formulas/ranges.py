@@ -11,15 +11,21 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 
 from proofs.formulas.half_turns import cospi, sinpi
 
+
+def _hull(lowest, highest):
+    """Return the interval from the lowest or highest lower end of some to the lowest or highest upper end."""
+    return lambda *parts: iv.mpf([lowest(part.a for part in parts), highest(part.b for part in parts)])
+
+
 ENCLOSURES = {
     Add: lambda *parts: sum(parts),
     Mul: lambda *parts: reduce(operator.mul, parts),
     Pow: operator.pow,
     Abs: abs,
     sign: lambda _: iv.mpf([-1, 1]),
-    Max: lambda *parts: iv.mpf([max(part.a for part in parts), max(part.b for part in parts)]),
-    Min: lambda *parts: iv.mpf([min(part.a for part in parts), min(part.b for part in parts)]),
-    Piecewise: lambda *values: iv.mpf([min(value.a for value in values), max(value.b for value in values)]),
+    Max: _hull(max, max),
+    Min: _hull(min, min),
+    Piecewise: _hull(min, max),
     sinpi: lambda turns: iv.sin(iv.pi * turns),
     cospi: lambda turns: iv.cos(iv.pi * turns),
     exp: iv.exp,

@@ -18,14 +18,13 @@ from proofs.formulas.symbols import (
     specular_base,
     squared,
     towards,
-    vector,
+    vectors,
     view,
     where,
 )
 
-to_light = vector("to_light")
+to_light, halfway = vectors("to_light halfway")
 light_distance, light_scale = real("light_distance light_scale")
-halfway = vector("halfway")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
 distance_squared, along_light = real("distance_squared along_light")
 
@@ -142,7 +141,7 @@ def clipped_value(channel: Expr) -> Expr:
     return Min(1, Max(0, channel))
 
 
-clip = Program("clip", (color,), {clipped: clipped_value(color)})
+clip = Program("clip", color, {clipped: clipped_value(color)})
 """A channel is clipped to [0, 1]."""
 
 floor_dark, floor_tint, floor_base, floor_red, floor_blue = real(

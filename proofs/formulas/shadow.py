@@ -3,14 +3,14 @@
 from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, squared, vector, where
+from proofs.formulas.symbols import cross, dot, light, point, real, squared, vectors, where
 
-center, body_radius = vector("center"), real("body_radius")
-segment, offset = vector("segment"), vector("offset")
-segment_squared, toward_center, shadow_discriminant, occluded = real(
-    "segment_squared toward_center shadow_discriminant occluded"
+center, segment, offset = vectors("center segment offset")
+body_radius, segment_squared, toward_center, shadow_discriminant, occluded = real(
+    "body_radius segment_squared toward_center shadow_discriminant occluded"
 )
 square, dark = real("square dark")
+_x, _y, _z = point
 
 shadow = Program(
     "shadow",
@@ -32,12 +32,10 @@ Domain: P and L outside the sphere."""
 
 checker = Program(
     "checker",
-    (point[0], point[1]),
+    (_x, _y),
     {
-        square: floor(point[0]) + floor(point[1]),
-        dark: where(
-            And(Ne(square, 2 * floor(square / 2)), Ne(point[0], floor(point[0])), Ne(point[1], floor(point[1]))), 1, 0
-        ),
+        square: floor(_x) + floor(_y),
+        dark: where(And(Ne(square, 2 * floor(square / 2)), Ne(_x, floor(_x)), Ne(_y, floor(_y))), 1, 0),
     },
 )
 """Whether the floor square is dark: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""

@@ -4,9 +4,9 @@ from sympy import Piecewise
 
 from proofs.engine.program import Program
 from proofs.formulas.shadow import body_radius, center
-from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, squared, vector, where
+from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, squared, vectors, where
 
-from_body, along = vector("from_body"), vector("along")
+from_body, along = vectors("from_body along")
 at_light, half_slope, curvature = real("at_light half_slope curvature")
 turning, at_ball, at_an_end, at_turning = real("turning at_ball at_an_end at_turning")
 clearance, shortest = real("clearance shortest")

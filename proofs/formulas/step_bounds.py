@@ -20,7 +20,7 @@ creases, root_mean_square, best, floor = real("creases root_mean_square best flo
 
 _third = {third_derivative: (pi * frequency) ** 3}
 
-slope_bound = Program("slope_bound", (frequency,), {steepest: pi * frequency})
+slope_bound = Program("slope_bound", frequency, {steepest: pi * frequency})
 """L = πk."""
 
 truncation_bound = Program(
@@ -36,7 +36,7 @@ clamped_bound = Program(
 """(ε² + 2εv − 2v²)/6 · (πk)³ for the difference clamped at the pole, 0 ≤ v < ε, of a field that is odd about v = 0 up
 to v + ε. Theorem: clamped_difference_of_odd."""
 
-crease_bound = Program("crease_bound", (frequency,), {apart: 2 * pi * frequency})
+crease_bound = Program("crease_bound", frequency, {apart: 2 * pi * frequency})
 """2πk: a difference quotient and a slope are each at most L = πk in size (the mean value theorem), so they are at most
 2L apart, whatever lies within ε."""
 
@@ -68,10 +68,10 @@ rounding_bound = Program(
 )
 """2(η + Lα)(1 + κ)/S + Lκ, over the span S of the samples, L = sup|h'|. Theorem: roundoff_bound."""
 
-two_roundings = Program("two_roundings", (unit,), {excess: 2 * unit + unit**2})
+two_roundings = Program("two_roundings", unit, {excess: 2 * unit + unit**2})
 """κ of a rounded difference and quotient, in units of roundoff μ. Theorem: roundoff_bound."""
 
-three_roundings = Program("three_roundings", (unit,), {excess: (3 * unit + unit**2) / (1 - unit)})
+three_roundings = Program("three_roundings", unit, {excess: (3 * unit + unit**2) / (1 - unit)})
 """κ where the span is rounded as well. Theorem: roundoff_bound."""
 
 best_step = Program(

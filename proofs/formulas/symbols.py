@@ -43,6 +43,11 @@ def vector(name: str) -> Vector:
     return Vector(Symbol(f"{name}_{axis}", real=True) for axis in "xyz")
 
 
+def vectors(names: str) -> list[Vector]:
+    """Return the vectors of a blank-separated string of names."""
+    return [vector(name) for name in names.split()]
+
+
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     """Return the scalar product of two 3-tuples of expressions."""
     first, *others = (p * q for p, q in zip(a, b, strict=True))
@@ -56,7 +61,8 @@ def squared(a: Sequence[Expr]) -> Expr:
 
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> Vector:
     """Return the vector product of two 3-tuples of expressions."""
-    return Vector((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
+    (a_x, a_y, a_z), (b_x, b_y, b_z) = a, b
+    return Vector((a_y * b_z - a_z * b_y, a_z * b_x - a_x * b_z, a_x * b_y - a_y * b_x))
 
 
 def where(condition: Basic, value: Any, otherwise: Any) -> Expr:
@@ -74,9 +80,6 @@ eye, radius, ball_radius = real("eye radius ball_radius")
 ball_on, floor_on = real("ball_on floor_on")
 ball_center = vector("ball_center")
 
-lengths_of_a = (eye > 0, radius > 0)  # what the spheres' lengths have to be, as hypotheses
-lengths_of_b = (eye > 0, ball_radius > 0)
-
 # Sphere A: the angles of a point, and the chart.
 cos_theta, sin_theta, cos_phi, sin_phi = real("cos_theta sin_theta cos_phi sin_phi")
 theta, phi = real("theta phi")
@@ -88,14 +91,10 @@ h, h_u, h_v = real("h h_u h_v")
 beta, epsilon = real("beta epsilon")
 
 # A visible point P, its unit normal N, the bumped normal, the direction to the eye.
-point = vector("point")
-normal = vector("normal")
-bumped = vector("bumped")
-view = vector("view")
+point, normal, bumped, view = vectors("point normal bumped view")
 
 # A light: position, and unit direction towards it.
-light = vector("light")
-towards = vector("towards")
+light, towards = vectors("light towards")
 mu, specular_base, specular, shininess = real("mu specular_base specular shininess")
 
 TEX_NAMES = {

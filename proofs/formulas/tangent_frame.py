@@ -6,12 +6,13 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vector
+from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vectors
 
-e_theta, e_phi = vector("e_theta"), vector("e_phi")
+e_theta, e_phi = vectors("e_theta e_phi")
 seed_sin_phi = real("seed_sin_phi")
 
 _angles = (cos_theta, sin_theta, cos_phi, sin_phi)
+_nx, _ny, _nz = normal
 
 unit_normal = Program("unit_normal", _angles, {normal: (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)})
 """N = (sin φ cos θ, sin φ sin θ, cos φ)."""
@@ -29,9 +30,9 @@ seed_frame = Program(
     "seed_frame",
     normal,
     {
-        seed_sin_phi: sqrt(1 - normal[2] ** 2),
-        e_theta: (-normal[1] / seed_sin_phi, normal[0] / seed_sin_phi, 0 * normal[0]),
-        e_phi: (normal[2] * normal[0] / seed_sin_phi, normal[2] * normal[1] / seed_sin_phi, -seed_sin_phi),
+        seed_sin_phi: sqrt(1 - _nz**2),
+        e_theta: (-_ny / seed_sin_phi, _nx / seed_sin_phi, 0 * _nx),
+        e_phi: (_nz * _nx / seed_sin_phi, _nz * _ny / seed_sin_phi, -seed_sin_phi),
     },
     (e_theta, e_phi),
 )

@@ -1,97 +1,61 @@
 """The algebraic gradient is the trigonometric one: powers of (cos + i sin) by induction on the power."""
 
-from sympy import cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
-from proofs.formulas.algebraic_form import (
-    base_of_u,
-    base_of_v,
-    complex_product,
-    complex_square,
-    imaginary_part,
-    other_imaginary,
-    other_real,
-    product_imaginary,
-    product_real,
-    real_part,
-)
-from proofs.formulas.height_fields import HEIGHT_FIELDS, cos_u, cos_v, factors, sin_u, sin_v
-from proofs.formulas.symbols import k_u, k_v, phi, real, theta, u, v
+from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product, complex_square
+from proofs.formulas.height_fields import cos_u, cos_v, factors, sin_u, sin_v
 from proofs.theorems.frame import angles
-from proofs.theorems.relations import equations
+from proofs.theorems.language import *
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
 _chart = {u: (theta + pi) / (2 * pi), v: phi / pi}
-_alternating = (sign, 1, -sign)
-
-
-def _product(parts, others):
-    """Return the lines of `complex_product` for two complex numbers."""
-    given = dict(zip(complex_product.inputs, (*parts, *others), strict=True))
-    return [complex_product[p].xreplace(given) for p in (product_real, product_imaginary)]
+_number, _other, _product = complex_product.inputs[:2], complex_product.inputs[2:], complex_product.outputs
+real_part, imaginary_part = _number
 
 
 def _powers(base):
     """Return the states of baseⁿ, by repeated `complex_product`."""
-    base = [b.xreplace(angles) for b in base]
-    following = _product((real_part, imaginary_part), base)
-    return tuple(zip((real_part, imaginary_part), (1, 0), following, strict=True))
+    following = complex_product.at({_other: [b.xreplace(angles) for b in base]}).expand(_product)
+    return tuple(zip(_number, (1, 0), following, strict=True))
 
 
 def _factors(field, wave_numbers):
     """Return a field's trigonometric factors in the angles θ, φ of the chart, for given wave numbers."""
-    program = factors(HEIGHT_FIELDS[field])
-    return {name: program[name].subs(wave_numbers).subs(_chart) for name in program.outputs}
+    return {name: factor.subs(wave_numbers).subs(_chart) for name, factor in factors(field).definitions}
 
 
-_power = equation(real_part, cos(n * alpha)), equation(imaginary_part, sin(n * alpha))
-_plain = Induction("power", n, _power, _powers((cos(alpha), sin(alpha))))
+_plain = Induction("power", n, equations(_number, (cos(n * alpha), sin(n * alpha))), _powers((cos(alpha), sin(alpha))))
 _backwards = Induction(
-    "negative_power",
-    n,
-    (equation(real_part, cos(-n * alpha)), equation(imaginary_part, sin(-n * alpha))),
-    _powers((cos(alpha), -sin(alpha))),
+    "negative_power", n, equations(_number, (cos(-n * alpha), sin(-n * alpha))), _powers((cos(alpha), -sin(alpha)))
 )
-_sine = _factors("sine", {k_u: 2 * n, k_v: n})
+_sine = _factors(sine, {k_u: 2 * n, k_v: n})
 _in_u = Induction(
     "in_u",
     n,
     (
-        equation(real_part, _sine[cos_u]),
-        equation(imaginary_part, _sine[sin_u]),
-        equation(real_part, sign * cos(n * theta)),
-        equation(imaginary_part, sign * sin(n * theta)),
+        equations(_number, (_sine[cos_u], _sine[sin_u])),
+        equations(_number, (sign * cos(n * theta), sign * sin(n * theta))),
         equation(sign, cos(n * pi)),
-        equation(sin(n * pi), 0),
+        zero(sin(n * pi)),
     ),
-    (*_powers(base_of_u), _alternating),
+    (*_powers(base_of_u), (sign, 1, -sign)),
 )
-_in_v = Induction(
-    "in_v", n, (equation(real_part, _sine[cos_v]), equation(imaginary_part, _sine[sin_v])), _powers(base_of_v)
-)
-_rings = _factors("rings", {k_v: n / 2})
-_rings_in_v = _in_v.but(
-    name="rings_in_v", shows=(equation(real_part, _rings[cos_v]), equation(imaginary_part, _rings[sin_v]))
-)
+_in_v = Induction("in_v", n, equations(_number, (_sine[cos_v], _sine[sin_v])), _powers(base_of_v))
+_rings = _factors(rings, {k_v: n / 2})
+_rings_in_v = _in_v.but(name="rings_in_v", shows=equations(_number, (_rings[cos_v], _rings[sin_v])))
 
 
 def _on_circle(program, turned, total):
-    parts = (f(a) for a in turned for f in (cos, sin))
-    given = dict(zip(program.inputs, parts, strict=True))
-    return equations(_parts, (cos(total), sin(total))), (), program.at(given)
+    at = {program.inputs: [f(a) for a in turned for f in (cos, sin)]}
+    return equations(_product, (cos(total), sin(total))), (), program.at(at)
 
 
-_parts = product_real, product_imaginary
 _square = Claim("square", *_on_circle(complex_square, (alpha,), 2 * alpha))
 _times = Claim("product", *_on_circle(complex_product, (alpha, gamma), alpha + gamma))
 _reciprocal = Claim(
     "reciprocal",
-    equations(_parts, (1, 0)),
+    equations(_product, (1, 0)),
     equation(real_part**2 + imaginary_part**2, 1),
-    complex_product.at({other_real: real_part, other_imaginary: -imaginary_part}),
+    complex_product.at({_other: (real_part, -imaginary_part)}),
 )
-_half = _factors("sine", {k_u: 2 * n + 1, k_v: n})
 
 theorem = Theorem(
     "algebraic_gradient",
@@ -111,8 +75,8 @@ theorem = Theorem(
     },
     mutants=(
         variant("without the sign", _in_u, equation(real_part, cos(n * theta))),
-        variant("k_u odd", _in_u, equation(real_part, _half[cos_u])),
-        variant("rings with k_v", _rings_in_v, equation(real_part, _factors("rings", {k_v: n})[cos_v])),
+        variant("k_u odd", _in_u, equation(real_part, _factors(sine, {k_u: 2 * n + 1, k_v: n})[cos_u])),
+        variant("rings with k_v", _rings_in_v, equation(real_part, _factors(rings, {k_v: n})[cos_v])),
         variant("a negative power does not conjugate", _backwards, states=_plain.states),
         variant("squaring keeps the angle", _square, _on_circle(complex_square, (alpha,), alpha)[0]),
     ),

@@ -1,6 +1,6 @@
 """Steps that float64 cannot take: where every slope is 0. Coq proves it of the printed difference, in Binades.v."""
 
-from proofs.engine.theorem import Theorem
+from proofs.theorems.language import *
 
 theorem = Theorem(
     "binades",

@@ -1,41 +1,31 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
-from sympy import Symbol
-
-from proofs.engine.claim import Claim, Separation, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped, g, perturbed
 from proofs.formulas.camera import surface
-from proofs.formulas.finite_difference import central, central4, forward
+from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.symbols import beta, dot, epsilon, h_u, h_v, k_u, k_v, normal, squared, towards
+from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
 
-_ridges = HEIGHT_FIELDS["ridges"]
 _any_gradient = Program("any_gradient", (h_u, h_v), {}, (h_u, h_v))
 LIGHTS = 5  # as many as a scene may have
-_chamber = (surface, *(occlusion(light) for light in range(LIGHTS)), dark_square)
+_chamber = (surface, [occlusion(light) for light in range(LIGHTS)], dark_square)
+_bump = (h_u, h_v, beta, bumped)
 _unmoved = {
-    model: Separation(
-        model, pixel(_ridges, model, lights=LIGHTS, gradient_program=_any_gradient), _chamber, (h_u, h_v, beta, bumped)
-    )
-    for model in LIGHT_MODELS
+    model: Separation(model, pixel(ridges, model, LIGHTS, _any_gradient), _chamber, _bump) for model in LIGHT_MODELS
 }
 _by_difference = {
-    f"{method.__name__}_{name}": Separation(
-        f"{method.__name__}_{name}",
-        pixel(field, lights=1, gradient_program=method(field)),
+    f"{method}_{name}": Separation(
+        f"{method}_{name}",
+        pixel(field, lights=1, gradient_program=difference(field)),
         (surface, occlusion(0), dark_square),
-        (k_u, k_v, epsilon, h_u, h_v, beta, bumped),
+        (k_u, k_v, epsilon, _bump),
     )
-    for method in (forward, central, central4)
+    for method, difference in METHODS.items()
     for name, field in HEIGHT_FIELDS.items()
 }
-_mu = Symbol("mu_0", real=True)
-
 theorem = Theorem(
     "bump_moves_no_boundary",
     "The bump moves no boundary",
@@ -51,7 +41,7 @@ theorem = Theorem(
         r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$": "look",
     },
     mutants=(
-        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=_mu, avoid=beta),
+        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=real("mu_0"), avoid=beta),
         variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=beta),
         variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=epsilon),
     ),
@@ -73,7 +63,7 @@ attached_shadow = Theorem(
     refuted_at={**at("3/4"), towards: ("-12/13", 0, "5/13")},
     steps={r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$": r"$\beta g = (3/4, 0, 0)$"},
     mutants=(
-        variant("true at β = 0", _in_light, given=(_in_light.given, equation(beta, 0))),
+        variant("true at β = 0", _in_light, given=(_in_light.given, zero(beta))),
         variant("true where β g·ω ≥ 0", _in_light, given=(_in_light.given, beta * dot(g, towards) >= 0)),
     ),
     uses="unit_length",

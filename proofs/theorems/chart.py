@@ -1,46 +1,39 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
-from sympy import S, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, squared, u, v
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
-from proofs.theorems.relations import HALF, equations
+from proofs.theorems.language import *
 
 turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
-_by_turns = Program("by_turns", (turn, polar), tuple((s, e.xreplace(_of_angles)) for s, e in chart.definitions), (u, v))
-_half_turns = (turn > -1, turn <= 1)
+_by_turns = chain("by_turns", {s: e.xreplace(_of_angles) for s, e in chart.definitions})
 _range = Claim(
-    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (_half_turns, polar >= 0, polar <= 1), _by_turns
+    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (turn > -1, turn <= 1, polar >= 0, polar <= 1), _by_turns
 )
-_seam = Claim("seam", (equation(u_closed, 1), equation(u, 0)), equation(turn, 1), _by_turns)
+_seam = Claim("seam", (equation(u_closed, 1), zero(u)), equation(turn, 1), _by_turns)
 _inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), turn < 1, _by_turns)
 
 
-_angles = [f(a) for a in (turn, polar) for f in (cospi, sinpi)]
 _round_trip = Claim(
     "round_trip",
-    equations(chart_inverse.outputs, _angles),
+    equations(chart_inverse.outputs, [f(a) for a in (turn, polar) for f in (cospi, sinpi)]),
     lines=chart_inverse.at({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}),
 )
 _on_the_seam = Claim(
     "on_the_seam", equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]), lines=chart_inverse.at({u: S.Zero})
 )
 
-_across = sqrt(normal[0] ** 2 + normal[1] ** 2)
+_nx, _ny, _nz = normal
+_across = sqrt(_nx**2 + _ny**2)
 _recovered = Claim(
     "recovered",
     (
         equation(_across**2, sin_phi**2),
         equation(_across, sin_phi),
-        equation(normal[2], cos_phi),
-        equations((normal[0] / _across, normal[1] / _across), (cos_theta, sin_theta)),
+        equation(_nz, cos_phi),
+        equations((_nx / _across, _ny / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
     unit_normal,
@@ -70,11 +63,7 @@ forward = Theorem(
     mutants=(
         variant("u ≤ 1/2", _range, at_least(HALF, u)),
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
-        variant(
-            "back with cos 2πu, without the minus",
-            _round_trip,
-            equation(-_round_trip.shows[0].lhs, _round_trip.shows[0].rhs),
-        ),
+        variant("back with cos 2πu, without the minus", _round_trip, negated(_round_trip)),
     ),
     side_conditions=SideCondition(
         r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0}
@@ -95,7 +84,7 @@ inverse = Theorem(
         "the root and the quotients": r"$\sin\varphi > 0$",
     },
     mutants=(
-        variant("N_x = + sin πv cos 2πu", _formula, equation(-_formula.shows[0].lhs, _formula.shows[0].rhs)),
+        variant("N_x = + sin πv cos 2πu", _formula, negated(_formula)),
         variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
     ),
     side_conditions=SideCondition(

@@ -3,19 +3,18 @@
 from sympy import Expr, cos, pi, sin
 
 from proofs.engine.claim import CitedLemma, at_least, greater
-from proofs.theorems.relations import nonnegative
 
 SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 
 
 def sine_below(x: Expr) -> CitedLemma:
     """sin x ≤ x, for x ≥ 0."""
-    return CitedLemma(at_least(x, sin(x)), SOURCE, nonnegative(x))
+    return CitedLemma(at_least(x, sin(x)), SOURCE, at_least(x, 0))
 
 
 def sine_above(x: Expr) -> CitedLemma:
     """sin x ≥ x − x³/6, for x ≥ 0."""
-    return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE, nonnegative(x))
+    return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE, at_least(x, 0))
 
 
 def cosine_above(x: Expr) -> CitedLemma:

@@ -1,29 +1,19 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from sympy import Abs, S, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
 from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
-from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, real, u, v
-from proofs.theorems.cited import sine_of_half_turn
-from proofs.theorems.relations import HALF, both_ways, named, ridges, rings, sine
+from proofs.theorems.language import *
 
 slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
-ranges = ((v, (0, HALF)), (epsilon, (0, HALF)), (largest, (0, 3)))
+ranges = {(v, epsilon): (0, HALF), largest: (0, 3)}
 
 
 _clamp = Claim(
-    "clamp",
-    (equation(v_plus, v + epsilon), equation(v_minus, 0), equation(span_v, v + epsilon)),
-    pole_clamps,
-    central(sine),
+    "clamp", (equation(v_plus, v + epsilon), zero(v_minus), equation(span_v, v + epsilon)), pole_clamps, central(sine)
 )
-_bends = tuple(part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest))
+_bends = [part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest)]
 _first = Claim(
     "first_order",
     (
@@ -91,9 +81,8 @@ first_order = Theorem(
 )
 
 _odd_ridge = Abs(sin(pi * k_u * u)) * sin(pi * k_v * v)
-_names, _fields = real("h_sine h_rings h_ridge"), (sine.expression, rings.expression, _odd_ridge)
-_odd = Program("odd", (u, v, k_u, k_v), tuple(zip(_names, _fields, strict=True)))
-_are_odd = Claim("odd", tuple(equation(h, -field) for h, field in _odd.definitions), lines=_odd.at({v: -v}))
+_odd = chain("odd", {real("h_sine h_rings h_ridge"): (sine.expression, rings.expression, _odd_ridge)})
+_are_odd = Claim("odd", [equation(h, -field) for h, field in _odd.definitions], lines=_odd.at({v: -v}))
 _first_ridge = Claim(
     "first_ridge",
     (
@@ -103,32 +92,35 @@ _first_ridge = Claim(
         equation(ridges.expression, _odd_ridge),
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
-    squares=named(sin(pi * k_u * u)) * named(sin(pi * k_v * v)),
     cited=sine_of_half_turn(k_v * v),
     ranges={v: (0, 1), k_v: (0, 3)},
 )
 _end = v + epsilon
 _room = clamped_bound[truncation].xreplace({third_derivative: S.One})
 _rise = _end**2 / 8 - v**2 / 2
-_middle = slope + bend_minus * _rise
+_upper = _end * (slope + bend_minus * _rise) + bend_plus * _end**3 / 24
 _second = Claim(
     "second_order",
     (
         equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
         _rise >= 0,
-        *(_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)),
+        [_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)],
         both_ways(largest * _room, h_v - slope),
     ),
     (pole_clamps, _bends),
-    of_heights({h_v_plus: _end * _middle + bend_plus * _end**3 / 24, h_v_minus: S.Zero}),
+    of_heights({h_v_plus: _upper, h_v_minus: S.Zero}),
     squares=_end,
     ranges=ranges,
 )
-_off_zero = of_heights({h_v_plus: _second.lines[h_v_plus], h_v_minus: here})  # type: ignore[index]
-_cubic = HeightField("cubic", v**3 / 6)
-_attained = Claim(
-    "second_order_sharp", equation(at_pole(_cubic).expand(h_v) - _cubic.gradient()[1], _room), pole_clamps
-)
+
+
+def _error(h):
+    """Return the error of the clamped difference of a field h(v)."""
+    field = HeightField("of_v", h)
+    return at_pole(field).expand(h_v) - field.gradient()[1]
+
+
+_attained = Claim("second_order_sharp", equation(_error(v**3 / 6), _room), pole_clamps)
 
 second_order = Theorem(
     "clamped_difference_of_odd",
@@ -156,10 +148,12 @@ second_order = Theorem(
     },
     mutants=(
         variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
-        variant("h(0) = 0 is not needed", _second, lines=_off_zero),
+        variant("h(0) = 0 is not needed", _second, lines=of_heights({h_v_plus: _upper, h_v_minus: here})),
         variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
         variant(
-            "w³/6 attains ε²/6 for v > 0", _attained, equation(at_pole(_cubic).expand(h_v) - v**2 / 2, epsilon**2 / 6)
+            "w³/6 attains ε²/6 for v > 0",
+            _attained,
+            equation(at_pole(HeightField("cubic", v**3 / 6)).expand(h_v) - v**2 / 2, epsilon**2 / 6),
         ),
     ),
     side_conditions=SideCondition(
@@ -170,15 +164,9 @@ second_order = Theorem(
     ),
 )
 
-
-def _at_zero_of(h):
-    """Return the error of the clamped difference at v = 0 of a field h(v)."""
-    field = HeightField("at_zero", h)
-    return (at_pole(field).expand(h_v) - field.gradient()[1]).subs(v, 0)
-
-
 _steps = (epsilon > 0, epsilon <= 1)
-_costs = Claim("costs_an_order", Abs(_at_zero_of(v - v**3)) >= epsilon, _steps)
+_of_cubic = _error(v - v**3).subs(v, 0)
+_costs = Claim("costs_an_order", Abs(_of_cubic) >= epsilon, _steps)
 
 always_first_order = Theorem(
     "seed_clamp",
@@ -190,7 +178,9 @@ always_first_order = Theorem(
     refuted_at={epsilon: "1/2"},
     steps={r"the error is $-\varepsilon^2$: $1/4$ at $\varepsilon = 1/2$": "$h$ is odd"},
     mutants=(
-        variant("of v − v³ it is −ε²", Claim("odd", equation(_at_zero_of(v - v**3), -(epsilon**2)), _steps)),
-        variant("of v + v², not odd, it is ε", Claim("not_odd", equation(_at_zero_of(v + v**2), epsilon), _steps)),
+        variant("of v − v³ it is −ε²", Claim("odd", equation(_of_cubic, -(epsilon**2)), _steps)),
+        variant(
+            "of v + v², not odd, it is ε", Claim("not_odd", equation(_error(v + v**2).subs(v, 0), epsilon), _steps)
+        ),
     ),
 )

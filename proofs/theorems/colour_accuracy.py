@@ -1,11 +1,8 @@
 """What float64 loses between the gradient and the colour: the bumped normal, the light's cosine, a share, the clip."""
 
-from sympy import Abs, Max, Pow, Rational
-
-from proofs.engine.claim import Rounded
-from proofs.engine.theorem import Theorem
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.certified import COSINE, NORMAL, SHARE
+from proofs.formulas.pixel import CHANNELS
 from proofs.formulas.shading import (
     albedos,
     clip,
@@ -18,15 +15,11 @@ from proofs.formulas.shading import (
     light_term,
     lit,
 )
-from proofs.formulas.symbols import beta, bumped, light, mu, normal, point, specular, squared
+from proofs.theorems.language import *
 
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
 _to_light = light - point
-_shares = tuple(
-    before + color * (albedo * (kd * Max(0, mu)) + ks * specular)
-    for before, color, albedo in zip(colors, light_colors, albedos, strict=True)
-)
 
 theorem = Theorem(
     "colour_accuracy",
@@ -44,11 +37,7 @@ theorem = Theorem(
             "normal",
             perturbed,
             tuple((component, NORMAL * _UNIT) for component in bumped),
-            (
-                squared(_m) >= 1,
-                squared(_m) <= Pow(2, 900),
-                *((beta * component) ** 2 <= squared(_m) for component in g),
-            ),
+            (squared(_m) >= 1, squared(_m) <= Pow(2, 900), [(beta * component) ** 2 <= squared(_m) for component in g]),
         ),
         Rounded(
             "cosine",
@@ -57,23 +46,21 @@ theorem = Theorem(
             (
                 squared(_to_light) >= Pow(2, -40),
                 squared(_to_light) <= Pow(2, 900),
-                *(Abs(component) <= 1 + Pow(2, -40) for component in bumped),
+                [Abs(component) <= 1 + Pow(2, -40) for component in bumped],
             ),
         ),
-        *(
+        [
             Rounded(
                 f"share_{name}",
                 light_term,
-                {channel: SHARE * _UNIT * share + Pow(10, -30)},
+                {channel: SHARE * _UNIT * light_term.expand(channel) + Pow(10, -30)},
                 (
-                    *(weight >= 0 for weight in (before, color, albedo, kd, ks, specular)),
-                    *(weight <= Pow(2, 20) for weight in (color, albedo)),
+                    nonnegative(before, color, albedo, kd, ks, specular),
+                    [weight <= Pow(2, 20) for weight in (color, albedo)],
                 ),
             )
-            for name, channel, share, before, color, albedo in zip(
-                ("red", "green", "blue"), lit, _shares, colors, light_colors, albedos, strict=True
-            )
-        ),
+            for name, channel, before, color, albedo in zip(CHANNELS, lit, colors, light_colors, albedos, strict=True)
+        ],
         Rounded("clip", clip, {clipped: Rational(0)}),
     ),
     steps={

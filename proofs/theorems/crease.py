@@ -1,10 +1,5 @@
 """The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
 
-from sympy import Abs, Derivative, S, Symbol, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.step_bounds import (
     crease_rms,
@@ -21,34 +16,39 @@ from proofs.formulas.step_bounds import (
     truncation,
     truncation_bound,
 )
-from proofs.formulas.symbols import epsilon, h_u, k_u, k_v, real, u, v
-from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import HALF, QUARTER, named, nonnegative, positive, ridges, without, zero
+from proofs.theorems.language import *
 
 delta, m = real("delta m")
 rate = slope_bound[steepest].xreplace({frequency: k_u})
-half = ((v, 1), (k_v, HALF))  # sin πk_v v = 1
-ranges = ((delta, (-QUARTER, QUARTER)), (epsilon, (0, QUARTER)), (k_u, (0, 4)))
+half = {v: 1, k_v: HALF}  # sin πk_v v = 1
+ranges = {delta: ("-1/4", "1/4"), epsilon: (0, "1/4"), k_u: (0, 4)}
 straddles = (epsilon > 0, k_u > 0, epsilon - delta > 0, epsilon + delta > 0)
 reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
-signs = tuple(sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta))
 
 across = inside(ridges).expand(h_u).subs(half).subs(u, delta)
 straddled = cos(rate * epsilon) * sin(rate * delta) / epsilon
 slope = ridges.gradient()[0].subs(half).subs(u, delta)
 slope_after = rate * cos(rate * delta)  # where sin πkδ > 0, as a claim below says; before the crease, its negative
 
-_value = Claim("value", equation(across, straddled), (straddles, reach), cited=signs, ranges=ranges)
+_value = Claim(
+    "value",
+    equation(across, straddled),
+    (straddles, reach),
+    cited=[sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta)],
+    ranges=ranges,
+)
 difference, after = real("difference after")
-_beside = Program("beside", (k_u, delta, epsilon), {difference: straddled, after: slope_after})
 _centre = Claim(
-    "at_the_crease", (zero(difference), equation(difference - after, -rate)), epsilon > 0, _beside.at({delta: S.Zero})
+    "at_the_crease",
+    (zero(difference), equation(difference - after, -rate)),
+    epsilon > 0,
+    chain("beside", {difference: straddled, after: slope_after}).at({delta: S.Zero}),
 )
 _period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
-_slopes = tuple(
+_slopes = [
     Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
-)
+]
 
 theorem = Theorem(
     "straddling",
@@ -76,7 +76,7 @@ theorem = Theorem(
         variant(
             "ε + |δ| ≤ 2/k",
             _value,
-            given=(straddles, *(r.func(r.lhs + 1, 0) for r in reach)),
+            given=(straddles, [r.func(r.lhs + 1, 0) for r in reach]),
             cited=(),
             at={k_u: 1, epsilon: "5/4", delta: "1/4"},
         ),
@@ -126,10 +126,8 @@ supremum = Theorem(
 x, y = rate * epsilon, rate * delta
 _at = {frequency: k_u, distance: delta}
 _tent, _room = -tent_bound[tent].xreplace(_at) / rate, tent_bound[rest].xreplace(_at) / rate
-_after = (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0])
 _sin_y, _cos_y, _cos_x = sin(y), cos(y), cos(x)
 _rest = straddled / rate - _cos_y - _tent
-_names = tuple(map(named, (_cos_y, _cos_x, _sin_y, sin(x))))
 _near_tent = Claim(
     "tent",
     (
@@ -143,30 +141,24 @@ _near_tent = Claim(
             x**2 / 2 - (1 - _cos_y),
             _sin_y * (1 - _cos_x),
             x**3 / 2 - _sin_y * (1 - _cos_x),
-            _room * x - x * _rest,
-            _room * x + x * _rest,
-            _room - _rest,
-            _room + _rest,
         ),
+        both_ways(_room * x, x * _rest),
+        both_ways(_room, _rest),
     ),
-    _after,
-    squares=(_names[0] - 1, _names[1] - 1, _names[2], _names[3]),
+    (epsilon > 0, k_u > 0, delta > 0, epsilon - delta >= 0, reach[0]),
+    squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
-    ranges=ranges,
-    example={epsilon: "13/30", delta: "13/30", k_u: 1, _sin_y: "24/25"},
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
-_mean = _square.subs(v, 1) - _square.subs(v, 0)
 _tents = Claim(
     "tents", (equation(Derivative(_primitive, delta), _tent**2), equation(_area, epsilon / 3)), (epsilon > 0, k_u > 0)
 )
 _means = Claim(
     "mean_of_a_square",
-    (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_mean, HALF)),
-    (k_v > 0, equation(sin(pi * k_v), 0)),
-    ranges={k_v: (1, 9)},
+    (equation(Derivative(_square, v), sin(pi * k_v * v) ** 2), equation(_square.subs(v, 1) - _square.subs(v, 0), HALF)),
+    (k_v > 0, zero(sin(pi * k_v))),
 )
 
 
@@ -176,17 +168,16 @@ def _mean_square(name, k, number, constant=None):
     total = number * (pi * k) ** 2 * 2 * _area * HALF
     shows = (
         pi * k > 0,
-        *nonnegative(number * epsilon, total, constant),
+        nonnegative(number * epsilon, total, constant),
         equation(total, constant**2),
         sqrt(total) >= constant,
         constant >= sqrt(total),
         equation(sqrt(total), constant),
     )
-    return Claim(name, shows, (k >= 1, epsilon > 0), squares=Symbol("pi", real=True) * k)
+    return Claim(name, shows, (k >= 1, epsilon > 0))
 
 
-_in_u = _mean_square("in_u", k_u, k_u)
-_in_v = _mean_square("in_v", k_v, k_v - 1)
+_means_square = _mean_square("in_u", k_u, k_u), _mean_square("in_v", k_v, k_v - 1)
 
 rms = Theorem(
     "crease_error_area",
@@ -197,7 +188,7 @@ rms = Theorem(
         r"""$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by
         $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
         at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
-        k_v\sqrt{(k_v-1)\varepsilon/3}$.""": (_tents, _means, _in_u, _in_v),
+        k_v\sqrt{(k_v-1)\varepsilon/3}$.""": (_tents, _means, _means_square),
         r"""So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which
         also bounds the error elsewhere.""": (
             "that a primitive gives an area, that the tents are disjoint and how many there are"

@@ -1,19 +1,12 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from sympy import Derivative, Pow, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
-from proofs.formulas.symbols import beta, cross, dot, h, h_u, h_v, normal, phi, real, sin_phi, squared, theta
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles
-from proofs.theorems.relations import equations, positive, without, zero
+from proofs.theorems.language import *
 
 theta_0, phi_0 = real("theta_0 phi_0")
-_here = equations((theta, phi), (theta_0, phi_0))
 _field = h + h_theta * (theta - theta_0) + h_phi * (phi - phi_0)  # any field, to first order around a point
 
 
@@ -22,21 +15,21 @@ def _along(angle):
     return [Derivative(s, angle) for s in (1 + beta * _field) * frame.expand(normal).xreplace(angles)]
 
 
-def _in_angles(program, names):
-    return program.expand(names, until=(h_theta, h_phi)).xreplace(angles)
-
-
-_scaled = (1 + beta * h) * sin(phi) * _in_angles(displaced_normal, displaced)
-_product = Claim("product", equations(cross(_along(phi), _along(theta)), _scaled), (_here, sin(phi) > 0))
+_in_angles = displaced_normal.expand(displaced, until=(h_theta, h_phi)).xreplace(angles)
+_scaled = (1 + beta * h) * sin(phi) * _in_angles
+_product = Claim(
+    "product",
+    equations(cross(_along(phi), _along(theta)), _scaled),
+    (equations((theta, phi), (theta_0, phi_0)), sin(phi) > 0),
+)
 _u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
     (equation(h_theta, h_u * Derivative(_u, theta)), equation(h_phi, h_v * Derivative(_v, phi))),
-    (),
-    displaced_normal,
+    lines=displaced_normal,
 )
-_off_the_poles = (*on_circles, sin_phi > 0)
-raised = (*_off_the_poles, 1 + beta * h > 0)
+_off_the_poles = (on_circles, sin_phi > 0)
+raised = (_off_the_poles, 1 + beta * h > 0)
 _outward = Claim(
     "outward", (equation(dot(displaced, normal), lift), dot(displaced, normal) > 0), raised, displaced_normal
 )
@@ -77,25 +70,26 @@ displaced_theorem = Theorem(
             _product,
             equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
-        variant("Blinn's is the displaced normal", _first_order, equations(cross(displaced, _blinn), (0, 0, 0))),
+        variant("Blinn's is the displaced normal", _first_order, zero(cross(displaced, _blinn))),
         variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
-        SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), h: 1, h_u: 1, h_v: 1, beta: 1}),
-        SideCondition(r"$1+\beta h > 0$", "outward", fails={**at_angle(0, 1), h: -1, h_u: 1, h_v: 1, beta: 1}),
+        SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), (h, h_u, h_v, beta): 1}),
+        SideCondition(r"$1+\beta h > 0$", "outward", fails={**at_angle(0, 1), h: -1, (h_u, h_v, beta): 1}),
     ),
 )
 
 
 _both = chain("both", displaced_normal, bumped_normal)
 _metric = h_u**2 / (2 * pi * sin_phi) + h_v**2 / pi
+_both_scales = lift + 1 / (2 * pi * sin_phi), lift + 1 / pi
 _only_where_flat = Claim(
     "only_where_flat",
     (
-        positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, lift + 1 / (2 * pi * sin_phi), lift + 1 / pi),
-        zero(beta * h_u * (lift + 1 / (2 * pi * sin_phi)), beta * h_v * (lift + 1 / pi), beta * h_u, beta * h_v),
+        positive(1 / sin_phi, 1 / pi, 1 / pi / sin_phi, _both_scales),
+        zero(beta * h_u * _both_scales[0], beta * h_v * _both_scales[1], beta * h_u, beta * h_v),
     ),
-    (raised, equations(cross(m, displaced), (0, 0, 0))),
+    (raised, zero(cross(m, displaced))),
     _both,
 )
 _where_flat = Claim("where_flat", equations(displaced, lift * m), (sin_phi > 0, zero(beta * h_u, beta * h_v)), _both)
@@ -132,8 +126,8 @@ difference_theorem = Theorem(
         variant(
             "parallel only if h_u = h_v = 0, whatever β",
             _only_where_flat,
-            equation(h_u, 0),
-            at={**at_angle(0, 1), beta: 0, h: 0, h_u: 1, h_v: 1},
+            zero(h_u),
+            at={**at_angle(0, 1), (beta, h): 0, (h_u, h_v): 1},
         ),
         variant("the opposite sign, as Blinn's", _like_blinn),
         variant(
@@ -144,9 +138,9 @@ difference_theorem = Theorem(
     ),
 )
 
-_in_half_turns = {slope: without(Pow(pi, -1), displaced_normal[slope]) for slope in (h_theta, h_phi)}
+_half_turns = {slope: without(Pow(pi, -1), displaced_normal[slope]) for slope in (h_theta, h_phi)}
 _parallel = Claim(
-    "parallel", zero(dot(normal, cross(m, -beta * _slopes.xreplace(_in_half_turns)))), _off_the_poles, bumped_normal
+    "parallel", zero(dot(normal, cross(m, -beta * _slopes.xreplace(_half_turns)))), _off_the_poles, bumped_normal
 )
 
 seed_theorem = Theorem(
@@ -155,16 +149,14 @@ seed_theorem = Theorem(
     r"""$N'$ is the normal of the displaced surface, $D = (1+\beta h)N - \beta G$; in particular $N\cdot(M\times
     D) = N\cdot(M\times -\beta G) = 0$ (in half-turns: $\pi G$ for $G$).""",
     claims=_parallel,
-    refuted_at={**at_angle("3/5", "4/5"), beta: 1, h_u: 1, h_v: 1},
+    refuted_at={**at_angle("3/5", "4/5"), (beta, h_u, h_v): 1},
     steps={
         r"$\pi N\cdot(M\times D) = \pm\beta^2h_uh_v(1-1/2\sin\varphi) \ne 0$": (
             r"$\beta = h_u = h_v = 1$, $\sin\varphi = 4/5$: the metric and the chart's scale turn the gradient"
         )
     },
     mutants=(
-        variant("true where β = 0", _parallel, given=(_parallel.given, equation(beta, 0))),
-        variant(
-            "on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, equation(h_u, 0))
-        ),
+        variant("true where β = 0", _parallel, given=(_parallel.given, zero(beta))),
+        variant("on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, zero(h_u))),
     ),
 )

@@ -1,11 +1,7 @@
 """The rules by which the enclosing machine bounds what it computes: theorems about its own float64 operations."""
 
-from sympy import Abs, Pow
-
-from proofs.engine.claim import Encloses
-from proofs.engine.theorem import Theorem
 from proofs.formulas.enclosed import RULES
-from proofs.formulas.symbols import real, x, y
+from proofs.theorems.language import *
 
 x_error, y_error, x_exact = real("x_error y_error x_exact")
 

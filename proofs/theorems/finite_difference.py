@@ -1,14 +1,9 @@
 """The central difference of a sine: the derivative times sinc, and the bound of its truncation."""
 
-from sympy import Expr, Symbol, cos, pi, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import INSIDE, inside, nothing_clamps, nothing_wraps
 from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
-from proofs.theorems.relations import HALF, rings, sine
+from proofs.theorems.language import *
 
 
 def difference(field: HeightField, output: Symbol) -> Expr:
@@ -16,7 +11,7 @@ def difference(field: HeightField, output: Symbol) -> Expr:
     return inside(field).expand(output)
 
 
-def sinc(x: Expr) -> Expr:
+def _sinc(x):
     """Return sin x / x."""
     return sin(x) / x
 
@@ -25,7 +20,7 @@ def _times_sinc(name, field, output, frequency, given):
     slope = dict(zip((h_u, h_v), field.gradient(), strict=True))[output]
     shows = (
         equation(2 * epsilon * difference(field, output), 2 * slope / (pi * frequency) * sin(pi * frequency * epsilon)),
-        equation(difference(field, output), slope * sinc(pi * frequency * epsilon)),
+        equation(difference(field, output), slope * _sinc(pi * frequency * epsilon)),
     )
     (k,) = frequency.free_symbols
     return Claim(name, shows, (given, k > 0), ranges=INSIDE)
@@ -44,11 +39,10 @@ _cosine = Claim(
     "cosine",
     equation(
         (cos(pi * k_u * (u + epsilon)) - cos(pi * k_u * (u - epsilon))) / (2 * epsilon),
-        -pi * k_u * sin(pi * k_u * u) * sinc(pi * k_u * epsilon),
+        -pi * k_u * sin(pi * k_u * u) * _sinc(pi * k_u * epsilon),
     ),
     (epsilon > 0, k_u > 0),
 )
-_angle = pi * k_u * epsilon
 
 theorem = Theorem(
     "central_difference_of_sine",
@@ -68,7 +62,11 @@ theorem = Theorem(
     },
     mutants=(
         variant("rings' frequency k_v", _times_sinc("rings_in_v", rings, h_v, k_v, nothing_clamps)),
-        variant("the step 2ε in sinc", _u, equation(difference(sine, h_u), sine.gradient()[0] * sinc(2 * _angle))),
+        variant(
+            "the step 2ε in sinc",
+            _u,
+            equation(difference(sine, h_u), sine.gradient()[0] * _sinc(2 * (pi * k_u * epsilon))),
+        ),
         variant("the derivative itself", _u, equation(difference(sine, h_u), sine.gradient()[0])),
         variant("v clamped: span 2ε", _clamp, given=(epsilon > 0, epsilon < HALF, v >= 0, v <= 1)),
     ),

@@ -1,31 +1,9 @@
 """The tangent frame of sphere A: tangent, orthonormal, and which way round it is."""
 
-from sympy import Derivative, Expr, cos, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import POLE, angles_on_a
-from proofs.formulas.symbols import (
-    cos_phi,
-    cos_theta,
-    cross,
-    dot,
-    eye,
-    normal,
-    phi,
-    radius,
-    rho,
-    sin_phi,
-    sin_theta,
-    squared,
-    theta,
-    x,
-    y,
-)
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, tangent_frame, unit_normal
 from proofs.theorems.hits import met, ray_meets_a, t_a
-from proofs.theorems.relations import equations, positive
+from proofs.theorems.language import *
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))
@@ -44,8 +22,8 @@ _along = _along_phi.but(name="derivatives", shows=(_along_phi.shows, _along_thet
 _unit = Claim(
     "orthonormal",
     (
-        *(equation(squared(a), 1) for a in (e_theta, e_phi, normal)),
-        *(equation(dot(a, b), 0) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))),
+        [equation(squared(a), 1) for a in (e_theta, e_phi, normal)],
+        [zero(dot(a, b)) for a, b in ((e_theta, e_phi), (e_theta, normal), (e_phi, normal))],
     ),
     on_circles,
     frame,
@@ -68,7 +46,7 @@ theorem = Theorem(
     mutants=(
         variant("e_θ × e_φ = N (F3)", _right_handed, equations(cross(e_theta, e_phi), normal)),
         variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, equations(_theta, [Derivative(n, theta) for n in _n])),
-        variant("e_φ ⟂ N without θ's circle", _unit, equation(dot(e_phi, normal), 0), given=on_circles[1:]),
+        variant("e_φ ⟂ N without θ's circle", _unit, zero(dot(e_phi, normal)), given=on_circles[1:]),
     ),
 )
 
@@ -85,11 +63,11 @@ seed_orientation = Theorem(
     ),
 )
 
-_north = (sin_phi > 0,)
+_both = (*e_theta, *e_phi)
 _seed = Claim(
     "seed_frame",
-    (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand((*e_theta, *e_phi)), (*e_theta, *e_phi))),
-    (on_circles[1], _north),
+    (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand(_both), _both)),
+    (on_circles[1], sin_phi > 0),
     frame,
 )
 _angles = Claim(

@@ -1,12 +1,7 @@
 """The gradients of the three fields, as the kernels print them: exact differences, and the sign of ridges."""
 
-from sympy import Abs, Derivative, cos, pi, sign, sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.height_fields import gradient
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
-from proofs.theorems.relations import SIDES, equations, ridges, rings, sine, zero
+from proofs.theorems.language import *
 
 _of_sine = [Derivative(sine.expression, c) for c in (u, v)]
 
@@ -32,7 +27,7 @@ _sine = Claim(
 _rings = Claim(
     "rings",
     (
-        equation(h_u, 0),
+        zero(h_u),
         equation(h_v, 2 * pi * k_v * cos(2 * pi * k_v * v)),
         equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
         _difference(rings, v, h_v, 2 * pi * k_v),
@@ -40,7 +35,7 @@ _rings = Claim(
     lines=gradient(rings),
 )
 _p = sine.expression
-_ridges = tuple(
+_ridges = [
     Claim(
         f"ridges_{name}",
         (
@@ -51,7 +46,7 @@ _ridges = tuple(
         gradient(ridges),
     )
     for name, side in SIDES
-)
+]
 _printed = Claim("ridges_on_creases", zero(h_u, h_v), zero(_p), gradient(ridges))
 p, d = real("p d")
 _same = equation(Abs(p + d), Abs(p) + sign(p) * d)

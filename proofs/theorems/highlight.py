@@ -1,12 +1,5 @@
 """The highlight: from one root and one division; Lipschitz in the normal for a whole shininess p ≥ 1, not for p < 1."""
 
-from collections.abc import Sequence
-
-from sympy import Abs, Expr, Max, sqrt
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.pixel import instance
 from proofs.formulas.shading import (
     along_halfway,
@@ -22,20 +15,18 @@ from proofs.formulas.shading import (
     light_scale,
     phong,
 )
-from proofs.formulas.symbols import Vector, bumped, cross, dot, mu, real, specular_base, squared, towards, vector, view
-from proofs.theorems.relations import both_ways, equations, positive
+from proofs.theorems.language import *
 
 apart, turned = real("apart turned")
 
-n, m, omega = vector("n"), vector("m"), vector("omega")
-_gap = (equation(apart**2, squared(n - m)),)
+n, m, omega = vectors("n m omega")
 x, z = real("x z")
 
 
 _scalar = Claim(
     "along_a_direction",
     (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, _gap, equation(squared(omega), 1)),
+    (apart >= 0, equation(apart**2, squared(n - m)), equation(squared(omega), 1)),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
@@ -55,32 +46,33 @@ def unclamped(program: Program) -> Expr:
     return inner.xreplace({mu: program[mu]})
 
 
-def seen_from(normal_of_light: Sequence[Expr], program: Program) -> Expr:
+def _seen_from(normal_of_light, program):
     """Return the same with another normal."""
-    seen = dict(zip((*bumped, *towards), (*normal_of_light, *omega), strict=True))
-    return unclamped(program).xreplace(seen)
+    return unclamped(program.at({bumped: normal_of_light, towards: omega}))
 
 
-_units = tuple(equation(squared(p), 1) for p in (n, m, omega))
-_cosines = dot(n, omega), dot(m, omega), dot(n, m)
-_gram_part = _cosines[0] ** 2 + _cosines[1] ** 2 - 2 * _cosines[0] * _cosines[1] * _cosines[2]
+_units = [equation(squared(p), 1) for p in (n, m, omega)]
+_cosines = _of_n, _of_m, _between = dot(n, omega), dot(m, omega), dot(n, m)
+_gram_part = _of_n**2 + _of_m**2 - 2 * _of_n * _of_m * _between
 
 
-def gram(a: Expr, b: Expr, c: Expr) -> Expr:
+def _gram_of(a, b, c):
     """Return the Gram determinant of three unit vectors, from their scalar products."""
     return 1 + 2 * a * b * c - a**2 - b**2 - c**2
 
 
-_reflected = [2 * dot(p, omega) * p - omega for p in (n, m)]
-_swung = _reflected[0] - _reflected[1]
+def _reflected(p):
+    return 2 * dot(p, omega) * p - omega
+
+
 _a, _b, _c = real("a b c")
-_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, gram(*_cosines)), _units)
+_gram = Claim("gram", equation(dot(n, cross(m, omega)) ** 2, _gram_of(*_cosines)), _units)
 _swing = Claim(
     "mirror",
     (
-        equation(squared(_swung), 4 * _gram_part),
-        equation(squared(n - m), 2 - 2 * _cosines[2]),
-        *(equation(seen_from(p, phong), dot(r, view)) for p, r in zip((n, m), _reflected, strict=True)),
+        equation(squared(_reflected(n) - _reflected(m)), 4 * _gram_part),
+        equation(squared(n - m), 2 - 2 * _between),
+        [equation(_seen_from(p, phong), dot(_reflected(p), view)) for p in (n, m)],
     ),
     _units[:2],
 )
@@ -89,7 +81,7 @@ _twice = Claim(
     (4 * apart**2 >= turned**2, 2 * apart >= turned),
     (
         apart >= 0,
-        gram(_a, _b, _c) >= 0,
+        _gram_of(_a, _b, _c) >= 0,
         equation(turned**2, 4 * (_a**2 + _b**2 - 2 * _a * _b * _c)),
         equation(apart**2, 2 - 2 * _c),
     ),
@@ -98,7 +90,7 @@ _twice = Claim(
 _blinn = Claim(
     "blinn",
     (
-        equation(seen_from(n, blinn) * halfway_length, dot(n, halfway)),
+        equation(_seen_from(n, blinn) * halfway_length, dot(n, halfway)),
         equation(squared(halfway) / halfway_length**2, 1),
     ),
     (halfway_length > 0, equation(halfway_length**2, squared(halfway))),
@@ -123,8 +115,8 @@ _factored = (
 _powers = Induction("factors", count, _factored, _states)
 _signs = Claim(
     "no_state_is_negative",
-    tuple(following >= 0 for _, _, following in _states),
-    (x >= 0, z >= 0, *(s >= 0 for s, _, _ in _states)),
+    [following >= 0 for _, _, following in _states],
+    (x >= 0, z >= 0, [s >= 0 for s, _, _ in _states]),
 )
 _power = Claim(
     "power",
@@ -132,7 +124,7 @@ _power = Claim(
     (x <= 1, z <= 1, x >= z, quotient >= 0, _by_x >= 0, _by_z >= 0, _factored[0], _factored[2]),
 )
 
-_dropped = tuple((s, start, x * quotient if s == quotient else following) for s, start, following in _states)
+_dropped = [(s, start, x * quotient if s == quotient else following) for s, start, following in _states]
 _parallel = {n: (1, 0, 0), m: (-1, 0, 0), apart: 2}
 
 theorem = Theorem(

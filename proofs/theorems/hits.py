@@ -1,13 +1,6 @@
 """The rays' hits with both spheres: the near roots of their quadratics, and what the seed's for B draws (F1)."""
 
-from collections.abc import Sequence
-
-from sympy import Expr, Rational, sqrt
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.program import Program, chain, evaluated
-from proofs.engine.theorem import SideCondition, Theorem, variant
-from proofs.formulas import camera, symbols
+from proofs.formulas import camera
 from proofs.formulas.camera import (
     POLE,
     discriminant_a,
@@ -23,24 +16,7 @@ from proofs.formulas.camera import (
     tangent_squared,
     toward_b,
 )
-from proofs.formulas.symbols import (
-    Vector,
-    ball_center,
-    ball_on,
-    ball_radius,
-    eye,
-    lengths_of_a,
-    normal,
-    point,
-    radius,
-    real,
-    rho,
-    squared,
-    where,
-    x,
-    y,
-)
-from proofs.theorems.relations import HALF, QUARTER, equations
+from proofs.theorems.language import *
 
 t, t_a, t_b, hits_a, hits_b = real("t t_a t_b hits_a hits_b")
 _APART = {camera.t_a: (hits_a, t_a), camera.t_b: (hits_b, t_b)}
@@ -58,13 +34,13 @@ def met(program: Program) -> Program:
 
     hits_a is 1 where there is one, else 0; t_a is where: the value that the line has there, a real number.
     """
-    lines: list[tuple] = []
+    lines = {}
     for symbol, line in program.definitions:
         if symbol in _APART:
             line, condition = line.args[0]
-            lines.append((_APART[symbol][0], where(condition, 1, 0)))
-        lines.append((symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)))
-    return Program(program.name, program.inputs, tuple(lines), tuple(s.xreplace(_NUMBERS) for s in program.outputs))
+            lines[_APART[symbol][0]] = where(condition, 1, 0)
+        lines[symbol.xreplace(_NUMBERS)] = line.xreplace(_NUMBERS)
+    return chain(program.name, lines)
 
 
 hit_of_a, hit_of_b = met(camera.hit_of_a), met(camera.hit_of_b)
@@ -81,8 +57,8 @@ def distance_squared(point: Sequence[Expr], center: Sequence[Expr]) -> Expr:
 
 
 _origin = (0, 0, 0)
-eye_outside_a = (*lengths_of_a, eye > radius, rho_raw >= POLE * eye)
-ray_meets_a = (*eye_outside_a, discriminant_a >= 0)
+eye_outside_a = (lengths_of_a, rho_raw >= POLE * eye)
+ray_meets_a = (eye_outside_a, discriminant_a >= 0)
 _solves_a = Claim(
     "solves",
     (equation(hits_a, 1), equation(distance_squared(along(t_a), _origin), radius**2), t_a > 0),
@@ -102,7 +78,7 @@ _near_a = Claim(
 )
 _misses_a = Claim(
     "misses",
-    (distance_squared(along(t), _origin) > radius**2, equation(hits_a, 0)),
+    (distance_squared(along(t), _origin) > radius**2, zero(hits_a)),
     (eye_outside_a, discriminant_a < 0),
     hit_of_a,
     squares=(rho**2 + eye**2) * t - eye**2,
@@ -146,10 +122,9 @@ theorem_a = Theorem(
 _eye = (0, 0, eye)
 
 
-def _on_the_axis(eye, z, ball_radius):
-    """Return the inputs of a ray along the axis, with B's centre at height z on it."""
-    lengths = {symbols.eye: eye, symbols.ball_radius: ball_radius}
-    return {x: 0, y: 0, **lengths, ball_on: 1, ball_center: (0, 0, z)}
+def _on_the_axis(size):
+    """Return the inputs of a ray along the axis, from height 4, with B of a size about a centre at height 3 on it."""
+    return {x: 0, y: 0, eye: 4, ball_radius: size, ball_on: 1, ball_center: (0, 0, 3)}
 
 
 _outside = distance_squared(_eye, ball_center) > ball_radius**2
@@ -169,12 +144,11 @@ _near_b = Claim(
 )
 _behind_b = Claim(
     "behind",
-    (t < 0, equation(hits_b, 0)),
+    (t < 0, zero(hits_b)),
     (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
-_whole = met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b))
 _from_the_center = Vector(along(t_b)) - ball_center
 _outward_b = Claim(
     "outward",
@@ -186,7 +160,7 @@ _outward_b = Claim(
         equations(point, along(t_b)),
     ),
     (_sees_b, ball_radius > 0),
-    _whole,
+    met(chain("hit_and_normal_of_b", camera.hit_of_b, normal_of_b)),
 )
 _seed_c = sum(c**2 for c in ball_center) - ball_radius**2
 _c = distance_squared(_eye, ball_center) - ball_radius**2
@@ -196,8 +170,7 @@ _quadratic = Claim(
         equation(distance_squared(along(t), ball_center) - ball_radius**2, _length * t**2 - 2 * toward_b * t + _c),
         equation(discriminant_b, toward_b**2 - _length * _c),
     ),
-    (),
-    hit_of_b,
+    lines=hit_of_b,
 )
 
 theorem_b = Theorem(
@@ -221,11 +194,7 @@ theorem_b = Theorem(
         variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
         variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, _behind_b.given[2:])),
     ),
-    side_conditions=SideCondition(
-        "$c > 0$: the eye is outside B",
-        "solves",
-        fails=(_on_the_axis(eye=4, z=3, ball_radius=1), _on_the_axis(eye=4, z=3, ball_radius=2)),
-    ),
+    side_conditions=SideCondition("$c > 0$: the eye is outside B", "solves", fails=(_on_the_axis(1), _on_the_axis(2))),
 )
 _default = {eye: 4, **dict(zip(ball_center, (HALF, HALF, Rational(13, 10)), strict=True)), ball_radius: Rational(8, 25)}
 

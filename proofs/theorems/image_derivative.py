@@ -1,9 +1,5 @@
 """The image's derivative in β, in closed form: the chain rule through the lines of the shading."""
 
-from sympy import Derivative, Max, Pow
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.image_derivative import (
     base_by_beta,
@@ -29,9 +25,8 @@ from proofs.formulas.shading import (
     lit,
     phong,
 )
-from proofs.formulas.symbols import bumped, mu, real, shininess, specular, specular_base
 from proofs.theorems.highlight import unclamped
-from proofs.theorems.relations import equations, zero
+from proofs.theorems.language import *
 
 s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
@@ -43,16 +38,21 @@ def _closed(model):
     )
 
 
-_along = dict(zip(bumped, bumped + s * bumped_by_beta, strict=True))
-_mu = Claim("mu", equation(Derivative(light_direction[mu].xreplace(_along), s), mu_derivative[mu_by_beta]), zero(s))
+_along = {bumped: bumped + s * bumped_by_beta}
+_mu = Claim("mu", equation(Derivative(light_direction.at(_along)[mu], s), mu_derivative[mu_by_beta]), zero(s))
 _blinn, _phong = (
-    Claim(model, equation(Derivative(unclamped(program).xreplace(_along), s), _closed(model)), given)
-    for model, program, given in (("blinn", blinn, (halfway_length > 0, *zero(s))), ("phong", phong, zero(s)))
+    Claim(model, equation(Derivative(unclamped(program.at(_along)), s), _closed(model)), given)
+    for model, program, given in (("blinn", blinn, (halfway_length > 0, zero(s))), ("phong", phong, zero(s)))
 )
 
 
-def _term(name, given, lit_side, shiny):
-    """Return the claim of a light's share where μ and the base have given signs; base^p and its slope are `raised`."""
+def _term(lit_side, shiny):
+    """Return the claim of a light's share where μ and the base are positive, or negative: 1 or 0.
+
+    base^p and its slope are `raised`.
+    """
+    name = ("unlit", "lit")[lit_side] + ("_dull", "_shiny")[shiny]
+    signs = (mu < 0, mu > 0)[lit_side], (specular_base < 0, specular_base > 0)[shiny]
     share = light_term.expand(lit[0]).xreplace({Max(0, mu): mu * lit_side, specular: raised * shiny})
     share = share.xreplace({mu: mu + s * mu_by_beta, raised: raised + s * raised_by_beta})
     closed = term_derivative.expand(term_by_beta)
@@ -60,14 +60,10 @@ def _term(name, given, lit_side, shiny):
     closed = closed.xreplace({power: raised / specular_base})
     sides = equations((Max(0, mu), Max(0, specular_base)), (mu * lit_side, specular_base * shiny))
     power_rule = equation(raised_by_beta * specular_base, shininess * raised * base_by_beta)
-    return Claim(name, (sides, equation(Derivative(share, s), closed)), (given, zero(s), *[power_rule] * shiny))
+    return Claim(name, (sides, equation(Derivative(share, s), closed)), (signs, zero(s), [power_rule] * shiny))
 
 
-_sides = tuple(
-    _term(f"{a}_{b}", ((mu > 0, mu < 0)[i], (specular_base > 0, specular_base < 0)[j]), 1 - i, 1 - j)
-    for i, a in enumerate(("lit", "unlit"))
-    for j, b in enumerate(("shiny", "dull"))
-)
+_sides = [_term(lit_side, shiny) for lit_side in (1, 0) for shiny in (1, 0)]
 _power = Induction(
     "power_rule",
     n,
@@ -77,15 +73,15 @@ _power = Induction(
 _kept = clip_derivative[clipped]
 _clip = (
     Claim("inside", (equation(clip[clipped], color), equation(_kept, term_by_beta)), (color > 0, color < 1)),
-    Claim("above", (equation(clip[clipped], 1), equation(_kept, 0)), color > 1),
+    Claim("above", (equation(clip[clipped], 1), zero(_kept)), color > 1),
     Claim("below", zero(Max(0, color), _kept), color < 0),
 )
 
 
 def _grazing(cosine):
     """Return a light's inputs at μ = cosine, of unit coefficients, in a highlight that does not move."""
-    values = {mu: cosine, mu_by_beta: 1, specular_base: 1, base_by_beta: 0, raised: 1, raised_by_beta: 0, shininess: 1}
-    return values | dict.fromkeys((kd, ks, albedos[0], light_colors[0]), 1)
+    ones = (mu_by_beta, specular_base, raised, shininess, kd, ks, albedos[0], light_colors[0])
+    return {mu: cosine, ones: 1, (base_by_beta, raised_by_beta): 0}
 
 
 theorem = Theorem(

@@ -1,49 +1,14 @@
 """Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
 
-from sympy import Basic, Derivative, Expr, cos, pi, sin, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
+from proofs.formulas import height_fields
 from proofs.formulas.camera import parallel_radius, point_on_a
-from proofs.formulas.height_fields import gradient, height
-from proofs.formulas.symbols import (
-    cos_phi,
-    cos_theta,
-    eye,
-    h,
-    h_u,
-    h_v,
-    k_u,
-    k_v,
-    lengths_of_a,
-    point,
-    radius,
-    real,
-    rho,
-    sin_phi,
-    sin_theta,
-    u,
-    v,
-    x,
-    y,
-)
-from proofs.theorems.cited import sine_inside_half_turn
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.hits import along
-from proofs.theorems.relations import QUARTER, SIDES, equations, ridges, sine, zero
+from proofs.theorems.language import *
 
 t, m, crease = real("t m crease")
-
-
-def whole(number: Expr) -> Basic:
-    """Return the hypothesis that a number is whole, by what the translation knows of it: sin πm = 0."""
-    return equation(sin(pi * number), 0)
-
-
 circle_radius = parallel_radius[rho]
 
-_seen = (*on_circles, sin_phi >= 0, *lengths_of_a, eye > radius, *equations(along(t), point))
 _projection = Claim(
     "projection",
     (
@@ -58,22 +23,20 @@ _projection = Claim(
         circle_radius >= 0,
         equation(sqrt(x**2 + y**2), circle_radius),
     ),
-    _seen,
+    (on_circles, sin_phi >= 0, lengths_of_a, equations(along(t), point)),
     point_on_a,
-    squares=(1 - cos_phi, sin_phi),
 )
-_creases = tuple(
+_creases = [
     Claim(
         f"crease_{c}",
         zero(crease, h),
-        (k > 0, whole(m)),
-        chain("crease", Program("factor", (u, v, k_u, k_v), {crease: factor}), height(ridges)).at({c: m / k}),
+        (k > 0, zero(sin(pi * m))),  # m is whole
+        chain("crease", {crease: factor}, height_fields.height(ridges)).at({c: m / k}),
     )
     for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
-)
+]
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
-_other_sign = equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta)
-_elsewhere = tuple(
+_elsewhere = [
     Claim(
         f"elsewhere_{name}",
         (
@@ -83,10 +46,10 @@ _elsewhere = tuple(
             equations((h_u, h_v), [side * Derivative(sine.expression, c) for c in (u, v)]),
         ),
         side * sine.expression > 0,
-        chain("ridges", height(ridges), gradient(ridges)),
+        chain("ridges", height_fields.height(ridges), height_fields.gradient(ridges)),
     )
     for name, side in SIDES
-)
+]
 
 theorem = Theorem(
     "kink_loci",
@@ -109,7 +72,11 @@ theorem = Theorem(
         r"$|p| = \pm p$ where $p \ne 0$": "by the sign of $p$, which is the same all around",
     },
     mutants=(
-        variant("ρ with e + R cos φ", _projection, _other_sign),
+        variant(
+            "ρ with e + R cos φ",
+            _projection,
+            equation((eye + radius * cos_phi) * x, eye * radius * sin_phi * cos_theta),
+        ),
         variant("ρ = R sin φ", _projection, equation(x**2 + y**2, (radius * sin_phi) ** 2)),
         variant("the ray on the other side", _projection, at_least(0, x * cos_theta + y * sin_theta)),
         variant("the slope of p, whatever its sign", _elsewhere[1], _elsewhere[0].shows[4:5]),
@@ -134,7 +101,7 @@ _default = Claim(
     "count",
     (cos(pi / 4) > QUARTER, greater(QUARTER, cos(pi / 2)), cos(pi / 2) > cos(3 * pi / 4), cos(3 * pi / 4) > cos(pi)),
 )
-_poles = Claim("pole", zero(rho), (equation(sin_phi, 0), equation(cos_phi, 1), eye > radius), parallel_radius)
+_poles = Claim("pole", zero(rho), (zero(sin_phi), equation(cos_phi, 1), eye > radius), parallel_radius)
 
 parallels = Theorem(
     "visible_parallels",

@@ -2,13 +2,9 @@
 
 The measurements are in verify/checkers/measurements."""
 
-from sympy import Abs, Basic, Expr, Max, Or, Pow, Symbol, pi
-
-from proofs.engine.claim import Rounded, equation
-from proofs.engine.theorem import Theorem
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
+from proofs.formulas.height_fields import gradient
+from proofs.theorems.language import *
 
 products = Theorem(
     "crease_products",
@@ -65,17 +61,16 @@ pixels = Theorem(
 )
 
 
-def _slopes_in_float64(field: str, bounds: tuple[tuple[Symbol, Expr], ...]) -> Rounded:
-    """Return what Coq proves of a field's general form: each slope and the rate by which its error is bounded."""
-    program = gradient(HEIGHT_FIELDS[field])
-    near = [(slope, GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate)))) for slope, rate in bounds]
-    given: list[Basic] = []
+def _slopes_in_float64(field, rates):
+    """Return what Coq proves of a field's general form: each slope, and the rate by which its error is bounded."""
+    program, given = gradient(field), []
+    near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):
-        if coordinate in program.reaches(*(slope for slope, _ in bounds)):
+        if coordinate in program.reaches(*rates):
             product = rate * coordinate
             given += [coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20]
             given.append(Or(equation(product, 0), Abs(product) * Pow(10, 285) >= 1))
-    return Rounded(field, program, tuple(near), tuple(given))
+    return Rounded(field.name, program, near, given)
 
 
 gradients = Theorem(
@@ -86,9 +81,9 @@ gradients = Theorem(
     r"$2^{20}$.",
     hypotheses=(r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$", "nothing overflows"),
     rounded=(
-        _slopes_in_float64("sine", ((h_u, k_u), (h_v, k_v))),
-        _slopes_in_float64("ridges", ((h_u, k_u), (h_v, k_v))),
-        _slopes_in_float64("rings", ((h_v, 2 * k_v),)),
+        _slopes_in_float64(sine, {h_u: k_u, h_v: k_v}),
+        _slopes_in_float64(ridges, {h_u: k_u, h_v: k_v}),
+        _slopes_in_float64(rings, {h_v: 2 * k_v}),
     ),
     steps={
         r"$k_u u = p + e$ exactly": "Dekker's product",
@@ -123,9 +118,6 @@ algebraic_gradients = Theorem(
     expected="certified",
 )
 
-_truncation = ("truncation_bound", "clamped_difference_of_odd", "crease_error_area")
-_rounding = ("roundoff_bound", "elementary_functions")
-
 differences = Theorem(
     "difference_bounds",
     "The U-curve lies below its bounds",
@@ -137,17 +129,15 @@ differences = Theorem(
         "truncation: the exact quotient less the slope": (
             r"""three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$
             $J/2\varepsilon$ more""",
-            _truncation,
+            ("truncation_bound", "clamped_difference_of_odd", "crease_error_area"),
         ),
         "arguments and evaluation: what remains": (
             r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ follows from the certified sine",
-            _rounding,
+            ("roundoff_bound", "elementary_functions"),
         ),
     },
     expected="measured",
 )
-
-_orders = ("truncation_bound", "clamped_difference", "clamped_difference_of_odd", "crease_error_area")
 
 slopes = Theorem(
     "difference_slopes",
@@ -156,7 +146,12 @@ slopes = Theorem(
     \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS
     error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.""",
     hypotheses="the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
-    steps={"2; at the pole 1, where odd 2; ½": ("as proved", _orders)},
+    steps={
+        "2; at the pole 1, where odd 2; ½": (
+            "as proved",
+            ("truncation_bound", "clamped_difference", "clamped_difference_of_odd", "crease_error_area"),
+        )
+    },
     expected="measured",
 )
 

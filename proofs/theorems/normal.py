@@ -1,16 +1,8 @@
 """The bumped normal: its length before normalising, and its derivative in β, which the seed checks by a difference."""
 
-from collections.abc import Sequence
-
-from sympy import Abs, Derivative, Expr, Rational
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
-from proofs.formulas.symbols import beta, dot, h_u, h_v, normal, squared
 from proofs.theorems.frame import on_circles
-from proofs.theorems.relations import equations, zero
+from proofs.theorems.language import *
 
 
 def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
@@ -18,10 +10,10 @@ def at(beta_at: Expr | int, g_at: Sequence = (1, 0, 0)) -> dict:
     return {normal: (0, 0, 1), g: g_at, beta: beta_at}
 
 
-tangent = (equation(squared(normal), 1), equation(dot(normal, g), 0))
+tangent = (equation(squared(normal), 1), zero(dot(normal, g)))
 
 _tangent = Claim(
-    "g_is_tangent", (equation(dot(normal, g), 0), equation(squared(g), h_u**2 + h_v**2)), on_circles, bumped_normal
+    "g_is_tangent", (zero(dot(normal, g)), equation(squared(g), h_u**2 + h_v**2)), on_circles, bumped_normal
 )
 _length = Claim(
     "length",
@@ -85,9 +77,9 @@ derivative = Theorem(
 
 STEP, AGREEMENT = Rational(1, 10**7), Rational(1, 10**12)
 
-_by_difference = (perturbed.expand(bumped[0]).subs(beta, beta + STEP) - perturbed.expand(bumped[0])) / STEP
+_n = perturbed.expand(bumped[0])
 _exact = perturbed.expand(normal_by_beta.expand(bumped_by_beta[0]))
-_error = Abs(_by_difference - _exact)
+_error = Abs((_n.subs(beta, beta + STEP) - _n) / STEP - _exact)
 _verifies = Claim("verifies", at_least(AGREEMENT, _error), tangent)
 _m = perturbed.expand(m[0])
 _linear = Claim("linear", equation((_m.subs(beta, beta + STEP) - _m) / STEP, g[0]))
@@ -95,7 +87,6 @@ _linear = Claim("linear", equation((_m.subs(beta, beta + STEP) - _m) / STEP, g[0
 # |M| = (t + 1/t)/2 is rational where β g_x = (t − 1/t)/2: t = 2 at β, and 2 + 4·10⁻⁶ at β + 10⁻⁷.
 _before, _after = ((t - 1 / t) / 2 for t in (Rational(2), 2 + Rational(4, 10**6)))
 _g_x = (_after - _before) / STEP
-_point = at(_before / _g_x, (_g_x, 0, 0))
 
 theorem = Theorem(
     "seed_step_in_beta",
@@ -104,7 +95,7 @@ theorem = Theorem(
     $10^{-12}$.""",
     hypotheses=r"$|N| = 1$, $N\cdot g = 0$; the first component, in exact arithmetic",
     claims=_verifies,
-    refuted_at=_point,
+    refuted_at=at(_before / _g_x, (_g_x, 0, 0)),
     steps={
         r"$N = (0, 0, 1)$, $g = (g_x, 0, 0)$: $N'_x = b/\sqrt{1+b^2}$, $b = \beta g_x$": "the lines",
         r"$g_x \approx 25$, $b = 3/4$: the error is $2.3\cdot10^{-5}$, by the second derivative": (

@@ -1,18 +1,13 @@
 """How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
 
-from sympy import Abs, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import bumped, g, m_length, perturbed
-from proofs.formulas.symbols import beta, cross, dot, normal, real, squared, towards
+from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
-from proofs.theorems.relations import between, equations, nonnegative, positive
 
 _length = (("unit_length", "length"),)
 _g_squared, cosine = squared(g), dot(normal, bumped)
 _turned = cross(normal, bumped)
-_clear = between("-2/3", "2/3", *normal[:2])  # samples keep N_z off zero
+_clear = {normal[:2]: ("-2/3", "2/3")}  # samples keep N_z off zero
 
 
 _angle = Claim(
@@ -63,8 +58,8 @@ _small = Claim(
     borrowed=_length,
     ranges=_clear,
 )
-_still = Claim("zero_beta", equations(bumped, normal), (tangent, equation(beta, 0)), perturbed, ranges=_clear)
-_flat = Claim("zero_height", equations(bumped, normal), (tangent, equations(g, (0, 0, 0))), perturbed, ranges=_clear)
+_still = Claim("zero_beta", equations(bumped, normal), (tangent, zero(beta)), perturbed, ranges=_clear)
+_flat = Claim("zero_height", equations(bumped, normal), (tangent, zero(g)), perturbed, ranges=_clear)
 
 
 def _large(name, side):
@@ -92,7 +87,6 @@ def _large(name, side):
 
 
 _up, _down = _large("large_beta", 1), _large("large_negative_beta", -1)
-_gap_squared = 2 - 2 * dot(bumped, g) / sqrt(_g_squared)
 
 limits = Theorem(
     "normal_limits",
@@ -113,7 +107,7 @@ limits = Theorem(
     mutants=(
         variant("half as far", _small, w >= 2 * sqrt(squared(_moved))),
         variant("N' → g/|g| for β → −∞ too", _down, dot(bumped, g) > 0),
-        variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * _gap_squared)),
+        variant("|N' − g/|g||² ≤ ½/(β²|g|²)", _up, at_least(1, 2 * w**2 * (2 - 2 * dot(bumped, g) / sqrt(_g_squared)))),
     ),
     side_conditions=SideCondition(
         r"$\beta \ne 0$, $g \ne 0$",

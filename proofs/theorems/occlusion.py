@@ -1,9 +1,5 @@
 """The shadow test: which signs say that a sphere stands between two points, and when none can."""
 
-from sympy import sqrt
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
 from proofs.formulas.shadow import (
     body_radius,
@@ -17,63 +13,62 @@ from proofs.formulas.shadow import (
     toward_center,
 )
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
-from proofs.formulas.symbols import ball_center, ball_radius, cross, dot, eye, light, point, real, squared, vector
 from proofs.theorems.hits import distance_squared, hit_of_b
-from proofs.theorems.relations import HALF, nonnegative, positive
+from proofs.theorems.language import *
 
 s = real("s")
-_between = point + s * segment
 _excess = squared(offset) - body_radius**2
 _quadratic = Claim(
     "quadratic",
     (
         equation(
-            distance_squared(_between, center) - body_radius**2,
+            distance_squared(point + s * segment, center) - body_radius**2,
             segment_squared * s**2 - 2 * toward_center * s + _excess,
         ),
         equation(distance_squared(light, center) - body_radius**2, segment_squared - 2 * toward_center + _excess),
         equation(shadow_discriminant, toward_center**2 - segment_squared * _excess),
         segment_squared >= 0,
     ),
-    (),
-    shadow,
-    squares=segment,
+    lines=shadow,
 )
-_conditions = (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared)
-_program = Claim("program", equation(occluded, 1), _conditions, shadow)
+_program = Claim(
+    "program",
+    equation(occluded, 1),
+    (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared),
+    shadow,
+)
 _a, _b, _c, _d = real("a b c d")
+_root = sqrt(_d)
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
-_first = (_b - sqrt(_d)) / _a
+_first = (_b - _root) / _a
 _if = Claim(
     "if",
     (
         _a > 0,
-        equation((_b - sqrt(_d)) * (_b + sqrt(_d)), _a * _c),
-        positive(_b + sqrt(_d), _b - sqrt(_d)),
-        equation((_a - _b - sqrt(_d)) * (_a - _b + sqrt(_d)), _a * (_a - 2 * _b + _c)),
-        positive(_a - _b + sqrt(_d), 1 / _a, _first),
+        equation((_b - _root) * (_b + _root), _a * _c),
+        positive(_b + _root, _b - _root),
+        equation((_a - _b - _root) * (_a - _b + _root), _a * (_a - 2 * _b + _c)),
+        positive(_a - _b + _root, 1 / _a, _first),
         greater(1, _first),
-        equation(_a * _first**2 - 2 * _b * _first + _c, 0),
+        zero(_a * _first**2 - 2 * _b * _first + _c),
     ),
     (_positive_at_p, _d >= 0, _b > 0, _b < _a),
 )
 _only_if = Claim(
     "only_if",
     (positive(_b, _a - _b), equation((_a * s - _b) ** 2, _d), _d >= 0),
-    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, equation(_a * s**2 - 2 * _b * s + _c, 0)),
+    (_positive_at_p, _a - 2 * _b + _c > 0, s > 0, s < 1, zero(_a * s**2 - 2 * _b * s + _c)),
     squares=_a * s - _b,
 )
-_of_b = Claim(
-    "of_b",
-    equation(
-        discriminant_b,
-        toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, eye), ball_center) - ball_radius**2),
-    ),
-    (),
-    hit_of_b,
-)
-_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], (), shadow)
-_wrong_side = toward_b**2 - squared(ray_direction) * (distance_squared((0, 0, 0), ball_center) - ball_radius**2)
+
+
+def _lagrange(apex):
+    """Return what B's discriminant is, by Lagrange's identity, where rays start at the apex."""
+    return toward_b**2 - squared(ray_direction) * (distance_squared(apex, ball_center) - ball_radius**2)
+
+
+_of_b = Claim("of_b", equation(discriminant_b, _lagrange((0, 0, eye))), lines=hit_of_b)
+_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], lines=shadow)
 
 lagrange = Theorem(
     "lagrange_identity",
@@ -83,7 +78,7 @@ lagrange = Theorem(
     claims=(_of_b, _of_shadow),
     steps={r"$|a\times w|^2 = |a|^2|w|^2 - (a\cdot w)^2$": "Lagrange's identity, by expansion"},
     mutants=(
-        variant("w = C", _of_b, equation(discriminant_b, _wrong_side)),
+        variant("w = C", _of_b, equation(discriminant_b, _lagrange((0, 0, 0)))),
         variant(
             "+ |a × w|²",
             _of_shadow,
@@ -125,7 +120,7 @@ theorem = Theorem(
 )
 
 
-axis, aside = vector("axis"), vector("aside")
+axis, aside = vectors("axis aside")
 distance, wander, reach, product, share = real("distance wander reach product share")
 _met = axis + aside
 _cone = Claim(
@@ -151,10 +146,7 @@ _cone = Claim(
 )
 _to_ball = real("to_ball_x to_ball_y to_ball_z")
 _within = Claim(
-    "within",
-    (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball),
-    ball_radius**2 >= squared(_to_ball),
-    squares=share,
+    "within", (share * ball_radius) ** 2 >= sum((share * d) ** 2 for d in _to_ball), ball_radius**2 >= squared(_to_ball)
 )
 _on_axis = from_body + share * along
 _value = at_light + share * (2 * half_slope + share * curvature)
@@ -166,14 +158,14 @@ _clearance = Claim(
 )
 _low, _slope, _bend, _at = real("low slope bend at")
 _parabola = _low + share * (2 * _slope + share * _bend)
-_least = tuple(
+_least = [
     Claim(name, _parabola >= bound, given)
     for name, bound, given in (
         ("turns_before", _low, (share >= 0, _bend > 0, _slope >= 0)),
-        ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, equation(_slope + _at * _bend, 0))),
+        ("turns_between", _low + _at * (2 * _slope + _at * _bend), (_bend > 0, zero(_slope + _at * _bend))),
         ("turns_after", _low + 2 * _slope + _bend, (share <= 1, _bend > 0, _slope + _bend <= 0)),
     )
-)
+]
 _chord = Claim(
     "bends_down",
     _parabola >= (1 - share) * _low + share * (_low + 2 * _slope + _bend),

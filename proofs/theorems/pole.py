@@ -1,50 +1,30 @@
 """At the pole: when the chapter's g has a limit, and when the true surface gradient has one (F12)."""
 
-from sympy import S, cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.height_fields import HeightField, gradient
-from proofs.formulas.symbols import (
-    Vector,
-    cos_phi,
-    cos_theta,
-    k_u,
-    k_v,
-    phi,
-    real,
-    sin_phi,
-    sin_theta,
-    squared,
-    theta,
-    u,
-    v,
-)
-from proofs.theorems.relations import equations, positive, rings, sine, without, zero
+from proofs.formulas.height_fields import gradient
+from proofs.theorems.language import *
 
 _meridian = u, (theta + pi) / (2 * pi)
 
 
-def at_pole(field: HeightField) -> Program:
+def _at_pole(field):
     """Return the lines of g on the meridian θ as v → 0: those at v = 0, φ = 0."""
     pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
     return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(dict([_meridian]) | pole)
 
 
 _turned = k_u * (theta + pi) / 2
-_sine, _rings = at_pole(sine), at_pole(rings)
+_sine, _rings = _at_pole(sine), _at_pole(rings)
 _meridian_direction = Vector((cos(theta), sin(theta), 0))
 _length = Claim(
     "sine",
     (equations(g, pi * k_v * sin(_turned) * _meridian_direction), equation(squared(g), (pi * k_v * sin(_turned)) ** 2)),
     lines=_sine,
 )
-_vanishes = tuple(
-    Claim(f"sine_{name}", zero(*g), lines=_sine.at(at))
+_vanishes = [
+    Claim(f"sine_{name}", zero(g), lines=_sine.at(at))
     for name, at in (("seam", {theta: -pi}), ("k_u_0", {k_u: S.Zero}), ("k_v_0", {k_v: S.Zero}))
-)
+]
 _differs = Claim(
     "sine_differs",
     (_length.shows[-1], positive((k_v * sin(_turned)) ** 2, squared(g))),
@@ -77,18 +57,16 @@ _smooth = Induction(
 # The surface gradient over k_v, at φ → 0: h_θ/sin φ e_θ + h_φ e_φ with sin(k_v φ)/sin φ → k_v.
 _along = Vector((-sin(theta), cos(theta))), Vector((cos(theta), sin(theta)))
 _surface = real("surface_x surface_y")
-_tangential = Program(
-    "tangential", (theta, k_u), {_surface: k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]}
-)
+_tangential = chain("tangential", {_surface: k_u / 2 * cos(_turned) * _along[0] + sin(_turned) * _along[1]})
 _limit = Claim(
     "surface_gradient",
     equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
     lines=_tangential,
 )
-_same_limit = tuple(
+_same_limit = [
     Claim(f"surface_gradient_{k}".replace("-", "minus_"), equations(_surface, limit), lines=_tangential.at({k_u: S(k)}))
     for k, limit in ((0, (0, 0)), (2, (0, -1)), (-2, (0, 1)))
-)
+]
 
 theorem = Theorem(
     "pole",
@@ -121,8 +99,8 @@ theorem = Theorem(
         r"$\sin n\varphi = \sin\varphi\,U_{n-1}(\cos\varphi)$": r"induction: $U_n = 2\cos\varphi\,U_{n-1} - U_{n-2}$",
     },
     mutants=(
-        variant("sine's g has a limit", _length, *[equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
-        variant("rings' has one", _opposite, zero(*_across)),
+        variant("sine's g has a limit", _length, [equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
+        variant("rings' has one", _opposite, zero(_across)),
         variant(
             "the true gradient has one for k_u = 1",
             _limit,

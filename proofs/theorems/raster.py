@@ -1,57 +1,36 @@
 """How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
 
-from sympy import Rational
-
-from proofs.engine.claim import Claim, equation, number
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
-from proofs.formulas.symbols import (
-    column,
-    cos_phi,
-    eye,
-    height,
-    lengths_of_a,
-    radius,
-    real,
-    rho,
-    row,
-    sin_phi,
-    width,
-    x,
-    y,
-)
-from proofs.theorems.relations import between, without
+from proofs.theorems.language import *
 
 m, n = real("m n")
 FALLBACK = Rational(1, 10**4)  # the seed's: below this sin φ it takes another basis
 
 _default = {eye: 4, radius: 1, width: 256, height: 256, column: m, row: n}
-_pixel = [c.xreplace(_default) for c in chain("pixel", image_extent, image_point).expand((x, y))]
+_pixel = chain("pixel", image_extent, image_point).expand((x, y))
 _nearest = Rational(34, 15) / 256**2  # ρ² of the pixels beside the axis
 _whole = ((m - 127) * (m - 128) >= 0, (n - 108) * (n - 109) >= 0)
-_radius_squared = sum(c**2 for c in _pixel)
-_on_the_raster = tuple(
+_radius_squared = sum(c.xreplace(_default) ** 2 for c in _pixel)
+_on_the_raster = [
     Claim(
         f"raster_{name}",
         ((2 * m - 255) ** 2 >= 1, (1083 - 10 * n) ** 2 >= 9, _radius_squared >= _nearest),
         (_whole[0], given),
-        ranges=between(0, 255, m, n),
     )
     for name, given in (("above", n <= 108), ("below", n >= 109))
-)
+]
 _linear = Claim(
     "linear",
     (1 - cos_phi >= 0, eye - radius * cos_phi > 0, rho >= 0, eye * radius * sin_phi >= (eye - radius) * rho),
-    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a, eye > radius),
+    (equation(cos_phi**2 + sin_phi**2, 1), sin_phi >= 0, lengths_of_a),
     parallel_radius,
-    squares=(sin_phi, 1 - cos_phi),
+    squares=1 - cos_phi,
 )
-_bound = Rational(44, 10000)
-_far = Claim("far", (sin_phi > _bound, sin_phi > FALLBACK), (4 * sin_phi >= 3 * rho, rho >= 0, rho**2 >= _nearest))
+_on_a = (4 * sin_phi >= 3 * rho, rho >= 0)
+_far = Claim("far", (sin_phi > Rational(44, 10000), sin_phi > FALLBACK), (_on_a, rho**2 >= _nearest))
 _needed = (FALLBACK * Rational(4, 3)) ** 2
-_only_near = Claim("only_near", _needed > rho**2, (4 * sin_phi >= 3 * rho, rho >= 0, sin_phi < FALLBACK))
-_no_pixel = tuple(c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster)
+_only_near = Claim("only_near", _needed > rho**2, (_on_a, sin_phi < FALLBACK))
+_no_pixel = [c.but(name=c.name + "_far", shows=_radius_squared > _needed) for c in _on_the_raster]
 _half_squared = number(image_extent.expand(half).xreplace(_default) ** 2)  # 5/3: its root is no rational number
 _in_halves = sum(without(half, image_point[c]).xreplace(_default) ** 2 for c in (x, y))
 _beside = Claim("beside", _needed > _half_squared * _in_halves, (_whole, (n - 107) * (n - 110) <= 0))

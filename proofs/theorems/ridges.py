@@ -1,32 +1,22 @@
 """Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
 
-from sympy import Abs, pi, sin
-
-from proofs.engine.claim import CitedLemma, Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
-from proofs.formulas.symbols import k_u, k_v, real, u, v
-from proofs.theorems.cited import sine_above, sine_below, sine_of_half_turn
-from proofs.theorems.relations import HALF, named, ridges, sine, without, zero
+from proofs.theorems.language import *
 
 to_u, to_v, m, n = real("to_u to_v m n")  # the step from the crossing u = m/k_u, v = n/k_v
 _crossing = ridges.expression.subs({u: m / k_u + to_u, v: n / k_v + to_v})
-_sines = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
+_sine_u, _sine_v = sin(pi * k_u * to_u), sin(pi * k_v * to_v)
 _whole = zero(sin(pi * m), sin(pi * n))
-_small = tuple(
-    CitedLemma((pi * k * d) ** 2 >= s**2, "DLMF") for k, d, s in zip((k_u, k_v), (to_u, to_v), _sines, strict=True)
-)
-
 
 _crossed = Claim(
     "crossing",
     (
-        equation(_crossing**2, (_sines[0] * _sines[1]) ** 2),
-        (_sines[0] ** 2 + _sines[1] ** 2) ** 2 >= 4 * _crossing**2,
-        (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sines[0] ** 2 + _sines[1] ** 2,
+        equation(_crossing**2, (_sine_u * _sine_v) ** 2),
+        (_sine_u**2 + _sine_v**2) ** 2 >= 4 * _crossing**2,
+        (pi * k_u * to_u) ** 2 + (pi * k_v * to_v) ** 2 >= _sine_u**2 + _sine_v**2,
     ),
     (k_u > 0, k_v > 0, _whole),
-    squares=named(_sines[0]) ** 2 - named(_sines[1]) ** 2,
-    cited=_small,
+    squares=named(_sine_u) ** 2 - named(_sine_v) ** 2,
+    cited=[CitedLemma((pi * k * d) ** 2 >= sin(pi * k * d) ** 2, "DLMF") for k, d in ((k_u, to_u), (k_v, to_v))],
 )
 _a, _b, _h, _steepest, _distance, _small_enough = real("a b h steepest distance small_enough")
 _flat = Claim(
@@ -39,7 +29,6 @@ _flat = Claim(
         _distance >= 0,
         4 * _small_enough**2 >= _steepest**2 * _distance,
     ),
-    squares=_h,
 )
 
 
@@ -50,19 +39,16 @@ def _either_side(name, along, k, step, across):
     (factor,) = (crease for crease in ridges.creases if crease.has(along))
     factors = [Abs(factor.xreplace(at)) for at in beside]
     angle, slope = pi * k * step, pi * k * Abs(across)
-    height = sin(angle) * Abs(across)
     return Claim(
         name,
         (
-            *(r for f in factors for r in (f >= sin(angle), sin(angle) >= f, equation(f, sin(angle)))),
-            *(equation(side, height) for side in sides),
+            [(f >= sin(angle), sin(angle) >= f, equation(f, sin(angle))) for f in factors],
+            [equation(side, sin(angle) * Abs(across)) for side in sides],
             slope * step >= sides[0],
             sides[0] >= slope * step * (1 - angle**2 / 6),
         ),
-        (k > 0, step > 0, k * step <= 1, equation(sin(pi * m), 0)),
-        squares=(named(across), named(across) * named(sin(angle))),
+        (k > 0, step > 0, k * step <= 1, zero(sin(pi * m))),
         cited=(sine_of_half_turn(k * step), sine_below(angle), sine_above(angle)),
-        ranges={step: (0, "1/4"), k: ("1/4", 3)},
     )
 
 
@@ -74,13 +60,13 @@ _differ = Claim(
     (6 * _right >= 5 * _slope, _right - _left > _slope),
     (_slope > 0, _angle**2 <= 1, 6 * _right >= _slope * (6 - _angle**2), equation(_left, -_right)),
 )
-_level = {_right: 0, _left: 0, _slope: 0, _angle: 1}
+_level = {(_right, _left, _slope): 0, _angle: 1}
 _beyond = [ridges.expression.subs(u, m / k_u + side * to_u) for side in (1, -1)]
 
 
 def _at(whole_u, whole_v):
     """Return a point at half a wave from u = whole_u, v = whole_v."""
-    return {k_u: 1, k_v: 1, m: whole_u, n: whole_v, to_u: HALF, to_v: HALF}
+    return {(k_u, k_v): 1, m: whole_u, n: whole_v, (to_u, to_v): "1/2"}
 
 
 crossings = Theorem(
@@ -102,7 +88,7 @@ crossings = Theorem(
     mutants=(
         variant("half the bound", _flat, _a**2 + _b**2 >= 4 * _h),
         variant("on one crease only", _crossed, _crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
-        variant("the sum for the product", _crossed, equation(_crossing**2, (_sines[0] + _sines[1]) ** 2)),
+        variant("the sum for the product", _crossed, equation(_crossing**2, (_sine_u + _sine_v) ** 2)),
     ),
     side_conditions=SideCondition("$m$, $n$ whole", "crossing", holds=_at(1, 1), fails=_at(1, HALF)),
 )
@@ -145,7 +131,7 @@ differentiable = Theorem(
     refuted_at={u: "1/4", v: "1/8", k_u: 8, k_v: 4},
     steps={r"$k_u = 8$, $k_v = 4$, $(u, v) = (1/4, 1/8)$: $+8\pi$ and $-8\pi$": "arithmetic"},
     mutants=(
-        variant("true at a crossing", _one_slope, given=(_one_slope.given, equation(sin(pi * k_v * v), 0))),
-        variant("true where k_u = 0", _one_slope, given=(_one_slope.given, equation(k_u, 0))),
+        variant("true at a crossing", _one_slope, given=(_one_slope.given, zero(sin(pi * k_v * v)))),
+        variant("true where k_u = 0", _one_slope, given=(_one_slope.given, zero(k_u))),
     ),
 )

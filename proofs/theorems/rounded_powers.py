@@ -1,27 +1,17 @@
 """What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
 
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Theorem, variant
-from proofs.formulas.algebraic_form import (
-    complex_product,
-    complex_square,
-    imaginary_part,
-    other_imaginary,
-    other_real,
-    product_imaginary,
-    product_real,
-    real_part,
-)
+from proofs.formulas.algebraic_form import complex_product, complex_square
 from proofs.formulas.step_bounds import excess, unit
-from proofs.formulas.symbols import real
-from proofs.theorems.relations import QUARTER, between, both_ways, nonnegative
+from proofs.theorems.language import *
 
 first, second, third, fourth, growth = real("first second third fourth growth")
 off_first, off_second, off, own, most, most_other = real("off_first off_second off own most most_other")
 size, other_size, exact, other_exact, value, other_value = real("size other_size exact other_exact value other_value")
+real_part, imaginary_part, other_real, other_imaginary = complex_product.inputs
+_squared, _multiplied = (program.expand(program.outputs) for program in (complex_square, complex_product))
 _modulus = real_part**2 + imaginary_part**2
 _moduli = _modulus * (other_real**2 + other_imaginary**2)
-_terms = (
+_terms = _real_1, _real_2, _imaginary_1, _imaginary_2 = (
     real_part * other_real,
     imaginary_part * other_imaginary,
     real_part * other_imaginary,
@@ -29,7 +19,7 @@ _terms = (
 )
 _kappa = equation(excess, (1 + unit) ** 3 - 1)
 _unit = (unit >= 0, unit <= QUARTER)
-_small = between("-1/8", "1/8", unit, first, second, third, fourth, excess)
+_small = {(unit, first, second, third, fourth, excess): ("-1/8", "1/8")}
 
 _three = Claim(
     "three_roundings_of_one",
@@ -43,37 +33,33 @@ _three = Claim(
 _square = Claim(
     "square",
     (
-        equation(complex_square.expand(product_real) ** 2 + complex_square.expand(product_imaginary) ** 2, _modulus**2),
+        equation(_squared[0] ** 2 + _squared[1] ** 2, _modulus**2),
         nonnegative(excess**2 - first**2, excess**2 - second**2),
         excess**2 * _modulus**2 >= off_first**2 + off_second**2,
     ),
-    (
-        equation(off_first, first * complex_square.expand(product_real)),
-        equation(off_second, second * complex_square.expand(product_imaginary)),
-        both_ways(excess, first, second),
-    ),
-    squares=(complex_square.expand(product_real), complex_square.expand(product_imaginary)),
+    (equations((off_first, off_second), (first * _squared[0], second * _squared[1])), both_ways(excess, first, second)),
+    squares=_squared,
     ranges=_small,
 )
 _twice = 2 * unit + unit**2
 _product = Claim(
     "product",
     (
-        equation(complex_product.expand(product_real) ** 2 + complex_product.expand(product_imaginary) ** 2, _moduli),
+        equation(_multiplied[0] ** 2 + _multiplied[1] ** 2, _moduli),
         nonnegative(*(_twice**2 - d**2 for d in (first, second, third, fourth))),
-        2 * _twice**2 * (_terms[0] ** 2 + _terms[1] ** 2) >= off_first**2,
-        2 * _twice**2 * (_terms[2] ** 2 + _terms[3] ** 2) >= off_second**2,
+        2 * _twice**2 * (_real_1**2 + _real_2**2) >= off_first**2,
+        2 * _twice**2 * (_imaginary_1**2 + _imaginary_2**2) >= off_second**2,
         excess**2 >= 2 * _twice**2,
         excess**2 * _moduli >= off_first**2 + off_second**2,
     ),
     (
         unit >= 0,
         _kappa,
-        equation(off_first, first * _terms[0] - second * _terms[1]),
-        equation(off_second, third * _terms[2] + fourth * _terms[3]),
+        equation(off_first, first * _real_1 - second * _real_2),
+        equation(off_second, third * _imaginary_1 + fourth * _imaginary_2),
         both_ways(_twice, first, second, third, fourth),
     ),
-    squares=(first * _terms[0] + second * _terms[1], third * _terms[2] - fourth * _terms[3], _terms),
+    squares=(first * _real_1 + second * _real_2, third * _imaginary_1 - fourth * _imaginary_2, _terms),
     ranges=_small,
 )
 _power = Claim(
@@ -95,11 +81,11 @@ _power = Claim(
         excess * size * other_size >= own,
         own + off_first * other_size + off_second >= off,
     ),
-    ranges=(
-        *between("1/4", 1, excess, size, other_size, off_first, off_second),
-        *between(0, "1/8", own, off),
-        *between(2, 3, most, most_other),
-    ),
+    ranges={
+        (excess, size, other_size, off_first, off_second): ("1/4", 1),
+        (own, off): (0, "1/8"),
+        (most, most_other): (2, 3),
+    },
 )
 _factors = Claim(
     "factors",
@@ -114,7 +100,7 @@ _factors = Claim(
         both_ways(most - 1, value - exact),
         both_ways(most_other - 1, other_value - other_exact),
     ),
-    ranges=(*between(-1, 1, exact, other_exact, value, other_value), *between(1, 2, most, most_other)),
+    ranges={(exact, other_exact, value, other_value): (-1, 1), (most, most_other): (1, 2)},
 )
 
 theorem = Theorem(
@@ -148,20 +134,18 @@ theorem = Theorem(
             _product,
             unit**2 * _moduli >= off_first**2 + off_second**2,
             at={
-                (real_part, imaginary_part, other_real, other_imaginary): (1, 0, 1, 0),
-                (first, second, third, fourth): ("17/64", 0, 0, 0),
-                (unit, excess, off_first, off_second): ("1/8", "217/512", "17/64", 0),
+                (real_part, other_real): 1,
+                (imaginary_part, other_imaginary, second, third, fourth, off_second): 0,
+                (first, off_first): "17/64",
+                unit: "1/8",
+                excess: "217/512",
             },
         ),
         variant(
             "errors add without a second order",
             _power,
             excess + most + most_other - 2 >= off,
-            at={
-                (excess, off_first, off_second): (1, 1, 1),
-                (size, other_size, most, most_other): (2, 2, 2, 2),
-                (own, off): (4, 7),
-            },
+            at={(excess, off_first, off_second): 1, (size, other_size, most, most_other): 2, own: 4, off: 7},
         ),
         variant("the larger error alone", _factors, both_ways(most - 1, value * other_value - exact * other_exact)),
     ),

@@ -1,9 +1,5 @@
 """The rounding error of the central difference in floating point, the best step, and the floor that it leaves."""
 
-from sympy import Rational
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
 from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
 from proofs.formulas.step_bounds import (
@@ -22,8 +18,7 @@ from proofs.formulas.step_bounds import (
     two_roundings,
     unit,
 )
-from proofs.formulas.symbols import epsilon, h_u, h_v, real, v
-from proofs.theorems.relations import between, both_ways, nonnegative, positive
+from proofs.theorems.language import *
 
 here, mean, off_plus, off_minus, growth = real("here mean off_plus off_minus growth")
 first, second, third = real("first second third")
@@ -46,7 +41,7 @@ _three = Claim(
         both_ways(three_roundings[excess], growth - 1),
     ),
     (_unit, _factors, equation(growth * (1 + third), _both)),
-    ranges=between("-1/8", "1/8", unit, first, second, third),
+    ranges={(unit, first, second, third): ("-1/8", "1/8")},
 )
 
 
@@ -54,7 +49,6 @@ def _rounded(name, output, samples, over, given):
     """Return the claim about the difference `output` over the span `over` of its two samples, times `growth`."""
     plus, minus = samples
     off, bound = off_plus - off_minus, rounding_bound[rounding].xreplace({span: over})
-    magnitudes = ((excess, growth - 1), (_each, off_plus), (_each, off_minus), (steepest, mean))
     return Claim(
         name,
         (
@@ -65,26 +59,26 @@ def _rounded(name, output, samples, over, given):
             both_ways(over * bound, over * (output * growth - mean)),
             both_ways(bound, output * growth - mean),
         ),
-        (given, *(relation for most, quantity in magnitudes for relation in both_ways(most, quantity))),
+        (given, both_ways(excess, growth - 1), both_ways(_each, off_plus, off_minus), both_ways(steepest, mean)),
         of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
-        ranges=(
-            *between("-1/4", "1/4", off_plus, off_minus, mean),
-            *between(0, 3, evaluation, argument, excess, steepest),
-            *between(0, "1/2", epsilon, v),
-        ),
+        ranges={
+            (off_plus, off_minus, mean): ("-1/4", "1/4"),
+            (evaluation, argument, excess, steepest): (0, 3),
+            (epsilon, v): (0, "1/2"),
+        },
     )
 
 
 _in_u = _rounded("in_u", h_u, (h_u_plus, h_u_minus), 2 * epsilon, (epsilon > 0,))
 _in_v = _rounded("in_v", h_v, (h_v_plus, h_v_minus), 2 * epsilon, nothing_clamps)
-_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (*pole_clamps, v + epsilon > 0))
+_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (pole_clamps, v + epsilon > 0))
 
 
 def _at(error):
     """Return a constant height whose two samples are off by 1, up and down, because of `error` alone."""
-    none = dict.fromkeys((evaluation, argument, here, mean, excess), 0)
-    ones = {growth: 1, epsilon: 1, error: 1, off_plus: 1, off_minus: -1, steepest: int(error is argument)}
-    return none | ones
+    other = {evaluation: argument, argument: evaluation}[error]
+    none = {(other, here, mean, excess): 0, off_minus: -1, steepest: int(error is argument)}
+    return none | {(growth, epsilon, error, off_plus): 1}
 
 
 theorem = Theorem(
@@ -125,18 +119,16 @@ theorem = Theorem(
             both_ways(evaluation / epsilon * (1 + excess) + steepest * excess, h_u * growth - mean),
             at=_at(argument),
         ),
-        variant(
-            "one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): ["1/4"] * 3, growth: "25/16"}
-        ),
+        variant("one rounding for two", _two, unit >= growth - 1, at={(unit, first, second): "1/4", growth: "25/16"}),
         variant(
             "the span's rounding costs nothing",
             _three,
             2 * unit + unit**2 >= growth - 1,
-            at={(unit, first, second): ["1/4"] * 3, third: "-1/4", growth: "25/12"},
+            at={(unit, first, second): "1/4", third: "-1/4", growth: "25/12"},
         ),
     ),
     side_conditions=SideCondition(
-        r"$\varepsilon > 0$", "in_u", undefined=dict.fromkeys(sorted({here, *_in_u.names()[0]} - {h_u}, key=str), 0)
+        r"$\varepsilon > 0$", "in_u", undefined={tuple({here, *_in_u.names()[0]} - {h_u}): 0}
     ),
 )
 
@@ -154,8 +146,6 @@ _least = Claim(
         equation(_least_value**3, Rational(27, 4) * truncation * rounding**2),
     ),
     _positive,
-    squares=epsilon - best,
-    ranges=between(0, 3, best, epsilon, rounding),
 )
 
 best_step_theorem = Theorem(

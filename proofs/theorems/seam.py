@@ -1,21 +1,15 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from sympy import Expr, S, cos, pi, sin
-
-from proofs.engine.claim import Claim, Induction, equation
-from proofs.engine.program import Program, chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
+from proofs.formulas import height_fields
 from proofs.formulas.half_turns import sinpi
-from proofs.formulas.height_fields import gradient, height
-from proofs.formulas.symbols import h, h_u, k_u, k_v, real, u, v
-from proofs.theorems.relations import between, named, positive, ridges, rings, sine, without, zero
+from proofs.theorems.language import *
 
 n, alternating = real("n alternating")
-_whole, _in_v = equation(sin(pi * k_u), 0), sinpi(k_v * v)
+_whole, _in_v = zero(sin(pi * k_u)), sinpi(k_v * v)
 _turned = sine.expression.subs(u, u + 1)
 
 
-def jump(expression: Expr) -> Expr:
+def _jump(expression):
     """Return the change of an expression in u across the seam: at u = 0 less at u = 1."""
     return expression.subs(u, 0) - expression.subs(u, 1)
 
@@ -24,7 +18,7 @@ _slope = sine.gradient()[0]
 _parity = Induction(
     "parity",
     n,
-    (equation(cos(pi * n), alternating), equation(sin(pi * n), 0), equation(cos(2 * pi * n), 1)),
+    (equation(cos(pi * n), alternating), zero(sin(pi * n)), equation(cos(2 * pi * n), 1)),
     ((alternating, 1, -alternating),),
 )
 h_jump, slope_jump = real("h_jump slope_jump")
@@ -35,44 +29,41 @@ _sine = Claim(
         equation(slope_jump, pi * k_u * (1 - cos(pi * k_u)) * _in_v),
         equation(_turned, cos(pi * k_u) * sine.expression + sin(pi * k_u) * cos(pi * k_u * u) * _in_v),
     ),
-    lines=Program("jumps", (k_u, k_v, v), {h_jump: jump(sine.expression), slope_jump: jump(_slope)}),
+    lines=chain("jumps", {h_jump: _jump(sine.expression), slope_jump: _jump(_slope)}),
 )
 _even = Claim(
     "even",
-    (*(equation(jump(f), 0) for f in (sine.expression, *sine.gradient())), equation(_turned, sine.expression)),
+    (zero([_jump(f) for f in (sine.expression, *sine.gradient())]), equation(_turned, sine.expression)),
     equation(cos(pi * k_u), 1),
 )
 _odd = Claim(
-    "odd",
-    (equation(jump(sine.expression), 0), equation(jump(_slope), 2 * pi * k_u * _in_v)),
-    equation(cos(pi * k_u), -1),
+    "odd", (zero(_jump(sine.expression)), equation(_jump(_slope), 2 * pi * k_u * _in_v)), equation(cos(pi * k_u), -1)
 )
 _ends = real("h_first h_last")
-_at_ends = tuple((h, ridges.expression.xreplace({u: at})) for h, at in zip(_ends, (S.Zero, S.One), strict=True))
-_ridges = Claim("ridges", zero(*_ends), _whole, Program("ends", (k_u, k_v, v), _at_ends))
+_at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
+_ridges = Claim("ridges", zero(_ends), _whole, _at_ends)
 _step = real("step")
-_beside = tuple(ridges.expression.subs(u, at) for at in (_step, 1 - _step))
+_after, _before = (ridges.at(at, v) for at in (_step, 1 - _step))
 _crease = Claim(
     "ridges_crease",
     (
-        equation(_beside[0] ** 2, sin(pi * k_u * _step) ** 2 * _in_v**2),
-        equation(_beside[1] ** 2, _beside[0] ** 2),
-        _beside[0] >= _beside[1],
-        _beside[1] >= _beside[0],
+        equation(_after**2, sin(pi * k_u * _step) ** 2 * _in_v**2),
+        equation(_before**2, _after**2),
+        _after >= _before,
+        _before >= _after,
     ),
     _whole,
-    squares=named(sin(pi * k_u * _step)) * named(sin(pi * k_v * v)),
 )
 _broken = Claim(
     "ridges_jump",
-    positive(-jump(ridges.expression)),
+    positive(-_jump(ridges.expression)),
     (sin(pi * k_u) ** 2 > 0, _in_v**2 > 0),
-    ranges=between("1/8", "7/8", k_u, k_v, v),  # samples keep off the zeros
+    ranges={(k_u, k_v, v): ("1/8", "7/8")},  # samples keep off the zeros
 )
 _smooth = Claim(
     "rings",
     (equation(h, rings.expression), zero(h_u)),
-    lines=chain("rings", height(rings), gradient(rings)).at({u: u + 1}),
+    lines=chain("rings", height_fields.height(rings), height_fields.gradient(rings)).at({u: u + 1}),
 )
 
 theorem = Theorem(
@@ -99,7 +90,7 @@ theorem = Theorem(
     },
     mutants=(
         variant("C¹ for odd k_u", _odd, _even.shows),
-        variant("continuous for every k_u", _sine, equation(h_jump, 0)),
+        variant("continuous for every k_u", _sine, zero(h_jump)),
         variant("ridges continuous for every k_u", _ridges, given=()),
         variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=_whole),
     ),
@@ -111,7 +102,7 @@ theorem = Theorem(
     ),
 )
 
-_periodic = Claim("slope", zero(jump(without(pi, _slope))), _whole)
+_periodic = Claim("slope", zero(_jump(without(pi, _slope))), _whole)
 
 seam_saved = Theorem(
     "periodic_u_saves_the_seam",
@@ -123,6 +114,6 @@ seam_saved = Theorem(
     steps={r"$k_u = 1$, $v = 1/2$, $k_v = 1$: the slope is $\pi$ at $u = 0$, $-\pi$ at $u = 1$": "arithmetic"},
     mutants=(
         variant("true for even k_u", _periodic, given=equation(cos(pi * k_u), 1)),
-        variant("true for the height", Claim("height", zero(jump(sine.expression)), _whole)),
+        variant("true for the height", Claim("height", zero(_jump(sine.expression)), _whole)),
     ),
 )

@@ -1,14 +1,9 @@
 """How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
 
-from sympy import Max, sqrt
-
-from proofs.engine.claim import Claim, at_least, equation
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
 from proofs.formulas.shading import albedos, clipped_value, colors, kd, ks, light_colors, light_term, lit
-from proofs.formulas.symbols import beta, cross, dot, mu, normal, real, specular, squared, vector
-from proofs.theorems.relations import HALF, both_ways, equations, nonnegative
+from proofs.theorems.language import *
 
 _other_mu, _other_specular, step, so_far, _before = real("other_mu other_specular step so_far before")
 
@@ -24,19 +19,19 @@ def _light(channel, factor=None):
     return Claim(
         f"light_{channel}",
         (
-            nonnegative(albedo * kd, *weights),
-            *(r for weight, change, largest in parts for r in both_ways(weight * largest, weight * change)),
+            nonnegative(albedo * kd, weights),
+            [both_ways(weight * largest, weight * change) for weight, change, largest in parts],
             both_ways(so_far + (factor or bound.expand(most)) * step, after - other),
         ),
         (
-            *(c >= 0 for c in (albedo, color, kd, ks)),
+            nonnegative(albedo, color, kd, ks),
             both_ways(so_far, before - _before),
-            *(r for _, change, largest in parts for r in both_ways(largest, change)),
+            [both_ways(largest, change) for _, change, largest in parts],
         ),
     )
 
 
-_lights = tuple(map(_light, range(3)))
+_lights = [_light(channel) for channel in range(3)]
 _weights = [light_bound(0)[share] for share in (diffuse_share, specular_share)]
 
 _first, _second, _bound_on, _slope_error = real("first second bound_on slope_error")
@@ -48,11 +43,11 @@ _all_lights = Claim(
     "all_lights",
     (sum(_factors) * step >= _changes[-1], sum(_factors) >= 0, sum(_factors) * _slope_error >= _changes[-1]),
     (
-        *(
+        [
             so_far_ + factor * step >= to
             for so_far_, factor, to in zip((0, *_changes[:-1]), _factors, _changes, strict=True)
-        ),
-        nonnegative(*_factors),
+        ],
+        nonnegative(_factors),
         _slope_error >= step,
     ),
 )
@@ -66,8 +61,8 @@ def _at_unit_weights(factor):
 
 def _lamp(shine):
     """Return the light's inputs with k_s = shine, and a highlight that changes by 1."""
-    known = {light_colors[0]: 1, albedos[0]: 1, kd: 1, ks: shine, mu: 0, _other_mu: 0, specular: 1, _other_specular: 0}
-    return {**known, q: 1, step: 1, so_far: 0, colors[0]: 0, _before: 0}
+    ones = (light_colors[0], albedos[0], kd, specular, q, step)
+    return {ks: shine, ones: 1, (mu, _other_mu, _other_specular, so_far, colors[0], _before): 0}
 
 
 difference_bound = Theorem(
@@ -103,7 +98,7 @@ difference_bound = Theorem(
             "without the last light",
             _all_lights,
             sum(_factors[:4]) * step >= _changes[-1],
-            at={(*_factors, *_changes, step, _slope_error): (0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1)},
+            at={(_factors[:4], _changes[:4]): 0, (_factors[4], _changes[4], step, _slope_error): 1},
         ),
         variant("without the highlight", _at_unit_weights(_weights[0])),
         variant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
@@ -138,25 +133,20 @@ one_more = Theorem(
 )
 
 
-a, b = vector("a"), vector("b")
+a, b = vectors("a b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
-_change = a / length_a - b / length_b
 _outside = (
     *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
     equation(product, dot(a, b)),
     equation(apart**2, squared(a - b)),
-    equation(turned**2, squared(_change)),
+    equation(turned**2, squared(a / length_a - b / length_b)),
 )
 _normalise = Claim(
     "normalise",
     (
         equation(length_a**2 * length_b**2 - product**2, squared(cross(a, b))),
-        nonnegative(
-            length_a**2 * length_b**2 - product**2,
-            length_a * length_b - 1,
-            length_a * length_b - product,
-            length_a * length_b + product,
-        ),
+        nonnegative(length_a**2 * length_b**2 - product**2, length_a * length_b - 1),
+        both_ways(length_a * length_b, product),
         equation(length_a * length_b * turned**2, 2 * (length_a * length_b - product)),
         equation(apart**2, length_a**2 + length_b**2 - 2 * product),
         length_a * length_b * (apart**2 - turned**2) >= 0,
@@ -168,7 +158,7 @@ _normalise = Claim(
     (length_a >= 1, length_b >= 1, apart >= 0, _outside),
     squares=(cross(a, b), length_a - length_b),
 )
-_other_m, _other_g = vector("other_m"), vector("other_g")
+_other_m, _other_g = vectors("other_m other_g")
 _moved = Claim(
     "moved",
     equation(squared(m - _other_m), beta**2 * squared(g - _other_g)),
@@ -179,8 +169,8 @@ _moved = Claim(
 
 def _pair(length):
     """Return two orthogonal vectors of equal length, with what is derived from them."""
-    vectors = {a: (length, 0, 0), b: (0, length, 0)}
-    return {**vectors, length_a: length, length_b: length, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
+    vectors = {a: (length, 0, 0), b: (0, length, 0), (length_a, length_b): length}
+    return {**vectors, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
 
 
 normalising = Theorem(

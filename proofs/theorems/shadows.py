@@ -1,28 +1,23 @@
-"""The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a "
-"row of pixels."""
+"""The shadow of a sphere on the floor: a conic, its type by the light's height, and its degree along a row."""
 
-from sympy import Derivative
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
-from proofs.formulas.symbols import Vector, ball_center, ball_radius, cross, dot, eye, light, real, squared, x, y
 from proofs.theorems.hits import distance_squared
-from proofs.theorems.relations import zero
+from proofs.theorems.language import *
 from proofs.theorems.silhouettes import conic_types
 from proofs.theorems.silhouettes import theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
-_w = light - center
+_w = _wx, _wy, _wz = light - center
+_lx, _ly, _lz = light
 _c = squared(_w) - body_radius**2
 _apart = distance_squared(light, center) > body_radius**2
-_xx, _xy, _yy = _w[0] ** 2 - _c, _w[0] * _w[1], _w[1] ** 2 - _c
+_xx, _xy, _yy = _wx**2 - _c, _wx * _wy, _wy**2 - _c
 _to_light = Vector((x, y, 0)) - light  # P − L
 _across = dot(_to_light, _w)
 foot_x, foot_y = real("foot_x foot_y")
 _at_foot = _on_floor.expand(shadow_discriminant).xreplace({x: foot_x, y: foot_y})
+_determinant = _xx * _yy - _xy**2
 _conic = Claim(
     "conic",
     (
@@ -31,74 +26,63 @@ _conic = Claim(
             shadow_discriminant - _xx * x**2 - 2 * _xy * x * y - _yy * y**2,
             x * Derivative(_at_foot, foot_x) + y * Derivative(_at_foot, foot_y) + _at_foot,
         ),
-        equation(_xx * _yy - _xy**2, _c * (_w[2] ** 2 - body_radius**2)),
+        equation(_determinant, _c * (_wz**2 - body_radius**2)),
     ),
     zero(foot_x, foot_y),
     _on_floor,
 )
-_determinant = _xx * _yy - _xy**2
-_types = conic_types(_c, _determinant, _w[2], body_radius, _apart)
+_types = conic_types(_c, _determinant, _wz, body_radius, _apart)
 _along_row = cross(light, center) - cross(_w, (0, y, 0))
-_turn = cross((1, 0, 0), _w)
 _row = Claim(
     "row",
     (
         equation(
             shadow_discriminant,
-            (body_radius**2 - _w[1] ** 2 - _w[2] ** 2) * x**2
-            - 2 * (body_radius**2 * light[0] + dot(_along_row, _turn)) * x
-            + body_radius**2 * (light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2)
+            (body_radius**2 - _wy**2 - _wz**2) * x**2
+            - 2 * (body_radius**2 * _lx + dot(_along_row, cross((1, 0, 0), _w))) * x
+            + body_radius**2 * (_lx**2 + (_ly - y) ** 2 + _lz**2)
             - squared(_along_row),
         ),
-        equation(segment_squared, x**2 - 2 * light[0] * x + light[0] ** 2 + (light[1] - y) ** 2 + light[2] ** 2),
-        equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - light[0] - center[0]),
+        equation(segment_squared, x**2 - 2 * _lx * x + _lx**2 + (_ly - y) ** 2 + _lz**2),
+        equation(Derivative(_on_floor.expand(toward_center), x), 2 * x - _lx - center[0]),
     ),
-    (),
-    _on_floor,
+    lines=_on_floor,
 )
 _origin = dict.fromkeys(center, 0)
 _of_a = Claim(
     "of_a",
     equation(
         _on_floor.expand(shadow_discriminant).xreplace(_origin),
-        (x * light[0] + y * light[1]) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
+        (x * _lx + y * _ly) ** 2 - squared(light) * (x**2 + y**2) + body_radius**2 * squared(_to_light),
     ),
 )
-_away = Claim("away", equation(segment_squared - toward_center, -_across), (), _on_floor)
+_away = Claim("away", equation(segment_squared - toward_center, -_across), lines=_on_floor)
 _rename = {
-    x: x - light[0],
-    y: y - light[1],
-    eye: light[2],
-    distance: light[2] - center[2],
+    x: x - _lx,
+    y: y - _ly,
+    eye: _lz,
+    distance: _lz - center[2],
     ball_radius: body_radius,
-    ball_center[0]: center[0] - light[0],
-    ball_center[1]: center[1] - light[1],
+    ball_center[0]: center[0] - _lx,
+    ball_center[1]: center[1] - _ly,
 }
 
 
 def _from_the_light(name):
     """Return a claim about B's silhouette with the light as its eye."""
     claim = silhouette_of_b.claim(name)
-    moved = {
-        field: tuple(
-            r.func(r.lhs.xreplace(_rename), r.rhs.xreplace(_rename), evaluate=False) for r in getattr(claim, field)
-        )
-        for field in ("shows", "given")
-    }
-    moved["squares"] = tuple(e.xreplace(_rename) for e in claim.squares)
-    return claim.but(**moved)
+    shows, given, squares = (
+        [part.xreplace(_rename) for part in parts] for parts in (claim.shows, claim.given, claim.squares)
+    )
+    return claim.but(shows=shows, given=given, squares=squares)
 
-
-_cast = (_from_the_light("all_seen"), _from_the_light("none_seen"))
 
 _behind_a = Claim(
-    "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * light[0] - y * light[1])
+    "behind_a", equation(_on_floor.expand(toward_center).xreplace(_origin), x**2 + y**2 - x * _lx - y * _ly)
 )
 _leading = Claim(
-    "leading",
-    equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _w[1] ** 2 - _w[2] ** 2)),
+    "leading", equation(Derivative(_on_floor.expand(shadow_discriminant), x, 2), 2 * (body_radius**2 - _wy**2 - _wz**2))
 )
-_given_scene = {light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
 
 shadow_of_b = Theorem(
     "shadow_of_b_on_floor",
@@ -110,7 +94,7 @@ shadow_of_b = Theorem(
     ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
     hyperbola.""",
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
-    claims=(_conic, _types, _away, _cast),
+    claims=(_conic, _types, _away, _from_the_light("all_seen"), _from_the_light("none_seen")),
     steps={
         r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$": ("expansion", "lagrange_identity"),
         r"its quadratic part has the determinant $c\,(w_z^2-r^2)$": "expansion; $c > 0$",
@@ -118,11 +102,13 @@ shadow_of_b = Theorem(
         "its sign, type by type": ("the silhouette of the sphere with the light as the eye", "silhouette_of_b"),
     },
     mutants=(
-        variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_w[2] ** 2 + body_radius**2))),
+        variant("the determinant is c (w_z² + r²)", _conic, equation(_determinant, _c * (_wz**2 + body_radius**2))),
         variant("an ellipse from any height", _types[2], _determinant > 0),
         variant("the vertex on the sphere's side", _away, equation(segment_squared - toward_center, _across)),
     ),
-    side_conditions=SideCondition("the light is not level with the top", "ellipse", fails=_given_scene),
+    side_conditions=SideCondition(
+        "the light is not level with the top", "ellipse", fails={light: (0, 0, 3), center: (2, 0, 2), body_radius: 1}
+    ),
 )
 
 shadow_of_a = Theorem(
@@ -143,7 +129,7 @@ shadow_of_a = Theorem(
             _of_a,
             equation(_of_a.shows[0].lhs, 2 * _of_a.shows[0].lhs - _of_a.shows[0].rhs + body_radius**2),
         ),
-        variant("the vertex on the light's side", _behind_a, equation(-_behind_a.shows[0].lhs, _behind_a.shows[0].rhs)),
+        variant("the vertex on the light's side", _behind_a, negated(_behind_a)),
     ),
 )
 
@@ -163,12 +149,10 @@ row = Theorem(
         variant(
             "the leading coefficient is r² − w_z²",
             _leading,
-            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[2] ** 2)),
+            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _wz**2)),
         ),
         variant(
-            "w_x in place of w_y",
-            _leading,
-            equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _w[0] ** 2 - _w[2] ** 2)),
+            "w_x in place of w_y", _leading, equation(_leading.shows[0].lhs, 2 * (body_radius**2 - _wx**2 - _wz**2))
         ),
     ),
 )

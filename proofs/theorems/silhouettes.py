@@ -1,14 +1,8 @@
-"""The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as "
-"shadows need it."""
+"""The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as shadows need it."""
 
-from sympy import Basic, Expr
-
-from proofs.engine.claim import Claim, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
-from proofs.formulas.symbols import ball_center, ball_radius, eye, lengths_of_b, squared, x, y
 from proofs.theorems.hits import distance_squared, hit_of_b
-from proofs.theorems.relations import nonnegative, positive
+from proofs.theorems.language import *
 
 _cx, _cy, _cz = ball_center
 _above = eye - _cz  # H: how far the eye is above B's centre
@@ -16,27 +10,26 @@ _c = _cx**2 + _cy**2 + _above**2 - ball_radius**2
 _outside = distance_squared((0, 0, eye), ball_center) > ball_radius**2
 _xx, _xy, _yy = _cx**2 - _c, _cx * _cy, _cy**2 - _c
 _xz, _yz, _zz = eye * _above * _cx, eye * _above * _cy, eye**2 * (_above**2 - _c)
+_determinant = _xx * _yy - _xy**2
 _conic = Claim(
     "conic",
     (
         equation(discriminant_b, _xx * x**2 + 2 * _xy * x * y + _yy * y**2 + 2 * _xz * x + 2 * _yz * y + _zz),
-        equation(_xx * _yy - _xy**2, _c * (_above**2 - ball_radius**2)),
+        equation(_determinant, _c * (_above**2 - ball_radius**2)),
         equation(
             _xx * (_yy * _zz - _yz**2) - _xy * (_xy * _zz - _yz * _xz) + _xz * (_xy * _yz - _yy * _xz),
             eye**2 * _c**2 * ball_radius**2,
         ),
     ),
-    (),
-    hit_of_b,
+    lines=hit_of_b,
 )
-_determinant = _xx * _yy - _xy**2
 
 
 def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside: Basic) -> tuple[Claim, ...]:
     """Return the claims that a sphere's outline is an ellipse, a parabola or a hyperbola, by the height above it."""
     cases = (
         ("ellipse", determinant > 0, height**2 > radius**2),
-        ("parabola", equation(determinant, 0), equation(height**2, radius**2)),
+        ("parabola", zero(determinant), equation(height**2, radius**2)),
         ("hyperbola", greater(0, determinant), height**2 < radius**2),
     )
     return tuple(Claim(name, (c > 0, shown), (outside, given)) for name, shown, given in cases)
@@ -56,12 +49,11 @@ _apart = (
     equation(_bh**2 - _q**2, eye * _h * (2 * _bh - eye * _h)),
 )
 _inside = (_ch > 0, _bh**2 >= _ch * (_image + eye**2))
-_hints = (x * _cy - y * _cx, x, y)
 _all_seen = Claim(
     "all_seen",
     (positive(_h, eye * _h), _apart, positive(2 * _bh - eye * _h, _bh)),
     (lengths_of_b, _h >= ball_radius, _inside),
-    squares=_hints,
+    squares=x * _cy - y * _cx,
 )
 _none_seen = Claim(
     "none_seen",
@@ -73,14 +65,13 @@ _none_seen = Claim(
         greater(0, _bh),
     ),
     (lengths_of_b, -_h >= ball_radius, _inside),
-    squares=_hints,
+    squares=x * _cy - y * _cx,
 )
 _branch = Claim(
     "branch",
     (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
-    (eye > 0, _outside, equation(discriminant_b, 0)),
+    (eye > 0, _outside, zero(discriminant_b)),
     hit_of_b,
-    squares=(x, y, eye),
 )
 
 
@@ -109,7 +100,7 @@ theorem = Theorem(
     mutants=(
         variant("the determinant is c (H² + R₂²)", _conic, equation(_determinant, _c * (_above**2 + ball_radius**2))),
         variant("an ellipse even if |H| < R₂", _types[2], _determinant > 0),
-        variant("b > 0 on all of the silhouette", _branch, toward_b > 0, squares=()),
+        variant("b > 0 on all of the silhouette", _branch, toward_b > 0),
     ),
     side_conditions=(
         SideCondition("$|H| > R_2$", "ellipse", holds=_scene(5, 0), fails=_scene(4, 0)),

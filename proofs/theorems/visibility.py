@@ -1,11 +1,8 @@
 """Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
 
-from proofs.engine.claim import Claim, at_least, equation, greater
-from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
-from proofs.formulas.symbols import dot, eye, radius, real, rho, rho_silhouette, squared, x, y
 from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a
-from proofs.theorems.relations import HALF, positive
+from proofs.theorems.language import *
 
 t = real("t")
 _square = rho**2 + eye**2
@@ -28,23 +25,23 @@ _touching = along(1 - radius**2 / eye**2)
 _tangent = Claim(
     "tangent",
     (
-        equation(discriminant_a, 0),
+        zero(discriminant_a),
         equation(rho**2, rho_silhouette**2),
         equation(squared(_touching), radius**2),
-        equation(dot(_touching, ray_direction), 0),
+        zero(dot(_touching, ray_direction)),
         equation(eye * _touching[2], radius**2),
     ),
     (eye_outside_a, equation((x**2 + y**2) * (eye**2 - radius**2), eye**2 * radius**2)),
     hit_of_a,
 )
-_on_a = (*ray_meets_a, equation(squared(along(t)), radius**2))
+_on_a = (ray_meets_a, equation(squared(along(t)), radius**2))
 _cos_phi = along(t)[2] / radius
 _from_center = _square * t - eye**2
 _place = (
     equation(t * _from_center, radius * (radius - eye * _cos_phi)),
     equation(_from_center**2, discriminant_a),
     equation(2 * eye**2 * t, _square * t**2 + eye**2 - radius**2),
-    *positive(eye**2 * t, t),
+    positive(eye**2 * t, t),
 )
 _visible = Claim(
     "visible",
@@ -52,20 +49,13 @@ _visible = Claim(
     (_on_a, eye * _cos_phi >= radius),
     hit_of_a,
     squares=(rho * t, eye * t),
-    example={eye: 5, radius: 3, x: "9/4", y: 0},
 )
-_hidden = Claim(
-    "hidden",
-    (_place, _from_center > 0, t > t_a),
-    (_on_a, eye * _cos_phi < radius),
-    hit_of_a,
-    squares=(rho * t, eye * t),
-)
+_hidden = Claim("hidden", (_place, _from_center > 0, t > t_a), (_on_a, eye * _cos_phi < radius), hit_of_a)
 
 
-def _rim(t):
+def _rim(at):
     """Return the inputs of a ray that touches A at t = 16/25, with a value of t."""
-    return off_the_axis("15/16") | {real("t"): t}
+    return off_the_axis("15/16") | {t: at}
 
 
 silhouette = Theorem(
@@ -85,7 +75,7 @@ silhouette = Theorem(
     mutants=(
         variant("ρ_s = R e/√(e² + R²)", _only_inside, eye**2 * radius**2 >= rho**2 * (eye**2 + radius**2)),
         variant("t < 1/2", _in_front, greater(HALF, t_a)),
-        variant("cos φ = 0 on the silhouette", _tangent, equation(_touching[2], 0)),
+        variant("cos φ = 0 on the silhouette", _tangent, zero(_touching[2])),
     ),
     side_conditions=(
         SideCondition(r"$\rho \le \rho_s$", "inside", holds=off_the_axis("15/16"), fails=off_the_axis(1)),
@@ -108,7 +98,7 @@ visible = Theorem(
     },
     mutants=(
         variant("visible where cos φ ≥ 0", _visible, equation(t, t_a), given=(_on_a, _cos_phi >= 0)),
-        variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius)), squares=()),
+        variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius))),
         variant("the hidden point is nearer", _hidden, t < t_a),
     ),
     side_conditions=SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=_rim("16/25"), fails=_rim(1)),
