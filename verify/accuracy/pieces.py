@@ -67,7 +67,6 @@ def worst(pieces: Iterable[Piece]) -> arb:
 
 def off_by(program: Program, line: Symbol, coefficient: Expr, ulps: int) -> Program:
     """Return the program with a constant of a line off by so many units in its last place: a false variant."""
-    unit = unit_in_the_last_place(ball(abs(coefficient)))
-    off = coefficient + ulps * Rational(int(unit.man_exp()[0])) * Rational(2) ** int(unit.man_exp()[1])
+    off = coefficient + ulps * Rational(float(unit_in_the_last_place(ball(abs(coefficient)))))
     changed = tuple((s, x.xreplace({coefficient: off}) if s == line else x) for s, x in program.definitions)
     return Program(program.name, program.inputs, changed, program.outputs)

@@ -56,7 +56,7 @@ class Examination:
             self.record["source"] = theorem.source
         if lemmas:
             self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
-        keys = {lemma.source for lemma in lemmas} | ({theorem.source} if theorem.source else set())
+        keys = {theorem.source, *(lemma.source for lemma in lemmas)} - {""}
         known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
         self.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
