@@ -37,7 +37,7 @@ def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]
 
 def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
     """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
-    ends, low = list(cuts), arb((1, SMALLEST - 1))
+    ends, low = list(cuts), arb(2) ** (SMALLEST - 1)
     while low < last:
         ends += [low * (PIECES + i) / PIECES for i in range(PIECES)]
         low *= 2
