@@ -42,10 +42,14 @@ def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
             except (Undefined, NameError):
                 return None
 
+        def solved(symbol, coefficients):
+            """Return a ball with the root that is near the point's coordinate."""
+            near = flint.arb(point[symbol])
+            return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
+
         try:
-            for symbol, coefficients in sampler.solved:  # a ball with the root that is near the point's coordinate
-                roots, near = real_roots(coefficients(values, names)), flint.arb(point[symbol])
-                values[symbol] = min(roots, key=lambda root, near=near: float(abs(root - near).mid()))
+            for symbol, coefficients in sampler.solved:
+                values[symbol] = solved(symbol, coefficients)
         except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
             return False
         unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in sampler.solved_relations)]
