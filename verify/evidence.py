@@ -27,7 +27,7 @@ def renew(name: str) -> str | None:
     """Measure a record; return why that cannot be done here, or None where it was."""
     record = RECORDS[name]
     if missing := [library for library in record.needs if find_spec(library) is None]:
-        return f"it needs {', '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not installed"
+        return f"it needs {missing[0]}, which is not installed"
     status = subprocess.run([sys.executable, *record.command.split()], cwd=ROOT, check=False).returncode
     why = why_stale(name)
     return f"its run ended with status {status}; what went wrong is above" if why and status else why

@@ -7,8 +7,8 @@ difference's own lines, run on numbers with bounds.
 
 from typing import NamedTuple
 
-import flint
 import numpy as np
+from flint import arb
 from sympy import Expr, Symbol, diff
 
 from proofs.engine.program import Program
@@ -41,13 +41,11 @@ def third_derivatives(field: HeightField, along: Symbol, inputs: Inputs, steps: 
     third: Expr = diff(field.expression, along, 3)
     balls = Balls(Program("third", (u, v, k_u, k_v), ((THIRD, third),)))
     found = []
-    with flint.ctx.workprec(BITS):
-        for step in steps.tolist():
-            around = {name: flint.arb(number) for name, number in inputs.items()}
-            size = abs(balls(around | {along.name: flint.arb(inputs[along.name], step)}, BITS)["third"])
-            if not size.is_finite():
-                raise not_allowed("step", step, f"one within which {field.name} is smooth")
-            found.append(float(size.upper()) * SLACK)
+    for step in steps.tolist():
+        size = balls({**inputs, along.name: arb(inputs[along.name], step)}, BITS)["third"].abs_upper()
+        if not size.is_finite():
+            raise not_allowed("step", step, f"one within which {field.name} is smooth")
+        found.append(float(size) * SLACK)
     return np.array(found)
 
 

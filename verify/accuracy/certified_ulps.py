@@ -61,18 +61,18 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
         code = code_of(lines(program, after=[*e.reduction][:4], until=(near,)))
         function = arb_series.cos_pi if cosine else arb_series.sin_pi
         series = Series(program.expand(near, until=(e.remainder,)), e.remainder, function)
-        end = arb((1, -2)) + arb((1, -30))  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
-        cuts = () if cosine else [arb((1, -n)).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
+        end = arb(2) ** -2 + arb(2) ** -30  # |product − quarters/2| ≤ 1/4, and |product_error| < 2^-30
+        cuts = () if cosine else [(arb(2) ** -n).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
         return [
             _sine_piece(code, series, near.name, low, high, cosine, of_product)
-            for low, high in pairwise(piece_ends(arb((1, SMALLEST - 1)), end, cuts))
+            for low, high in pairwise(piece_ends(arb(2) ** (SMALLEST - 1), end, cuts))
         ]
 
 
 def _sine_piece(code, series, near, low, high, cosine, of_product):
-    smallest = high <= arb((1, SMALLEST))
+    smallest = high <= arb(2) ** SMALLEST
     ends = (ZERO if smallest and cosine else low, high)
-    r = between(*ends) * (1 + arb(0, arb((1, -52)) if of_product else 0))  # as it is after rounding
+    r = between(*ends) * (1 + arb(0, arb(2) ** -52 if of_product else 0))  # as it is after rounding
     true = [end.cos_pi() if cosine else end.sin_pi() for end in ends]
     steepest = arb.pi() * (high.sin_pi() if cosine else ends[0].cos_pi()).abs_upper()
     moved = steepest * Rounded(r, rounds=of_product, ends=ends).error
@@ -86,10 +86,10 @@ def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
     with ctx.workprec(PRECISION):
         compared = [program[s].args[0][1] for s in (e.middle, e.steep)]  # smaller > c · larger
         first, second = (ball(relation.lts.coeff(e.larger)) for relation in compared)
-        slack = arb((1, -52))  # the comparison's product is rounded
+        slack = arb(2) ** -52  # the comparison's product is rounded
         cuts = [(arb.pi() / 2**n).tan() for n in range(3, 3 - SMALLEST)]
         arcs = [
-            (0, 0, piece_ends(arb((1, SMALLEST - 1)), first * (1 + slack), cuts)),
+            (0, 0, piece_ends(arb(2) ** (SMALLEST - 1), first * (1 + slack), cuts)),
             (1, 0, piece_ends(first * (1 - slack), second * (1 + slack), cuts)),
             (1, 1, piece_ends(second * (1 - slack), arb(1))),
         ]
@@ -120,7 +120,7 @@ class _Angle:
         return Program("octant", (e.first_octant,), tuple(lines), (e.half_plane,))
 
     def piece(self, low, high, middle, steep):
-        smallest = high <= arb((1, SMALLEST))
+        smallest = high <= arb(2) ** SMALLEST
         choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
         selected = run(self.to_node, dict(choice))
         node, value, correction = (selected[name].value for name in ("node", "node_value", "node_correction"))

@@ -20,8 +20,8 @@ from verify.evaluate import code_of
 from verify.evaluate.rounding import ZERO, Rounded, between, half_a_unit, run
 
 PIECES = 40  # of exp, on either side of 0
-HALF, UNIT, SLACK = arb(0.5), arb((1, -53)), arb((1, -23))
-REDUCED = arb((1, -61))  # what rounding n LN2_REST, which is below 2^-9, and the error of LN2_REST itself do
+HALF, UNIT, SLACK = arb(0.5), arb(2) ** -53, arb(2) ** -23
+REDUCED = arb(2) ** -61  # what rounding n LN2_REST, which is below 2^-9, and the error of LN2_REST itself do
 DOUBLINGS = range(-5, 6)  # under others the errors of the logarithm's parts grow no faster than it does
 SIZES = (*range(0, 50, 5), 50, 100, 200, 400, 708)  # of ln(base^p), the ends of power's pieces
 
@@ -33,7 +33,7 @@ def exponential_pieces(program: Program = e.exponential_of_sum, moved: float = 0
         code = code_of(lines(program, [*e.exponential_reduction], (e.exponential_near,)))
         polynomial = program.expand(e.exponential_near, until=(e.away, e.away_error)) - e.away_error
         series = Series(polynomial, e.away, arb_series.exp)
-        end = arb.const_log2() / 2 + arb((1, -41))  # n is that of a rounded product, without the argument's error
+        end = arb.const_log2() / 2 + arb(2) ** -41  # n is that of a rounded product, without the argument's error
         ends = [end * n / PIECES for n in range(-PIECES, PIECES + 1)]
         return [_exponential_piece(code, series, moved, *ends) for ends in pairwise(ends)]
 
@@ -61,7 +61,7 @@ def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
             low, high = ((m - ball(e.NODES[number])) / (m + ball(e.NODES[number])) for m in ends)
             for doublings in DOUBLINGS:
                 at_1 = number == 1 and doublings == 0
-                quotients = piece_ends(arb((1, SMALLEST - 1)), max(-low, high)) if at_1 else [low, high]
+                quotients = piece_ends(arb(2) ** (SMALLEST - 1), max(-low, high)) if at_1 else [low, high]
                 pieces += [_logarithm_piece(code, series, number, doublings, *pair) for pair in pairwise(quotients)]
         return pieces
 
@@ -70,9 +70,9 @@ def _logarithm_piece(code, series, number, doublings, low, high):
     node, ln2, largest = ball(e.NODES[number]), arb.const_log2(), max(abs(low), abs(high))
     tail, known = [2 * (end.atanh() - end) for end in (low, high)], {}
     known["log_tail"] = (*tail, series.error(between(low, high)))
-    if largest <= arb((1, SMALLEST)):
+    if largest <= arb(2) ** SMALLEST:
         known["quotient_squared"] = (ZERO, largest**2)
-    rest = largest * (arb((1, -26)) + 4 * UNIT)  # what a_high leaves of q
+    rest = largest * (arb(2) ** -26 + 4 * UNIT)  # what a_high leaves of q
     rest_error = rest * UNIT * 5  # the sum and the division of `inverse`, `undivided` and quotient_rest
     scope = {
         "quotient": Rounded(between(low, high), rest_error, rounds=True, ends=(low, high)),
@@ -85,7 +85,7 @@ def _logarithm_piece(code, series, number, doublings, low, high):
     off += abs(ball(e.nodes_short[number]) + ball(e.nodes_rest[number]) - node.log())
     least = min(abs(doublings * ln2 + node.log() + 2 * end.atanh()) for end in (low, high))
     relative = (parts.error + off + 3 * UNIT * parts.largest) / least + UNIT * SLACK
-    ends = (node * (1 + end) / (1 - end) * arb((1, doublings)) for end in (low, high))
+    ends = (node * (1 + end) / (1 - end) * arb(2) ** doublings for end in (low, high))
     return Piece(*ends, HALF + (relative / UNIT).upper())
 
 

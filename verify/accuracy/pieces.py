@@ -37,7 +37,7 @@ def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]
 
 def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
     """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
-    ends, low = list(cuts), arb((1, SMALLEST - 1))
+    ends, low = list(cuts), arb(2) ** (SMALLEST - 1)
     while low < last:
         ends += [low * (PIECES + i) / PIECES for i in range(PIECES)]
         low *= 2
@@ -67,7 +67,6 @@ def worst(pieces: Iterable[Piece]) -> arb:
 
 def off_by(program: Program, line: Symbol, coefficient: Expr, ulps: int) -> Program:
     """Return the program with a constant of a line off by so many units in its last place: a false variant."""
-    unit = unit_in_the_last_place(ball(abs(coefficient)))
-    off = coefficient + ulps * Rational(int(unit.man_exp()[0])) * Rational(2) ** int(unit.man_exp()[1])
+    off = coefficient + ulps * Rational(float(unit_in_the_last_place(ball(abs(coefficient)))))
     changed = tuple((s, x.xreplace({coefficient: off}) if s == line else x) for s, x in program.definitions)
     return Program(program.name, program.inputs, changed, program.outputs)

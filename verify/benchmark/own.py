@@ -10,6 +10,7 @@ kept. Writes verify/benchmark/results/own.json: commit it.
 import itertools
 import os
 import tempfile
+from functools import partial
 from pathlib import Path
 from typing import Any
 from unittest import mock
@@ -63,10 +64,7 @@ def measure(rounds: int) -> dict[str, Any]:
         return {"numbers": numbers_by_rounds(cases(rounds, Path(folder)), "own", RATIOS) | {"side": SIDE}}
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Measure, print, write."""
-    command("own", __doc__, measure, arguments, rounds=ROUNDS)
-
+main = partial(command, "own", __doc__, measure, rounds=ROUNDS)
 
 if __name__ == "__main__":
     main()

@@ -2,6 +2,7 @@
 
 import operator
 from collections.abc import Mapping
+from contextlib import suppress
 
 import numpy as np
 
@@ -21,17 +22,21 @@ RATIOS = {
 
 
 def derived(numbers: Mapping[str, float]) -> dict[str, float]:
-    """Return what follows from {CASE_ms: milliseconds} of the cases that were timed."""
+    """Return what follows from {CASE_ms: milliseconds} of the cases that were timed, of others nothing."""
 
-    def timed(*cases):
-        return [numbers[f"{case}_ms"] for case in cases] if numbers.keys() >= {f"{c}_ms" for c in cases} else None
+    def time(case):
+        return numbers[f"{case}_ms"]
 
-    found = {name: times[0] / times[1] for name, cases in RATIOS.items() if (times := timed(*cases))}
+    found = {}
+    for name, (slow, fast) in RATIOS.items():
+        with suppress(KeyError):
+            found[name] = time(slow) / time(fast)
     for threads in (1, 2):
-        if times := timed(*(f"algebraic_{side}_{threads}" for side in FITTED)):  # time ∝ pixels^p
+        with suppress(KeyError):
+            times = [time(f"algebraic_{side}_{threads}") for side in FITTED]  # time ∝ pixels^p
             found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
-    if times := timed("no_bounds_2048", "no_bounds_1024"):
-        found["pixel_2048_to_1024"] = times[0] / times[1] / 4
+    with suppress(KeyError):
+        found["pixel_2048_to_1024"] = time("no_bounds_2048") / time("no_bounds_1024") / 4
     return found
 
 

@@ -85,17 +85,18 @@ def _from_map(normals, u, v):
 
 def _by_derivative(heights, u, v):
     corners, s, t = _corners(heights, u, v)
-    (a,), (b,), (c,), (d,) = (corners[place] for place in ((0, 0), (1, 0), (0, 1), (1, 1)))
+    (a,), (c,), (b,), (d,) = corners.values()
     size = SCENE.beta * len(heights)
     return _unit(((b - a) * (1.0 - t) + (d - c) * t) * size, ((c - a) * (1.0 - s) + (d - b) * s) * size, 1.0 + 0.0 * s)
 
 
 def _by_difference(heights, u, v):
     step = 0.5 / len(heights)  # half a texel to either side, within the chart: the sample keeps clear of its ends
-    rises = [_bilinear(heights, *plus)[0] - _bilinear(heights, *minus)[0]
-             for plus, minus in (((u + step, v), (u - step, v)), ((u, v + step), (u, v - step)))]  # fmt: skip
+    above, below, right, left = (
+        _bilinear(heights, *at)[0] for at in ((u + step, v), (u - step, v), (u, v + step), (u, v - step))
+    )
     size = SCENE.beta / (2 * step)
-    return _unit(*(rise * size for rise in rises), 1.0 + 0.0 * u)
+    return _unit((above - below) * size, (right - left) * size, 1.0 + 0.0 * u)
 
 
 def _loop(kernel, table):

@@ -10,8 +10,9 @@ from pathlib import Path
 from proofs.engine.theorem import Theorem
 
 VERIFY = Path(__file__).resolve().parents[1]
-BIBLIOGRAPHIES = VERIFY / "references.bib", VERIFY.parent / "book" / "references.bib"  # the wheel's, the checkout's
-BIBLIOGRAPHY = next(filter(Path.is_file, BIBLIOGRAPHIES))
+BIBLIOGRAPHY = VERIFY / "references.bib"  # where the wheel has it
+if not BIBLIOGRAPHY.is_file():
+    BIBLIOGRAPHY = VERIFY.parent / "book" / "references.bib"
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
 EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
 STANDING = ("proved", "refuted", *EXACT[1:], "certified", "measured", "cited")  # from the strongest, without "failed"
@@ -56,7 +57,7 @@ class Examination:
             self.record["source"] = theorem.source
         if lemmas:
             self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
-        keys = {lemma.source for lemma in lemmas} | ({theorem.source} if theorem.source else set())
+        keys = {theorem.source, *(lemma.source for lemma in lemmas)} - {""}
         known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
         self.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 

@@ -7,7 +7,6 @@ from graphlib import CycleError, TopologicalSorter
 
 import mpmath
 from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational, Symbol
-from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
 from proofs.engine.claim import Claim
 from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined, parts_of
@@ -40,11 +39,9 @@ class Sampler:
 
     def _box(self, symbol):
         """Return where a symbol without a range is drawn: between what is given of it alone, else in [−3, 3]."""
-        bounds = [(r.gts.is_Symbol, r.lts if r.gts == symbol else r.gts) for r in self.given
-                  if isinstance(r, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan)
-                  and symbol in (r.gts, r.lts) and (r.lts if r.gts == symbol else r.gts).is_Rational]  # fmt: skip
-        low = max((end for below, end in bounds if below), default=None)
-        high = min((end for below, end in bounds if not below), default=None)
+        ordered = [(r.gts, r.lts) for r in self.given if r.rel_op in ("<", "<=", ">", ">=")]
+        low = max((less for more, less in ordered if more == symbol and less.is_Rational), default=None)
+        high = min((more for more, less in ordered if less == symbol and more.is_Rational), default=None)
         if low is None:
             return (-3 if high is None or high > -3 else high - 6), (3 if high is None else high)
         return low, max(low + 3, 3) if high is None else high

@@ -103,17 +103,21 @@ class Evaluator:
     def __init__(self, program: Program):
         self.inputs, self.code = [s.name for s in program.inputs], code_of(program)
 
-    def run(self, values: Mapping[str, Any], names: Mapping[str, Any]) -> dict[str, Any]:
-        """Return {name: value} of the inputs, as they are given, and of every line; names: the table of their kind."""
+    def run(self, values: Mapping[str, Any], names: Mapping[str, Any], nothing: Any = None) -> dict[str, Any]:
+        """Return {name: value} of the inputs, as they are given, and of every line.
+
+        names: the table of their kind. nothing: what a line is that divides by zero, if that is no error.
+        """
         computed = dict(values)
         scope = {**names, "value": computed}
         for name, code in self.code:
-            computed[name] = self.compute(code, scope)
+            try:
+                computed[name] = eval(code, scope)
+            except ZeroDivisionError:
+                if nothing is None:
+                    raise
+                computed[name] = nothing
         return computed
-
-    def compute(self, code: CodeType, scope: dict[str, Any]) -> Any:
-        """Return the value of a line."""
-        return eval(code, scope)
 
 
 class Reference(Evaluator):
@@ -123,11 +127,4 @@ class Reference(Evaluator):
         """Return {name: value} of every input and line; `values` has a float or an mpf for every input's name."""
         # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
         with mpmath.workdps(digits + 20):
-            return self.run({name: mpmath.mpf(values[name]) for name in self.inputs}, MPMATH)
-
-    def compute(self, code: CodeType, scope: dict[str, Any]) -> mpmath.mpf:
-        """Return the value of a line, NOTHING where it divides by zero."""
-        try:
-            return mpmath.mpmathify(eval(code, scope))
-        except ZeroDivisionError:
-            return NOTHING
+            return self.run({name: mpmath.mpf(values[name]) for name in self.inputs}, MPMATH, NOTHING)

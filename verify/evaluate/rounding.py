@@ -13,7 +13,7 @@ from flint import arb
 from renderer.machines.bounded import Bounded
 from verify.evaluate import ANY_NUMBERS
 
-ZERO, TINY = arb(0), arb((1, -100))
+ZERO, TINY = arb(0), arb(2) ** -100
 
 
 def between(low: arb, high: arb) -> arb:
@@ -93,7 +93,7 @@ class Rounded(Running):
 
     def ulps(self) -> arb:
         """Return the error in ulps of the float64 nearest to the exact number: below 2^e and next to it, of 2^e."""
-        nearest = self.smallest * (1 + arb((1, -54)) * (1 - arb((1, -30))))
+        nearest = self.smallest * (1 + arb(2) ** -54 * (1 - arb(2) ** -30))
         return (self.error / unit_in_the_last_place(nearest.lower())).upper()
 
     def computed(self) -> arb:

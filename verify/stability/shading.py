@@ -86,7 +86,7 @@ def opposite_light(model: str) -> Sweep:
     """
     gaps = np.geomspace(1, 1e-16, 65)
     view, aside, up = np.random.default_rng(7).normal(size=(3, 3, len(gaps), SAMPLES))
-    view, up = (vector / np.sqrt((vector**2).sum(axis=0)) for vector in (view, up))
+    view, up = (vector / np.linalg.norm(vector, axis=0) for vector in (view, up))
     towards = -view + gaps[:, None] * across(view, aside)
     vectors = {"light": towards, "view": view, "bumped": up, "point": np.zeros((3, 1, 1))}
     found = measured(gaps, LIGHT_MODELS[model].program.keep(specular_base), coordinates(vectors))
@@ -96,7 +96,7 @@ def opposite_light(model: str) -> Sweep:
 def across(axis: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """Return the part of vectors (3, …) at right angles to unit vectors, normalised."""
     vectors = vectors - (vectors * axis).sum(axis=0) * axis
-    return vectors / np.sqrt((vectors**2).sum(axis=0))
+    return vectors / np.linalg.norm(vectors, axis=0)
 
 
 def by_squaring(base: Any, whole: int) -> Any:

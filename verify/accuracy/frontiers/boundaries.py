@@ -40,7 +40,7 @@ def height_towards(scene: Scene, x: np.ndarray, y: np.ndarray, z: np.ndarray) ->
 
 def above(scene: Scene, beta: float, points: np.ndarray) -> np.ndarray:
     """Return |X| − r(X/|X|) at points (3, …): how far they are outside the displaced surface, along the radius."""
-    return np.sqrt((points**2).sum(axis=0)) - 1 - beta * height_towards(scene, *points)
+    return np.linalg.norm(points, axis=0) - 1 - beta * height_towards(scene, *points)
 
 
 def least_along(function: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> np.ndarray:

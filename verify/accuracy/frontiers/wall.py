@@ -45,8 +45,9 @@ def _cubic_slope(share):
 
 def _spline_coefficients(table):
     """Return the coefficients of the periodic cubic B-spline through a table: its samples are (c₋ + 4c + c₊)/6."""
-    down, across = ((4 + 2 * np.cos(2 * np.pi * np.fft.fftfreq(count))) / 6 for count in table.shape)
-    return np.fft.ifft2(np.fft.fft2(table) / down[:, None] / across).real
+    frequencies = np.fft.fftfreq(table.shape[0])[:, None], np.fft.rfftfreq(table.shape[1])
+    down, across = ((4 + 2 * np.cos(2 * np.pi * each)) / 6 for each in frequencies)
+    return np.fft.irfft2(np.fft.rfft2(table) / down / across, table.shape)
 
 
 def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -11,7 +10,7 @@ from proofs.formulas import elementary as e
 from proofs.formulas import exponential as x
 from proofs.formulas.certified import CERTIFIED
 from verify.accuracy.certified_ulps import PIECES, SMALL, errors_on_pieces
-from verify.accuracy.pieces import SMALLEST, off_by
+from verify.accuracy.pieces import SMALLEST, off_by, worst
 from verify.checkers.measurement import Enclosure, measures
 
 CONSTANTS = {
@@ -51,14 +50,14 @@ def certificate(name: str) -> Callable[..., Enclosure]:
 
     def enclosed(bound=CERTIFIED[name], off=0):
         pieces = PIECES[name](program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]()
-        found = Enclosure(
+        return Enclosure(
             pieces=pieces,
             over=OVER.get(name, ((FIRST, 0.25),)),
             at=partial(errors_on_pieces, name),
             bound=bound,
             what=f"{name}: the error in ulps over every piece of the reduced range",
+            numbers={f"{name}_ulps": worst(pieces), f"{name}_pieces": len(pieces)},
         )
-        return replace(found, numbers={f"{name}_ulps": found.worst, f"{name}_pieces": len(pieces)})
 
     return enclosed
 
