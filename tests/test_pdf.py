@@ -19,6 +19,7 @@ BESIDE_THE_PAGE = """() => [...document.querySelectorAll('body *')].filter(e => 
 CLIPPED = """() => [...document.querySelectorAll('pre, table, math, p, li, details, figure, div')].filter(e =>
     e.scrollWidth > e.clientWidth + 1 && e.clientWidth && getComputedStyle(e).overflowX !== 'visible')
     .map(e => e.outerHTML.slice(0, 120))"""
+BARE = "[...document.querySelectorAll('figure')].filter(f => !f.querySelector('img, svg')).map(f => f.outerHTML)"
 OUTSIDE = """() => [...document.querySelectorAll('.graph svg')].filter(svg =>
     svg.getBoundingClientRect().height > innerHeight / 3 || [...svg.querySelectorAll('.reach')].some(circle => {
         const { y, height } = svg.viewBox.baseVal, row = circle.cy.baseVal.value;
@@ -77,7 +78,7 @@ def test_every_figure_is_there_under_its_number(paper, texts):
     assert paper.evaluate("[...document.images].filter(i => !i.naturalWidth || !i.offsetWidth).length") == 0
     numbers, whole = texts_of(paper, "figcaption .caption-number"), "".join(texts)
     assert len(numbers) > 5 and [number for number in numbers if number not in whole] == []
-    assert paper.evaluate("[...document.querySelectorAll('figure')].filter(f => !f.querySelector('img, svg')).length") == 0
+    assert paper.evaluate(BARE) == []
 
 
 def test_nothing_is_wider_than_the_page_or_cut_off_and_it_would_be_seen(paper):
