@@ -6,7 +6,6 @@ import re
 import shutil
 import subprocess
 import sys
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +22,6 @@ from verify.sources import ROOT
 
 EXAMPLES = Path("tests", "examples")
 CLAIM = "waves_climb_one_way"
-CERTIFICATES = "python -m proofs.engine.certificate"
 # Draws with the new model; "numpy" hides LLVM.
 DRAW = """
 import sys
@@ -85,37 +83,62 @@ def copied(folder):
     shutil.copytree(ROOT, folder, ignore=left_out, dirs_exist_ok=True)
 
 
+def commands(example):
+    """Return the lines of a way in; Coq's only where it is installed."""
+    lines = (ROOT / EXAMPLES / example / "way_in.sh").read_text(encoding="utf-8").splitlines()
+    lines = filter(None, (line.partition("#")[0].strip() for line in lines))
+    return [line for line in lines if "verify.formal" not in line or shutil.which("coqc")]
+
+
 def walked(folder, example):
-    """Follow a way in up to the book; return what each of its lines printed."""
+    """Follow a way in but for what proves; return the folder."""
     copied(folder)
-    lines = [line.partition("#")[0].strip() for line in (folder / EXAMPLES / example / "way_in.sh").open()]
-    *lines, book = filter(None, lines)
+    *lines, book = commands(example)
     assert book == "python -m book"
-    return {line: run(folder, line) for line in lines if "verify.formal" not in line or shutil.which("coqc")}
+    for line in lines:
+        if not re.search("certificate|pytest|formal", line):
+            run(folder, line)
+    return folder
 
 
 @pytest.fixture(scope="module")
 def waves(tmp_path_factory):
-    """The folder in which the field was added, and what each line printed."""
-    folder = tmp_path_factory.mktemp("field")
-    return folder, walked(folder, "height_field")
+    """The folder in which the field was added."""
+    return walked(tmp_path_factory.mktemp("field"), "height_field")
 
 
 @pytest.fixture(scope="module")
 def lit(tmp_path_factory):
-    """The folder in which the light model was added, and what each line printed."""
-    folder = tmp_path_factory.mktemp("light")
-    return folder, walked(folder, "light_model")
+    """The folder in which the light model was added."""
+    return walked(tmp_path_factory.mktemp("light"), "light_model")
 
 
 @pytest.mark.long
 @pytest.mark.skipif("not config.getoption('long', False)", reason="takes minutes; run with verify and --long")
-@pytest.mark.parametrize("example", ["height_field", "light_model"])
-def test_a_way_in_ends_with_a_book(tmp_path, example):
+@pytest.mark.parametrize(
+    ("example", "theorem", "true", "false"),
+    [
+        ("height_field", CLAIM, "equation(k_v * h_u, k_u * h_v)", "equation(k_u * h_u, k_v * h_v)"),
+        ("light_model", "smooth_is_lambert", "oren_nayar(0)", "oren_nayar(Pow(2, -1))"),
+    ],
+)
+def test_a_way_in_ends_with_a_book(tmp_path, example, theorem, true, false):
+    """The theorem is proved, by Coq too, a false one is not, and no certificates are made but those that are stale."""
     copied(tmp_path)
-    run(tmp_path, f"bash -e {EXAMPLES / example / 'way_in.sh'}")
+    printed = {line.split()[2]: run(tmp_path, line) for line in commands(example)}
+    made = {line.partition(":")[0] for line in printed["proofs.engine.certificate"].splitlines()}
+    assert made == {"bump_moves_no_boundary", theorem}
+    assert re.search(rf"{theorem} +proved .* mutants 2/2", printed["pytest"])
     page = (tmp_path / "book" / "_build" / "html" / "s3.html").read_text(encoding="utf-8")
     assert ('id="fig-waves"' in page) is (example == "height_field")
+    if "verify.formal" in printed:
+        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.formal"])
+    (path,) = (tmp_path / EXAMPLES / example / "proofs" / "theorems").iterdir()
+    place = tmp_path / "proofs" / "theorems" / path.name
+    text = place.read_text(encoding="utf-8")
+    assert true in text
+    place.write_text(text.replace(true, false, 1), encoding="utf-8")
+    run(tmp_path, f"python -m proofs.engine.certificate {theorem}", status=1)
 
 
 def test_the_ways_in_are_short():
@@ -126,70 +149,43 @@ def test_the_ways_in_are_short():
     assert all(len(text.splitlines()) < 15 for path, text in texts.items() if path.suffix == ".v")
 
 
-def test_stale_certificates_are_made_anew_and_no_others(waves, lit):
-    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
-        made = {line.partition(":")[0] for line in printed[CERTIFICATES].splitlines()}
-        assert made == {"bump_moves_no_boundary", own}
-
-
-def test_coq_accepts_the_theorem(waves):
-    _, printed = waves
-    if not shutil.which("coqc"):
-        pytest.skip("Coq is not installed")
-    assert re.search(rf"{CLAIM} +2 claims +0 mutants +0 statements", printed["python -m verify.formal Waves"])
-
-
 def test_the_field_draws_and_is_a_choice_everywhere(waves):
-    folder, _ = waves
-    picture = np.asarray(Image.open(folder / "waves.png"))
+    picture = np.asarray(Image.open(waves / "waves.png"))
     assert picture.shape == (128, 128, 3)
-    run(folder, "python -m renderer image --field rings --size 128 --out rings.png")
-    assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
-    script = run(folder, "python -c 'from book.simulator_module import source; print(source())'")
+    run(waves, "python -m renderer image --field rings --size 128 --out rings.png")
+    assert (picture != np.asarray(Image.open(waves / "rings.png"))).any(axis=2).mean() > 0.1
+    script = run(waves, "python -c 'from book.simulator_module import source; print(source())'")
     assert '"waves":{"ways":' in script
-    assert "'waves'" in run(folder, "python -m renderer image --field foo --out x.png", status=2)
-
-
-def test_the_theorems_are_proved_and_a_false_one_is_not(waves, lit):
-    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
-        assert re.search(rf"{own} +proved .* mutants 2/2", printed[f"python -m pytest verify -q --theorem {own}"])
-    path = waves[0] / "proofs" / "theorems" / "waves.py"
-    true = path.read_text(encoding="utf-8")
-    false = true.replace("equation(k_v * h_u, k_u * h_v)", "equation(k_u * h_u, k_v * h_v)", 1)
-    assert false != true
-    path.write_text(false, encoding="utf-8")
-    try:
-        run(waves[0], f"{CERTIFICATES} {CLAIM}", status=1)
-    finally:
-        path.write_text(true, encoding="utf-8")
-
-
-def number_in(book, name):
-    return look_up(book, *parse(name)[:2])
+    assert "'waves'" in run(waves, "python -m renderer image --field foo --out x.png", status=2)
 
 
 def test_the_claim_stands_and_falls_with_the_run(waves):
-    book = waves[0] / "book"
+    book = waves / "book"
     ledger = load(book / "ledger")
     for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
-        seen = Run({CLAIM: grade}, {CLAIM: "proved"}, {*page_files(book)}, set(), partial(number_in, book), bool)
+        seen = Run(
+            {CLAIM: grade},
+            {CLAIM: "proved"},
+            {*page_files(book)},
+            set(),
+            lambda name: look_up(book, *parse(name)[:2]),
+            bool,
+        )
         found = [fault for fault in faults_in(ledger, seen) if fault.startswith(CLAIM)]
         assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]
     assert 0 < json.loads((book / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]["turned"] < 1e-14
 
 
 def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
-    folder, _ = lit
-    assert [run(folder, f"python -c '{DRAW}' {name}").strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
-    by_llvm, by_numpy = (np.load(folder / f"{name}.npy") for name in ("llvm", "numpy"))
+    assert [run(lit, f"python -c '{DRAW}' {name}").strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
+    by_llvm, by_numpy = (np.load(lit / f"{name}.npy") for name in ("llvm", "numpy"))
     assert np.array_equal(by_llvm.view(np.int64), by_numpy.view(np.int64))
-    assert np.array_equal(np.asarray(Image.open(folder / "rough.png")), to_bytes(by_llvm))
+    assert np.array_equal(np.asarray(Image.open(lit / "rough.png")), to_bytes(by_llvm))
     assert np.abs(by_llvm - render(Scene(model="phong"), 128, 128).rgb).max() > 0.05
 
 
 def test_the_light_model_is_oren_and_nayars(lit):
-    folder, _ = lit
-    numbers, roughened, error = run(folder, f"python -c '{COMPARE.format(sigma=0.5)}'").split()
+    numbers, roughened, error = run(lit, f"python -c '{COMPARE.format(sigma=0.5)}'").split()
     assert int(numbers) > 500 and int(roughened) > 50
     assert float(error) < 1e-12
-    assert float(run(folder, f"python -c '{COMPARE.format(sigma=0.4)}'").split()[2]) > 0.01
+    assert float(run(lit, f"python -c '{COMPARE.format(sigma=0.4)}'").split()[2]) > 0.01
