@@ -2,8 +2,6 @@
 
 from dataclasses import replace
 
-import pytest
-
 from renderer import Scene, central, exact, render, stage_of
 from verify.benchmark import work_precision
 from verify.benchmark.methods import table
@@ -15,35 +13,25 @@ RESULT = read("work_precision")
 ROWS = RESULT["gradients"]
 FRAMES = {field: [r for r in RESULT["frames"] if r["field"] == field] for field in ("sine", "ridges")}
 REDUCED = "exact, reduced argument"
-OURS = {"method": "ours", "ours": True, "ns": 5.0, "error": 1e-14}
 
 
-def other(ns, error):
-    """Return a row of somebody else's."""
-    return {"method": "theirs", "ours": False, "ns": ns, "error": error}
-
-
-@pytest.mark.parametrize(
-    ("rows", "cost", "error"),
-    [(ROWS, "ns", "error"), (FRAMES["sine"], "ms", "largest"), (FRAMES["ridges"], "ms", "rms")],
-)
-def test_no_other_method_is_both_faster_and_more_accurate(rows, cost, error):
-    assert peers_that_beat(rows, cost, error) == []
-
-
-def test_what_ours_do_not_beat_has_more_digits_than_float64():
+def test_no_other_method_is_both_faster_and_more_accurate():
+    """And what ours do not beat has more digits than float64."""
+    for rows, cost, error in (
+        (ROWS, "ns", "error"),
+        (FRAMES["sine"], "ms", "largest"),
+        (FRAMES["ridges"], "ms", "rms"),
+    ):
+        assert peers_that_beat(rows, cost, error) == []
     assert {(r["method"], r["error"] < 1e-15) for r in unbeaten_by_ours(ROWS)} <= {("mpmath", True)}
-
-
-@pytest.mark.parametrize(("ns", "error", "beats"), [(4.0, 1e-15, 1), (6.0, 1e-15, 0), (4.0, 1e-13, 0), (6.0, 1e-13, 0)])
-def test_a_better_method_would_be_seen(ns, error, beats):
-    rows = [OURS, other(ns, error)]
-    assert len(peers_that_beat(rows)) == beats
-    assert len(unbeaten_by_ours(rows)) == (0 if (ns, error) == (6.0, 1e-13) else 1)
-
-
-def test_it_compared_somebody():
     assert RESULT["label"]["absent"] == [] and len({r["method"] for r in ROWS}) >= 16
+
+
+def test_a_better_method_would_be_seen():
+    ours = {"method": "ours", "ours": True, "ns": 5.0, "error": 1e-14}
+    for ns, error, beats, left in ((4.0, 1e-15, 1, 1), (6.0, 1e-15, 0, 1), (4.0, 1e-13, 0, 1), (6.0, 1e-13, 0, 0)):
+        rows = [ours, {"method": "theirs", "ours": False, "ns": ns, "error": error}]
+        assert (len(peers_that_beat(rows)), len(unbeaten_by_ours(rows))) == (beats, left)
 
 
 def test_image_errors_are_against_50_digits():
@@ -57,20 +45,12 @@ def test_image_errors_are_against_50_digits():
     assert right <= 5e-14 < 1e-4 < rough
 
 
-def test_the_cited_numbers_are_those_of_the_diagram():
-    numbers = work_precision.gradient_numbers(ROWS)
-    assert numbers["exact__reduced_argument_ns"] == next(r["ns"] for r in ROWS if r["method"] == REDUCED)
-    central_ = [r for r in ROWS if r["method"] == "central"]
-    assert numbers["central_error"] == min(r["error"] for r in central_) < numbers["forward_error"]
-    assert numbers["central_to_exact"] == central_[0]["ns"] / numbers["exact__reduced_argument_ns"]
-
-
 def test_a_small_run_has_a_row_for_every_value(monkeypatch):
     few = [replace(m, values=m.values[:2]) for m in METHODS if m.name in ("central", REDUCED)]
     monkeypatch.setattr(work_precision, "METHODS", few)
     rows = work_precision.gradient_rows(rounds=2)
     assert [(r["method"], r["value"]) for r in rows] == [("central", 0.1), ("central", 10**-1.25), (few[1].name, None)]
-    assert all(0.1 < r["ns"] < 1e5 for r in rows) and rows[2]["error"] < 1e-13 < rows[1]["error"] < rows[0]["error"]
+    assert rows[2]["error"] < 1e-13 < rows[1]["error"] < rows[0]["error"]
 
 
 def test_a_rounded_argument_errs_more_over_the_whole_chart_than_in_the_sample(monkeypatch):
