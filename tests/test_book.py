@@ -1,9 +1,6 @@
 """The built site: ids, figures, alternative texts, numbers, and that nothing is loaded from elsewhere."""
 
-import json
-import os
 import re
-import subprocess
 from collections import Counter
 from pathlib import Path
 
@@ -54,12 +51,6 @@ def test_site_names_no_folder_of_the_machine_that_built_it(site):
             assert str(ROOT).encode() not in path.read_bytes(), path.name
 
 
-def test_page_with_cells_offers_its_notebook(site, pages):
-    notebook = json.loads((site / "_sources" / "s5.ipynb").read_text(encoding="utf-8"))
-    assert sum(cell["cell_type"] == "code" for cell in notebook["cells"]) >= 8
-    assert pages["s5"].select("a[href='_sources/s5.ipynb']") and not pages["s1"].select("a[href$='.ipynb']")
-
-
 def test_stylesheet_has_the_colours_of_the_plots_and_none_of_its_own_and_they_can_be_read():
     assert palette.CSS_FILE.read_text(encoding="utf-8") == palette.css(), "run python -m book.drawing.palette"
     style = (ROOT / "book" / "static" / "book.css").read_text(encoding="utf-8")
@@ -76,25 +67,6 @@ def test_second_build_does_nothing(site):
     website.build()
     assert website.INDEX.stat().st_mtime_ns == index
     assert stamps.read("site") == website.site_hashes()
-
-
-def test_make_help_lists_every_target():
-    shown = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    phony = re.search(r"^\.PHONY: (.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)[1].split()
-    for target in phony:
-        assert re.search(rf"^  make {target} +\S", shown, re.MULTILINE), target
-
-
-def test_make_says_which_python_is_too_old(tmp_path):
-    old = tmp_path / "old-python"
-    old.write_text('#!/bin/sh\n[ "$1" = --version ] && echo "Python 3.9.2" && exit 0\nexit 1\n')
-    old.chmod(0o755)
-    (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
-    clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
-    done = subprocess.run(["make", "book", f"PYTHON={old}"], cwd=tmp_path, env=clean, capture_output=True, text=True)
-    assert done.returncode != 0
-    assert "needs Python 3.11" in done.stderr and "Python 3.9.2" in done.stderr
-    assert not (tmp_path / ".venv").exists()
 
 
 def test_the_front_page_lays_two_pictures_of_one_size_under_a_wiper(site):

@@ -40,13 +40,6 @@ def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, mo
     assert commands[2:] == ["verify", "verify"]
 
 
-def test_check_reaches_code_and_data_but_no_prose():
-    names = {path.relative_to(stamps.ROOT).as_posix() for path in check.checked_files()}
-    assert {"requirements.lock", "pyproject.toml", "book/assembly/stamps.py", "tests/data/seed_64.npz"} <= names
-    assert any(name.startswith("proofs/") for name in names)
-    assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
-
-
 @pytest.fixture
 def small_book(stamped, monkeypatch):
     """A book of three pages with this one's settings, built in this process and without the simulator; its folder."""

@@ -1,6 +1,5 @@
 """CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
 
-import json
 import os
 import re
 import shutil
@@ -12,10 +11,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from book.assembly.contents import page_files
-from book.assembly.results import look_up, parse
-from book.ledger import load
-from book.ledger.check import Run, faults_in
 from renderer import Scene, render
 from renderer.picture.views import to_bytes
 from verify.sources import ROOT
@@ -157,23 +152,6 @@ def test_the_field_draws_and_is_a_choice_everywhere(waves):
     script = run(waves, "python -c 'from book.simulator_module import source; print(source())'")
     assert '"waves":{"ways":' in script
     assert "'waves'" in run(waves, "python -m renderer image --field foo --out x.png", status=2)
-
-
-def test_the_claim_stands_and_falls_with_the_run(waves):
-    book = waves / "book"
-    ledger = load(book / "ledger")
-    for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
-        seen = Run(
-            {CLAIM: grade},
-            {CLAIM: "proved"},
-            {*page_files(book)},
-            set(),
-            lambda name: look_up(book, *parse(name)[:2]),
-            bool,
-        )
-        found = [fault for fault in faults_in(ledger, seen) if fault.startswith(CLAIM)]
-        assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]
-    assert 0 < json.loads((book / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]["turned"] < 1e-14
 
 
 def test_the_light_model_draws_the_same_bits_by_both_machines(lit):

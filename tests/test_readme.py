@@ -32,10 +32,6 @@ def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     assert np.array_equal(np.asarray(Image.open(written)), image_view(render(Scene(), 256, 256)))
 
 
-def test_is_short_enough_to_read():
-    assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) < 120
-
-
 def test_an_index_shows_links_that_lead_somewhere(monkeypatch):
     """What the hook derives from is no part of this environment."""
     hatchling = SimpleNamespace(MetadataHookInterface=object)

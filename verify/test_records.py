@@ -78,15 +78,15 @@ def test_a_record_is_stale_if_its_code_changed_and_only_then(project):
 
 
 def test_the_hashes_are_those_of_the_code_that_ran_and_what_was_edited_by_hand_is_stale(project):
-    for key, value, why in (
-        ("numbers", {"found": 4}, "changed after"),
-        ("code", {}, "changed after"),
-        ("seal", "0" * 16, "changed after"),
-        ("code", None, "does not say"),
-        ("seal", None, "does not say"),
+    whole = read("sums")
+    for edited, why in (
+        (whole | {"numbers": {"found": 4}}, "changed after"),
+        (whole | {"code": {}}, "changed after"),
+        (whole | {"seal": "0" * 16}, "changed after"),
+        ({key: whole[key] for key in ("label", "numbers", "seal")}, "does not say"),
+        ({key: whole[key] for key in ("label", "numbers", "code")}, "does not say"),
     ):
-        content = {name: part for name, part in (read("ones") | {key: value}).items() if part is not None}
-        (project / FAKE["sums"].path).write_text(json.dumps(content))
+        (project / FAKE["sums"].path).write_text(json.dumps(edited))
         assert why in why_stale("sums")
     run = Run("sums")
     edit(project / "proofs/law.py", "x + 1", "x - 1")
@@ -109,41 +109,37 @@ def test_what_was_measured_with_other_options_is_not_kept(project, capsys):
 
 
 def test_only_what_is_stale_is_measured_and_what_was_written_before_an_interruption_stays(project, monkeypatch, capsys):
-    made, status = [], 0
+    made, status, said = [], 0, lambda: capsys.readouterr().out
 
     def run(command, **_):
         name = next(name for name, record in FAKE.items() if command[1:] == record.command.split())
         if made:  # the second is stopped
             raise KeyboardInterrupt
-        made.append(name)
         if not status:
+            made.append(name)
             Run(name).write({"numbers": {"found": 5}})
         return SimpleNamespace(returncode=status)
 
-    def measured(*arguments):
-        made.clear()
-        return evidence.main([*arguments]), made, capsys.readouterr().out
-
     monkeypatch.setattr(evidence.subprocess, "run", run)
     monkeypatch.setattr(records, "commit", lambda: "abc1234")
-    assert measured()[:2] == (0, [])
+    assert evidence.main([]) == 0
     edit(project / "proofs/law.py", "x + 1", "x - 1")
-    left, _, said = measured("--list")
-    assert (left, made) == (0, []) and "stale: proofs/law.py changed: python -m verify.run" in said
-    assert measured("ones")[:2] == (0, [])
+    assert evidence.main(["--list"]) == evidence.main(["ones"]) == 0 and made == []
+    assert "stale: proofs/law.py changed: python -m verify.run" in said()
     status = 3
-    assert "still stale: sums: its run ended with status 3" in measured()[2]
+    assert evidence.main([]) == 1 and "still stale: sums: its run ended with status 3" in said()
     with monkeypatch.context() as patch:
         patch.setitem(FAKE, "sums", replace(FAKE["sums"], needs=("no_such_library",)))
-        left, _, said = measured()
-    assert (left, made) == (1, []) and "it needs no_such_library, which is not installed" in said
+        assert evidence.main([]) == 1 and "it needs no_such_library, which is not installed" in said()
     status = 0
-    assert measured("sums", "ones")[:2] == (0, ["sums"])
+    assert evidence.main(["sums", "ones"]) == 0 and made == ["sums"]
     assert [read(name)["numbers"]["found"] for name in FAKE] == [5, 3]
+    made.clear()
     for path in ("verify/run.py", "verify/other.py"):
         edit(project / path, "print", "str")
-    before, (left, _, said) = read("ones"), measured()
-    assert left == 1 and read("ones") == before and why_stale("sums") is None
-    assert "measured anew: sums\n" in said and "still stale: ones: its run was stopped" in said
+    before = read("ones")
+    assert evidence.main([]) == 1 and read("ones") == before and why_stale("sums") is None
+    written = said()
+    assert "measured anew: sums\n" in written and "still stale: ones: its run was stopped" in written
     with pytest.raises(SystemExit, match="2"):
         evidence.main(["nothing"])

@@ -2,9 +2,8 @@
 
 from dataclasses import replace
 
-from renderer import Scene, central, exact, render, stage_of
+from renderer import Scene, central, exact, render
 from verify.benchmark import work_precision
-from verify.benchmark.methods import table
 from verify.benchmark.methods.table import METHODS
 from verify.benchmark.work_precision import SIDE, image_error, peers_that_beat, unbeaten_by_ours
 from verify.records import read
@@ -38,10 +37,8 @@ def test_image_errors_are_against_50_digits():
     """On a few pixels: the exact frame is right to rounding, a difference is not."""
     scene = Scene(field="sine")
     reference = work_precision.reference_pixels(scene, 5)
-    stage = stage_of(scene, SIDE, SIDE)
-    right, rough = (
-        image_error(render(scene, SIDE, SIDE, m, stage=stage), *reference)[0] for m in (exact(), central(1e-2))
-    )
+    frames = (render(scene, SIDE, SIDE, method) for method in (exact(), central(1e-2)))
+    right, rough = (image_error(frame, *reference)[0] for frame in frames)
     assert right <= 5e-14 < 1e-4 < rough
 
 
@@ -51,17 +48,3 @@ def test_a_small_run_has_a_row_for_every_value(monkeypatch):
     rows = work_precision.gradient_rows(rounds=2)
     assert [(r["method"], r["value"]) for r in rows] == [("central", 0.1), ("central", 10**-1.25), (few[1].name, None)]
     assert rows[2]["error"] < 1e-13 < rows[1]["error"] < rows[0]["error"]
-
-
-def test_a_rounded_argument_errs_more_over_the_whole_chart_than_in_the_sample(monkeypatch):
-    """As the page says of the naive forms; the reduced one is as accurate there."""
-    methods = {method.name: method.make(None) for method in METHODS if method.name in ("SymPy, NumPy", REDUCED)}
-    errors = []
-    for ends in (table.CLEAR, (0.0, 1.0)):
-        monkeypatch.setattr(table, "CLEAR", ends)
-        work_precision.truth_at.cache_clear()
-        errors.append({n: work_precision.largest_error(f(*table.sample(4096)), 4096) for n, f in methods.items()})
-    work_precision.truth_at.cache_clear()
-    inside, whole = errors
-    assert whole["SymPy, NumPy"] > 1.5 * inside["SymPy, NumPy"]
-    assert whole[REDUCED] < 2 * inside[REDUCED]
