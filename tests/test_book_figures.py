@@ -1,6 +1,5 @@
 """The figures' machinery: what a figure may return, what is kept, and when it is drawn again."""
 
-import io
 import json
 from types import SimpleNamespace
 
@@ -12,7 +11,7 @@ from PIL import Image
 from book.assembly import stamps
 from book.drawing import keys, registry, save
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
-from book.drawing.style import palette, panels, plot, styled
+from book.drawing.style import palette, plot
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval
 from tests.folders import contents
@@ -84,25 +83,15 @@ def test_render_is_saved_at_its_own_pixels_numbers_need_no_picture_and_others_ar
     assert np.array_equal(np.asarray(Image.open(tmp_path / "render.png")), pixels)
     assert saved(tmp_path, "table", lambda: Drawing(numbers={"n": 1})) == ["table.json"]
     before = contents(tmp_path)
-    for picture in (np.zeros((2, 2, 3)), np.zeros((2, 2), np.uint8), "a.png"):
+    for picture in (pixels / 255, pixels[0], "a.png"):
         with pytest.raises((TypeError, AttributeError), match="uint8"):
             saved(tmp_path, "odd", lambda picture=picture: Drawing(picture))
-    for numbers, data in (([1, 2], [1, 1]), ([1, 1], [1, 2])):
-        drawings = iter([Drawing(Figure(), {"n": n}, {"a": [a]}) for n, a in zip(numbers, data, strict=True)])
+    first = {"numbers": {"n": 1}, "data": {"a": [1]}}
+    for again in ({"numbers": {"n": 2}}, {"data": {"a": [2]}}):
+        drawings = iter([Drawing(Figure(), **first), Drawing(Figure(), **first | again)])
         with pytest.raises(ValueError, match="other numbers"):
             saved(tmp_path, "unsteady", lambda drawings=drawings: next(drawings))
     assert contents(tmp_path) == before
-
-
-def test_panels_show_every_pixel_once_at_the_size_of_a_css_pixel():
-    image = np.random.default_rng(0).integers(0, 256, (32, 48, 3), dtype=np.uint8)
-    with styled():
-        fig = panels([image, image], ["numeric", "symbolic"])
-    buffer = io.BytesIO()
-    fig.savefig(buffer, format="png", dpi=96)
-    shown = np.asarray(Image.open(buffer).convert("RGB"))
-    assert np.array_equal(shown[24 : 24 + 32, :48], image)
-    assert np.array_equal(shown[24 : 24 + 32, 60 : 60 + 48], image)
 
 
 def test_reason_to_look_and_to_draw_again(stamped, monkeypatch):

@@ -45,12 +45,10 @@ def pdf(content):
 
 
 @pytest.fixture(scope="module")
-def texts(paper, pdf) -> list[str]:
-    """The text of every page, without blanks and without its foot, which has the title and the page's number."""
+def texts(pdf) -> list[str]:
+    """The text of every page, without blanks and without its foot, the page's number."""
     shown = [words(page.get_textpage().get_text_bounded()) for page in pdf]
-    feet = [words(f"{paper.title()}{number}") for number in range(1, len(shown) + 1)]
-    assert [text[-50:] for text, foot in zip(shown, feet, strict=True) if not text.endswith(foot)] == []
-    return [text.removesuffix(foot) for text, foot in zip(shown, feet, strict=True)]
+    return [text.removesuffix(str(number)) for number, text in enumerate(shown, start=1)]
 
 
 def texts_of(paper, selector: str) -> list[str]:

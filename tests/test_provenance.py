@@ -1,6 +1,7 @@
 """Where a figure comes from: the numbers beside it, the key that it is kept by, what is drawn again and why."""
 
 import json
+from contextlib import nullcontext
 from pathlib import Path
 
 import numpy as np
@@ -81,17 +82,18 @@ def broken() -> Drawing:
 
 
 def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamped, monkeypatch):
-    ids, files = ("accepted_scenes", "crease"), {}
+    figures, files = {id: all_figures()[id] for id in ("accepted_scenes", "crease")}, []
+    monkeypatch.setattr(draw, "all_figures", lambda: figures)
     for processes in (1, 2):
         monkeypatch.setattr(draw, "PROCESSES", processes)
         monkeypatch.setattr(keys, "GENERATED", stamped / f"by_{processes}")
-        assert draw.draw(ids, force=True) == len(ids)
-        files[processes] = contents(keys.GENERATED)
-    assert files[1] == files[2] and len(files[1]) > len(ids)
-    figures = {ids[0]: all_figures()[ids[0]], "broken": Registered("broken", broken)}
-    monkeypatch.setattr(draw, "all_figures", lambda: figures)
-    with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
-        draw.draw(force=True)
+        with (
+            pytest.raises(ZeroDivisionError, match="no such slope") if "broken" in figures else nullcontext() as caught
+        ):
+            draw.draw(force=True)
+        files.append(contents(keys.GENERATED))
+        figures["broken"] = Registered("broken", broken)
+    assert files[0] == files[1] and len(files[0]) > 2
     assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
     assert stamps.read("figures/broken") is None
 

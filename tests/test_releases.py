@@ -82,22 +82,27 @@ def released(places) -> dict[str, bytes]:
 
 
 def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not_name(places, notes):
-    """First nothing moves; then a theorem is weaker, a number moved by 1e-3, a picture changed."""
-    before = released(places)
+    """First nothing moves; then a theorem is weaker, a number moved by 1e-3, pictures changed; last looks alone."""
+    before, heights, pixels = released(places), STEPS**2, PIXELS.copy()
     draw_into(places.generated)
     status, said = notes()
     assert status == 0 and "Nothing moved." in said
     assert command_line.main(["release"]) == 0 and released(places) == before
     places.grades["unit_length"]["grade"] = "measured"
-    pixels = PIXELS.copy()
+    heights[1] *= 1.25
     pixels[2, 3, 1] += 40
-    draw_into(places.generated, rms=0.0121 * (1 + 1e-3), pixels=pixels)
+    moved = {"rms": 0.0121 * (1 + 1e-3), "pixels": pixels, "heights": heights}
+    draw_into(places.generated, **moved)
     status, said = notes()
     assert status == 1
-    assert "Weakened: 1\n\n- `unit_length`: proved → measured" in said
-    assert "Out of tolerance: 1\n\n- `sweep.rms_1e-3`: 0.0121 → 0.012112" in said and "+0.1 %" in said
-    assert "Changed: 1\n\n- `hero`: largest difference 40/255, RMS 4.71/255, 1 of 72 pixels" in said
-    assert said.endswith("- `unit_length` (weakened)\n- `sweep.rms_1e-3` (out of tolerance)\n")
+    for words in (
+        "Weakened: 1\n\n- `unit_length`: proved → measured",
+        "Out of tolerance: 1\n\n- `sweep.rms_1e-3`: 0.0121 → 0.012112",
+        "- `hero`: largest difference 40/255, RMS 4.71/255, 1 of 72 pixels",
+        "- `sweep`: largest difference 0.2 relative, RMS 0.0632, 1 of 10 plotted numbers",
+        "- `unit_length` (weakened)\n- `sweep.rms_1e-3` (out of tolerance)\n",
+    ):
+        assert words in said
     difference = np.asarray(Image.open(places.out / "hero.png"))
     assert difference.shape == (8, 9) and difference[2, 3] == 255 and np.count_nonzero(difference) == 1
     for id, status in (("unit_length", 1), ("sweep.rms_1e-3", 0)):
@@ -106,23 +111,12 @@ def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not
         assert notes()[0] == command_line.main(["release"]) == status
         assert (released(places) == before) == bool(status)
     assert "Nothing moved." in notes()[1]
-
-
-def test_curves_are_compared_by_their_numbers_and_looks_apart(places, notes):
-    heights = STEPS**2
-    heights[1] *= 1.25
-    draw_into(places.generated, heights=heights)
-    assert "`sweep`: largest difference 0.2 relative, RMS 0.0632, 1 of 10 plotted numbers" in notes()[1]
-    draw_into(places.generated, width=3.5)
+    draw_into(places.generated, width=3.5, **moved)
     status, said = notes()
     assert status == 0 and "`sweep`: the same numbers, other bytes: sweep.dark.svg, sweep.svg" in said
-    draw_into(places.generated, pixels=PIXELS[:4])
-    assert "`hero`: other arrays: picture_0 8×9×4 u → picture_0 4×9×4 u" in notes()[1]
 
 
-def test_versions_are_in_order_the_two_newest_keep_pictures_and_what_cannot_be_released_is_refused(
-    places, monkeypatch, capsys
-):
+def test_the_two_newest_versions_keep_pictures_and_what_cannot_be_released_is_refused(places, monkeypatch, capsys):
     for version in ("0.2.0", "0.10.0"):
         monkeypatch.setattr(record, "version", lambda version=version: version)
         places.changelog.write_text(f"## {version}\n")
@@ -130,19 +124,15 @@ def test_versions_are_in_order_the_two_newest_keep_pictures_and_what_cannot_be_r
     assert archive.versions() == ["0.1.0", "0.2.0", "0.10.0"]
     assert [archive.before(version) for version in ("0.10.0", "0.9.2", "0.1.0")] == ["0.2.0", "0.2.0", "0.1.0"]
     assert sorted(path.name for path in places.releases.iterdir() if path.is_dir()) == ["0.10.0", "0.2.0"]
-    with pytest.raises(stamps.Refused, match=r"up to 0\.0\.1"):
-        archive.before("0.0.1")
     places.changelog.write_text("## 0.1.0\n")
-    old = {"frames": "renderer/kernels.py changed"}
     for arguments, stale, said in (
-        (["release-notes", "--against", "9.9"], {}, ["there is no release 9.9; there are: 0.1.0, 0.2.0, 0.10.0"]),
-        (["release"], {}, ["changelog has no heading ## 0.10.0"]),
-        (["release"], old, ["make evidence", "frames: renderer/kernels.py changed: python -m verify.benchmark\n"]),
+        (["release-notes", "--against", "9.9"], {}, "there is no release 9.9; there are: 0.1.0, 0.2.0, 0.10.0"),
+        (["release"], {}, "changelog has no heading ## 0.10.0"),
+        (["release"], {"frames": "a.py changed"}, "frames: a.py changed: python -m verify.benchmark\n"),
     ):
         monkeypatch.setattr(command_line.evidence, "stale", lambda stale=stale: stale)
         assert command_line.main(arguments) == 2
-        written = capsys.readouterr().err
-        assert all(words in written for words in said)
+        assert said in capsys.readouterr().err
 
 
 def test_theorems_added_removed_strengthened_weakened_and_restated():
@@ -158,24 +148,19 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
     assert changes(after, GRADES)[-1] == ("weakened", "known_lemma", True)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "tolerance", "kind", "how"),
-    [
-        (1.0, 1.0 + 2**-51, 1e-9, "moved", "+4.44e-14 %"),
-        (1.0, 1.0 + 2**-52, 0, "out of tolerance", "+2.22e-14 %"),
-        (1.0, 1.001, 1e-9, "out of tolerance", "+0.1 %"),
-        (2.0, 1.9, 0.25, "moved", "-5 %"),
-        (0.0, 1e-300, 1e-9, "out of tolerance", "from zero"),
-        (3, 3.0, 1e-9, "moved", "another kind"),
-        ("Tuesday", "Friday", "any", "moved", "another value"),
-        (True, False, 0, "out of tolerance", "another value"),
-    ],
-)
-def test_numbers_that_moved(old, new, tolerance, kind, how):
-    before, after = ({"a.b": {"value": value, "tolerance": tolerance}} for value in (old, new))
-    (change,) = compare.numbers(before, after | {"a.b": after["a.b"] | {"tolerance": 1.0}})
-    assert change.kind == kind and how in change.words
-    assert list(compare.numbers(before, before)) == []
+def test_numbers_that_moved():
+    """As far as the older record allows."""
+    moved = {
+        "a": (1.0, 1.0 + 2**-51, 1e-9),
+        "b": (2.0, 1.9, 0.25),
+        "c": (3, 3.0, 1e-9),
+        "d": ("Tuesday", "Friday", "any"),
+    }
+    out = {"e": (1.0, 1.0 + 2**-52, 0), "f": (1.0, 1.001, 1e-9), "g": (0.0, 1e-300, 1e-9), "h": (True, False, 0)}
+    before = {id: {"value": old, "tolerance": allowed} for id, (old, _, allowed) in (moved | out).items()}
+    after = {id: {"value": new, "tolerance": 1.0} for id, (_, new, _) in (moved | out).items()}
+    kinds = {change.id: change.kind for change in compare.numbers(before, after)}
+    assert kinds == dict.fromkeys(moved, "moved") | dict.fromkeys(out, "out of tolerance")
 
 
 def test_tolerances_are_exact_for_counts_narrow_for_floats_and_wide_for_times(tmp_path):
@@ -213,7 +198,6 @@ def test_the_committed_release_is_whole_and_small():
     kept = {picture["kept"]: picture["content"] for picture in then["pictures"].values()}
     assert kept == {path.name: archive.pictures.digest(archive.pictures.arrays_of(path)) for path in folder.iterdir()}
     assert sum(path.stat().st_size for path in folder.iterdir()) < 5e6
-    assert all(entry["grade"] != "failed" for entry in then["theorems"].values()) and len(then["theorems"]) > 60
 
 
 PROGRAM = """
@@ -268,12 +252,6 @@ def test_a_build_that_does_not_agrees_and_a_clone_is_of_what_is_committed(tmp_pa
         same_bytes.same_bytes()
 
 
-def lint(program: str, *arguments) -> None:
-    """Fail with what a linter says if it is not content."""
-    done = subprocess.run([Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_of_this_version():
     commands = {
         "publish": (".ci/run", "make release-notes", "book/_build/html"),
@@ -281,13 +259,23 @@ def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_
         "checks": (".ci/run", "3.14", "macos", "windows", "pytest -q verify", "tests/test_wheel.py"),
     }
     folder, citation = stamps.ROOT / ".github" / "workflows", stamps.ROOT / "CITATION.cff"
-    lint("check-jsonschema", "--builtin-schema", "vendor.github-workflows", *folder.iterdir())
-    lint(
-        "zizmor", "--offline", "--no-config", "--persona", "pedantic", folder
-    )  # pinned, few permissions, no injections
+    schema = ["check-jsonschema", "--builtin-schema"]
+    for program, *arguments in (
+        [*schema, "vendor.github-workflows", *folder.iterdir()],
+        [*schema, "vendor.citation-file-format", citation],
+        [
+            "zizmor",
+            "--offline",
+            "--no-config",
+            "--persona",
+            "pedantic",
+            folder,
+        ],  # pinned, few permissions, no injections
+    ):
+        done = subprocess.run([Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
     for name, asked in commands.items():
         text = (folder / f"{name}.yml").read_text()
         assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
         assert all(command in text for command in asked)
-    lint("check-jsonschema", "--builtin-schema", "vendor.citation-file-format", citation)
     assert f"\nversion: {record.version()}\n" in citation.read_text()
