@@ -15,7 +15,7 @@ import yaml
 
 from book.assembly.results import look_up
 from book.editions.pages import parsed
-from book.extension.notebooks import FOLDER, addresses, repeated
+from book.extension.notebooks import FOLDER, addresses
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import BOOK, PAGE, cells, plain
 from book.notebooks.notebook import notebooks
@@ -93,32 +93,19 @@ def test_edited_formula_or_scene_is_printed_anew():
 # What the cells find
 
 WITHIN = [
-    (1, "from the book's renderer at most", 0, 0, 1e-11),
-    (2, "(e_φ × e_θ) · N =", 0, 1, 1),
     (2, "(e_θ × e_φ) · N =", 0, -1, -1),
-    (2, "ε = 1e-03", -1, 6.11e-5, 6.12e-5),  # the truncation: 61.16 ε²
     (3, "1e-06", 0, 0, 1e-8),
-    (3, "from the book's renderer at most", 0, 0, 1e-11),
     (4, "central:", 0, 4, 4),
     (4, "exact:", 0, 0, 0),
-    (4, "from the book's renderer by", 0, 0, 1e-11),
     (5, "complex step:", 0, 0, 1e-13),
     (5, "one-sided difference:", 0, 1.65e-5, 1.65e-5),  # as on every page: the seed's own random numbers
-    (5, "from the book's renderer by", 0, 0, 1e-11),
     (6, "β = 0, numeric against symbolic:", 0, 0, 0),
-    (6, "no height, symbolic against plain:", 0, 0, 0),
     (6, "no height, numeric against plain:", 0, 0, 0),
-    (6, "β = 1.5 against β = 0, mean:", 0, 0.01, 1),
-    (6, "from the book's renderer at most", 0, 0, 1e-11),
     (7, "δ = +0e+00  central", 0, 0, 0),
     (7, "with the half-turns taken off first it is", 0, 0, 0),
-    (7, "256²: least sin φ", -1, 0, 0),
     (7, "1024²: least sin φ", -1, 0, 0),
-    (7, "φ = 1e-03: error of the frame", -1, 0, 1e-9),
     (7, "φ = 1e-04: error of the frame", -1, 1e-9, 1e-7),  # by the seed's own, which loses its digits
     (8, "1024²", 3, 100, 180),  # the crease never gets better
-    (8, "from the book's renderer at most", 0, 0, 1e-11),
-    (9, "from the book's renderer at most", 0, 0, 1e-11),
 ]
 """[(cell, the start of a line, which number of it, at least, at most)]"""
 
@@ -126,12 +113,15 @@ WITHIN = [
 def test_each_cell_finds_what_its_page_says_and_one_with_a_wrong_sign_does_not(said):
     for cell, start, place, least, most in WITHIN:
         assert least <= numbers(said[cell], start)[place] <= most, (cell, start)
+    apart = re.compile("(from the book's renderer (?:at most|by))")
+    for cell in (1, 3, 4, 5, 6, 8, 9):
+        assert numbers(said[cell], apart.search(said[cell])[1])[0] < 1e-11, cell
     code = cells()[0].code.replace("g = e_phi*h_v + e_theta*h_u", "g = e_phi*h_v - e_theta*h_u")
     text, _ = run(code.replace("600", "64"))
-    assert numbers(text, WITHIN[0][1])[0] > 0.1
+    assert numbers(text, apart.search(text)[1])[0] > 0.1
 
 
-def test_errors_fall_as_the_pages_say(said):
+def test_errors_fall_as_the_pages_say_and_the_numbers_are_those_of_the_figures(said):
     """Cell, the starts of lines, which number of each: by what it falls from one to the next."""
     for cell, starts, place, ratios, rel in (
         (5, ("Δβ = 1e-02", "Δβ = 1e-03", "Δβ = 1e-04"), -1, [100, 100], 0.02),
@@ -141,23 +131,18 @@ def test_errors_fall_as_the_pages_say(said):
     ):
         found = [numbers(said[cell], start)[place] for start in starts]
         assert [a / b for a, b in pairwise(found)] == pytest.approx(ratios, rel=rel), (cell, starts)
-
-
-def test_cells_print_the_numbers_of_the_figures(said):
-    for cell, start, place, spec, figure in (
-        (2, "ε = 1e-03", 0, ".3e", "u_curve.error_1e-03"),
-        (2, "ε = 1e-06", 0, ".0e", "u_curve.error_1e-06"),
-        (7, "δ = +1e-06  central", 1, ".2f", "crease.exact_beside"),
+    for cell, start, place, spec, id, key in (
+        (2, "ε = 1e-03", 0, ".3e", "u_curve", "error_1e-03"),
+        (2, "ε = 1e-06", 0, ".0e", "u_curve", "error_1e-06"),
+        (7, "δ = +1e-06  central", 1, ".2f", "crease", "exact_beside"),
     ):
-        id, key = figure.split(".")
         assert f"{numbers(said[cell], start)[place]:{spec}}" == f"{look_up(BOOK, id, key):{spec}}"
-    rms = [numbers(said[3], f"1e-0{decade}")[1] for decade in range(2, 6)]
-    slope = fitted_slope(10.0 ** -np.arange(2, 6), np.array(rms))
-    assert f"{slope:.2f}" == f"{look_up(BOOK, 'eps_table', 'rms_slope'):.2f}"
 
 
 def test_third_cell_compares_what_it_draws(said):
-    assert [numbers(said[3], f"1e-0{decade}")[2] for decade in range(1, 7)] == [0] * 6
+    steps, table = 10.0 ** -np.arange(1, 7), np.array([numbers(said[3], f"1e-0{decade}") for decade in range(1, 7)])
+    assert f"{fitted_slope(steps[1:5], table[1:5, 1]):.2f}" == f"{look_up(BOOK, 'eps_table', 'rms_slope'):.2f}"
+    assert not table[:, 2].any()  # no flips
     _, scope = run(cells()[2].code)
     assert scope["v"].min() > 0 and scope["v"].max() < 1
     assert np.abs(8 * scope["u"] - np.rint(8 * scope["u"])).min() > 1e-6  # so no rounding decides a crease
@@ -166,8 +151,6 @@ def test_third_cell_compares_what_it_draws(said):
 
 
 def test_what_goes_wrong_in_seventh_and_eighth_cell(said):
-    lost = [numbers(said[7], f"ε = 1e-{decade}")[-1] for decade in ("08", "10", "12", "14")]
-    assert lost == sorted(lost)
     flags = re.findall(r"δ = (\S+) .*(flagged|no flag)", said[7])
     assert flags == [("-1e-02", "no flag"), *((delta, "flagged") for delta in ("-1e-06", "+0e+00", "+1e-06"))]
     mended, negated = map(int, re.findall(r"to N'.*?(\d+)°", said[8]))
@@ -249,12 +232,6 @@ def test_what_they_open_is_published_on_that_branch(site):
     assert {*pinned} == {"matplotlib", "mpmath", "numpy", "sympy"}
 
 
-def test_what_repeats_is_folded_and_nothing_else():
-    first, second = "a = 1\n\ndef f():\n    pass\n\nb = 2", "c = 3\n\ndef f():\n    pass\n\nb = 2\n\na = 2"
-    assert repeated([first]) == [[(6, False, ["f"])]]
-    assert repeated([first, second])[1] == [(2, False, []), (5, True, ["f"]), (1, False, [])]
-
-
 def test_links_save_notebooks_from_a_disk_and_a_copied_cell_is_complete_though_folded(site, visit):
     page = visit("s5", "file")
     links = page.locator(".notebook-links a[download]")
@@ -264,8 +241,6 @@ def test_links_save_notebooks_from_a_disk_and_a_copied_cell_is_complete_though_f
             link.click()
         name = saved.value.suggested_filename
         assert Path(saved.value.path()).read_bytes() == (site / FOLDER / name).read_bytes()
-    for number in (1, 9):
-        assert page.locator(f"#cell{number} > :is(h2, h3)").first.inner_text().startswith(f"Cell {number}.")
     page.evaluate("document.body.prepend(Object.assign(document.createElement('textarea'), { id: 'pasted' }))")
     inputs, sources = page.locator("div.cell_input"), code_of(notebooks()[WHOLE])
     assert inputs.count() == page.locator("div.cell_input button.copybtn").count() == len(sources)

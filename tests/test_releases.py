@@ -213,7 +213,8 @@ for part in ('html', '../_generated'):
 def built(root: Path, monkeypatch, files: str) -> None:
     """Make a project, a stand-in for this one, whose build writes {{name: content}}, an expression; build it."""
     for package in stamps.PACKAGES:
-        (root / package).mkdir(parents=True)
+        shutil.rmtree(root / package, ignore_errors=True)
+        (root / package).mkdir()
         (root / package / "__init__.py").touch()
     (root / "book" / "__main__.py").write_text(PROGRAM.format(files=files))
     for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
@@ -222,60 +223,43 @@ def built(root: Path, monkeypatch, files: str) -> None:
     monkeypatch.setattr(stamps, "ROOT", root)
 
 
-def test_a_build_that_depends_on_its_place_is_found_out(tmp_path, monkeypatch, capfd):
-    place = "'folder': os.getcwd(), 'zone': os.environ.get('TZ', ''), 'seed': str(hash('word'))"
-    built(
-        tmp_path, monkeypatch, f"{{{place}, 'home': os.environ['HOME'], os.path.basename(os.getcwd()): '', 'same': ''}}"
-    )
+def test_a_build_that_depends_on_its_place_is_found_out_and_a_clone_is_of_what_is_committed(
+    tmp_path, monkeypatch, capfd
+):
+    place = "'folder': os.getcwd(), 'zone': os.environ.get('TZ', ''), 'seed': str(hash('word')), 'same': ''"
+    built(tmp_path, monkeypatch, f"{{{place}, 'home': os.environ['HOME'], os.path.basename(os.getcwd()): ''}}")
     assert same_bytes.same_bytes() == 1
     said = capfd.readouterr().out
     for name in ("folder", "zone", "seed", "home"):
         assert f"book/_build/html/{name}: differs from byte" in said
     assert said.count(": only in ") == 4 and "same: differs" not in said and "agree" not in said
-
-
-def test_a_build_that_does_not_agrees_and_a_clone_is_of_what_is_committed(tmp_path, monkeypatch, capfd):
-    built(tmp_path, monkeypatch, "{'index.html': 'the same'}")
-    (tmp_path / ".stamps").mkdir()
-    assert same_bytes.same_bytes() == 0
-    assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
     with pytest.raises(ValueError, match="nothing was built there"):
-        same_bytes.differences(tmp_path, tmp_path / ".stamps")
+        same_bytes.differences(tmp_path, tmp_path / "book" / "_static")
     if shutil.which("git") is None:
         pytest.skip("there is no git")
+    built(tmp_path, monkeypatch, "{'index.html': 'the same'}")
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
     for arguments in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
         subprocess.run([*git, *arguments], cwd=tmp_path, check=True)
     assert same_bytes.same_bytes() == 0
+    assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
     (tmp_path / "book" / "new.py").touch()
     with pytest.raises(stamps.Refused, match=r"book/new\.py"):
         same_bytes.same_bytes()
 
 
 def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_of_this_version():
-    commands = {
-        "publish": (".ci/run", "make release-notes", "book/_build/html"),
-        "weekly": (".ci/run", ".ci/long"),
-        "checks": (".ci/run", "3.14", "macos", "windows", "pytest -q verify", "tests/test_wheel.py"),
-    }
     folder, citation = stamps.ROOT / ".github" / "workflows", stamps.ROOT / "CITATION.cff"
     schema = ["check-jsonschema", "--builtin-schema"]
     for program, *arguments in (
         [*schema, "vendor.github-workflows", *folder.iterdir()],
         [*schema, "vendor.citation-file-format", citation],
-        [
-            "zizmor",
-            "--offline",
-            "--no-config",
-            "--persona",
-            "pedantic",
-            folder,
-        ],  # pinned, few permissions, no injections
+        ["zizmor", "--offline", "--no-config", "--persona", "pedantic", folder],  # pins, permissions, injections
     ):
         done = subprocess.run([Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
-    for name, asked in commands.items():
-        text = (folder / f"{name}.yml").read_text()
+    for path in folder.iterdir():
+        text = path.read_text()
         assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text
-        assert all(command in text for command in asked)
+        assert ".ci/run" in text
     assert f"\nversion: {record.version()}\n" in citation.read_text()

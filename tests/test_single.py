@@ -1,6 +1,5 @@
 """The chapter as one file: opened from the disk without a network, it has what the site has and asks for nothing."""
 
-import gzip
 import json
 import re
 import shutil
@@ -14,8 +13,8 @@ import pytest
 from PIL import Image
 
 from book.editions import files as edition
-from book.editions.document import LARGEST_DATA, document
-from book.editions.inlined import packed_address, svg_address, svg_parts
+from book.editions.document import document
+from book.editions.inlined import svg_address, svg_parts
 from book.editions.names import REFERRING, Names
 from book.editions.pages import BrokenSite, Page, parsed
 from proofs.check import FOLDER
@@ -41,11 +40,6 @@ def tab(browser, alone):
         page.set_default_timeout(120_000)
         wait_for(page, RUNNING)
         yield page
-
-
-def unpacked(packed: str) -> bytes:
-    """What an attribute carries, compressed."""
-    return gzip.decompress(b64decode(packed.rpartition(",")[2]))
 
 
 def show(tab, name: str):
@@ -102,24 +96,6 @@ def test_a_listing_is_its_file_with_numbers_of_its_lines(mailed):
     listing = mailed.find(attrs={"data-page": f"source/{name}"})
     assert listing.pre.get_text() == (ROOT / name).read_text(encoding="utf-8")
     assert listing.find(class_="numbers").get_text().split()[-1] == str(listing.pre.get_text().count("\n"))
-
-
-def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(mailed, site):
-    """A script is its own lines around what the file has once."""
-    links = mailed.select("[data-packed]")
-    assert len(links) > 100 and {"unit_length.json", "s5.ipynb", "s5.md"} <= {link["data-packed"] for link in links}
-    left_out = {re.search(r"\w+\.(?:csv|npz)", words.string)[0] for words in mailed.select(".not-mailed")}
-    data = [path for path in (site / "_downloads").rglob("*.*") if path.suffix in (".csv", ".npz")]
-    sizes = {path.name: len(packed_address(path.read_bytes())) for path in data}
-    assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA} and left_out < sizes.keys()
-    held, kernels = {f"#{link['id']}": link["href"] for link in mailed.select("a[id^='file-']")}, set()
-    for link in mailed.select("[data-own]"):
-        kernel, certificate = (unpacked(held[address]).rstrip() for address in link["data-within"].split())
-        first, second, last = unpacked(link["data-own"]).split(b"\0")
-        whole = first + kernel + second + certificate + last
-        assert whole == (site / "_downloads" / "theorems" / link["data-packed"]).read_bytes()
-        kernels.add(kernel)
-    assert len(kernels) == 1
 
 
 @pytest.mark.long
