@@ -34,15 +34,15 @@ def saved(folder, id, function):
 def test_figures_have_plain_and_unique_ids_seen_data_and_a_docstring(monkeypatch):
     monkeypatch.setattr(registry, "FIGURES", {})
     registry.figure("curve")(curve)
-    with pytest.raises(ValueError, match="taken"):
-        registry.figure("curve")(curve)
-    for id in ("Curve", "a-b", "", "a.b"):
-        with pytest.raises(ValueError, match="a-z"):
-            registry.figure(id)
-    with pytest.raises(ValueError, match="tests/data/"):  # where changes are seen
-        registry.figure("table", data=["elsewhere/table.csv"])
-    with pytest.raises(ValueError, match="docstring"):
-        registry.figure("plain")(lambda: Drawing())
+    for id, data, draw, why in (
+        ("curve", (), curve, "taken"),
+        ("a-b", (), curve, "a-z"),
+        ("", (), curve, "a-z"),
+        ("table", ["elsewhere/table.csv"], curve, "tests/data/"),  # where changes are seen
+        ("plain", (), lambda: Drawing(), "docstring"),
+    ):
+        with pytest.raises(ValueError, match=why):
+            registry.figure(id, data)(draw)
 
 
 def test_a_number_is_kept_with_its_ends_and_one_that_says_nothing_is_refused_by_name():

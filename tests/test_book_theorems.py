@@ -12,7 +12,6 @@ from book.assembly.contents import page_files
 from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
-from book.extension.points import tex_point, tex_value
 from book.extension.printed_claims import rows
 from book.extension.theorems import Proofs, certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
@@ -164,10 +163,3 @@ def test_evidence_in_words():
     assert evidence_line(refuted) == (
         "Refuted: 1 exact counterexample, checked by two kernels; 1 of 1 true variants proved"
     )
-
-
-def test_points_are_set_as_mathematics():
-    at = {"normal_x": "0", "normal_y": "0", "normal_z": "1", "beta": "3/4", "eye": "1." + "3" * 40}
-    assert tex_point(at) == ["N = (0, 0, 1)", r"\beta = 3/4", r"e = 1.33333\ldots"]
-    assert tex_value("pi/2") == r"\frac{\pi}{2}" and tex_value("x") == r"\texttt{x}"
-    assert tex_value("1/" + "5" + "0" * 150) == r"2\cdot 10^{-151}"

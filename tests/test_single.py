@@ -19,7 +19,6 @@ from book.editions.names import REFERRING, Names
 from book.editions.pages import BrokenSite, Page, parsed
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened, wait_for
-from verify.sources import ROOT
 
 
 @pytest.fixture(scope="module")
@@ -89,13 +88,6 @@ def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothin
     for name in ("src", "srcset", "poster", "data"):
         assert mailed.select(f"[{name}]:not([{name}^='data:'], [{name}=''])") == []
     assert mailed.select("link:not([href^='data:'])") == []
-
-
-def test_a_listing_is_its_file_with_numbers_of_its_lines(mailed):
-    name = "proofs/engine/kernel.py"
-    listing = mailed.find(attrs={"data-page": f"source/{name}"})
-    assert listing.pre.get_text() == (ROOT / name).read_text(encoding="utf-8")
-    assert listing.find(class_="numbers").get_text().split()[-1] == str(listing.pre.get_text().count("\n"))
 
 
 @pytest.mark.long

@@ -46,10 +46,7 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         assert label["machine"] and label["date"] and label["commit"] not in ("", "unknown")
         assert {"renderer/kernels.py", "renderer/shader/shader.py"} <= code
         assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
-        assert (
-            ("verify/test_theorems.py" in code)
-            == any(is_test(ROOT / path) for path in code)
-            == (name == "edited_formulas")
-        )
+        tests = {path for path in code if is_test(Path(path))}
+        assert {"verify/test_theorems.py"} <= tests if name == "edited_formulas" else not tests
     assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= code_of("simulator").keys()
     assert "renderer/command_line/verbs.py" in code_of("frames")

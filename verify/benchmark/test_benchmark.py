@@ -53,12 +53,10 @@ def test_a_ratio_is_taken_round_by_round(monkeypatch):
 
 def test_the_table_says_what_is_met():
     good = {key: bound for key, (_, _, bound, _) in TARGETS.items()}
-    assert [line.endswith("  met") for line in table(good).splitlines()] == [False] + [True] * len(TARGETS)
-    for key, (what, relation, bound, _) in TARGETS.items():
+    assert table(good).count("  met") == table({}).count("not measured") == len(TARGETS)
+    for key, (_, relation, bound, _) in TARGETS.items():
         for false in (bound + 1 if relation == "≤" else bound - 1, math.nan):
-            unmet = [line for line in table(good | {key: false}).splitlines() if line.endswith("not met")]
-            assert len(unmet) == 1 and unmet[0].startswith(what) and f"{relation} {bound:,g}" in unmet[0]
-    assert table({}).count("not measured") == len(TARGETS)
+            assert table(good | {key: false}).count("not met") == 1
 
 
 def test_every_target_is_measured_by_a_case():
