@@ -26,7 +26,7 @@ def pages(page_of) -> dict[str, BeautifulSoup]:
 def placed() -> Counter:
     """How often pages place each figure."""
     first = [id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel")]
-    texts = (path.read_text(encoding="utf-8") for path in contents.page_files(ROOT / "book").values())
+    texts = (path.read_text("utf-8") for path in contents.page_files(ROOT / "book").values())
     return Counter([*first, *(id for text in texts for id in re.findall(r"^:wiper: (\w+),", text, re.MULTILINE))])
 
 
@@ -45,15 +45,9 @@ def test_sections_have_their_ids_figures_are_shown_and_every_image_says_what_it_
     assert drawn == placed().keys() <= all_figures().keys()
 
 
-def test_site_names_no_folder_of_the_machine_that_built_it(site):
-    for path in site.rglob("*"):
-        if path.suffix in {".html", ".js", ".json", ".ipynb", ".svg", ".md"}:
-            assert str(ROOT).encode() not in path.read_bytes(), path.name
-
-
 def test_stylesheet_has_the_colours_of_the_plots_and_none_of_its_own_and_they_can_be_read():
-    assert palette.CSS_FILE.read_text(encoding="utf-8") == palette.css(), "run python -m book.drawing.palette"
-    style = (ROOT / "book" / "static" / "book.css").read_text(encoding="utf-8")
+    assert palette.CSS_FILE.read_text("utf-8") == palette.css(), "run python -m book.drawing.palette"
+    style = (ROOT / "book" / "static" / "book.css").read_text("utf-8")
     assert re.findall(r"#[0-9a-fA-F]{3,8}\b|\brgba?\(", style) == []
     for mode in palette.MODES:
         with palette.drawing_for(mode):
@@ -67,9 +61,3 @@ def test_second_build_does_nothing(site):
     website.build()
     assert website.INDEX.stat().st_mtime_ns == index
     assert stamps.read("site") == website.site_hashes()
-
-
-def test_the_front_page_lays_two_pictures_of_one_size_under_a_wiper(site):
-    (box,) = re.findall(r"<div[^>]* data-wiper=.*?</div>", (site / "index.html").read_text(encoding="utf-8"), re.DOTALL)
-    numeric, symbolic = re.findall(r'src="_images/(\w+)\.png" alt="(\w+)\..*?" .*?(width="\d+" height="\d+")', box)
-    assert numeric == ("hero", "Numeric", symbolic[2]) and symbolic[:2] == ("hero_symbolic", "Symbolic")

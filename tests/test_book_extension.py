@@ -93,8 +93,6 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
     [
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
         (1e-6, ".0e", "10^−6"),
-        (2.5e20, None, "2.5\u00a0×\u00a010^20"),
-        (0.0121437, None, "0.01214"),
         (True, None, "yes"),
         (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),

@@ -13,14 +13,14 @@ ANSWER = re.compile(r"^```python\n(?P<code>.*?)^```\n\n```text\n(?P<printed>.*?)
 
 def answers(section: str) -> list[tuple[str, str]]:
     """Return [(code, what the page says that it prints)] of a section's exercises."""
-    text = (FOLDER / f"{section}.md").read_text(encoding="utf-8")
+    text = (FOLDER / f"{section}.md").read_text("utf-8")
     return [(match["code"], match["printed"]) for match in ANSWER.finditer(text)]
 
 
 def test_six_sections_have_three_exercises_each():
     assert sorted(path.stem for path in FOLDER.glob("*.md")) == list(SECTIONS)
     for section in SECTIONS:
-        page = (FOLDER.parent / f"{section}.md").read_text(encoding="utf-8")
+        page = (FOLDER.parent / f"{section}.md").read_text("utf-8")
         assert page.count(f"```{{include}} exercises/{section}.md\n```") == 1
         assert len(answers(section)) == 3
 

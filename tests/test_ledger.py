@@ -158,12 +158,6 @@ def test_relations():
             relation(text)
 
 
-def test_node_ids_are_looked_up():
-    assert node_exists(ROOT, "tests/test_ledger.py::test_what_is_refused[orphans]")
-    nodes = "tests/test_ledger.py", "tests/test_ledger.py::number", "tests/test_gone.py::test_relations"
-    assert not any(node_exists(ROOT, node) for node in nodes)
-
-
 def test_the_ledger_stands(site):
     """Against the run that built the site."""
     ledger = load()

@@ -70,9 +70,7 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures
         assert draw.draw() == len(reach) > 0
         assert sorted(drawn) == sorted(reach)
         drawn.clear()
-        said = capsys.readouterr().out
-        assert said.count(f"({name} changed") == len(reach)
-        assert f"  {len(reach)} drawn, {len(hashes_of_figures) - len(reach)} up to date" in said
+        assert capsys.readouterr().out.count(f"({name} changed") == len(reach)
 
 
 def broken() -> Drawing:
@@ -140,13 +138,3 @@ def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
     ):
         with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
             data_file("f", Drawing(line(np.arange(5.0) + 0.5 if "curve" in message else [1.0]), data=data))
-
-
-def test_every_drawn_figure_says_where_it_comes_from(site, hashes_of_figures):
-    for id, entry in all_figures().items():
-        description = json.loads((keys.GENERATED / f"{id}.json").read_text())
-        assert (description["id"], description["function"]) == (id, entry.draw.__name__)
-        assert description["key"] == stamps.key(hashes_of_figures[id]), f"{id} was drawn from other sources"
-        if description["kind"] != "numbers":
-            assert description["data"] in {f"{id}.csv", f"{id}.npz"}
-            assert read_data(description["data"], (keys.GENERATED / description["data"]).read_bytes())

@@ -24,7 +24,7 @@ def test_picture_is_the_renderers():
 
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    readme = (ROOT / "README.md").read_text("utf-8")
     lines = readme.split("## A picture in four lines\n\n")[1].split("\n\nA frame")[0]
     assert len(lines.split("\n")) == 5  # the import, and a blank line
     exec(textwrap.dedent(lines), {})

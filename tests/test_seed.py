@@ -15,7 +15,7 @@ def test_it_is_kept_as_it_came():
 
 
 def test_the_front_page_and_the_citation_name_its_authors():
-    front, citation = ((SEED.parents[1] / name).read_text(encoding="utf-8") for name in ("index.md", "../CITATION.cff"))
+    front, citation = ((SEED.parents[1] / name).read_text("utf-8") for name in ("index.md", "../CITATION.cff"))
     for name in ("Dr. L. Van Warren", "Kimi K3"):
         (role,) = (line.split(" — ")[1] for line in parts()[""].splitlines() if line.startswith(f"{name} — "))
         assert f"**{name}**, {role}" in front and f"- name: {name}\n" in citation
@@ -24,7 +24,7 @@ def test_the_front_page_and_the_citation_name_its_authors():
 
 def test_its_parts_are_the_whole_in_order_and_have_a_claim_each():
     found = parts()
-    assert "".join(found.values()) == SEED.read_text(encoding="utf-8")
+    assert "".join(found.values()) == SEED.read_text("utf-8")
     assert list(found) == ["", *load().places]
     assert {f"seed:{place}" for place in found if place} == {claim.where for claim in load().claims if claim.of_seed}
 

@@ -15,15 +15,15 @@ from PIL import Image
 from book.editions import files as edition
 from book.editions.document import document
 from book.editions.inlined import svg_address, svg_parts
-from book.editions.names import REFERRING, Names
-from book.editions.pages import BrokenSite, Page, parsed
+from book.editions.names import REFERRING
+from book.editions.pages import parsed
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened, wait_for
 
 
 @pytest.fixture(scope="module")
 def mailed(single):
-    return parsed(single.read_text(encoding="utf-8"))
+    return parsed(single.read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")
@@ -93,13 +93,6 @@ def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothin
 @pytest.mark.long
 def test_same_site_gives_the_same_bytes(single, site):
     assert document(site).encode() == single.read_bytes()
-
-
-def test_link_to_what_is_not_there_is_refused():
-    article = parsed('<article class="bd-article"><section id="a"></section></article>').article
-    names = Names([Page("a", article, None, None, [], {})], ())
-    with pytest.raises(BrokenSite, match="nowhere"):
-        names.fragment("a", "#nowhere")
 
 
 def test_a_render_has_the_pixels_that_it_has_in_the_site(mailed, site):

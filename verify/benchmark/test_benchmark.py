@@ -10,8 +10,7 @@ import pytest
 
 from verify.benchmark import __main__ as frames
 from verify.benchmark import machines, own, texture, timing
-from verify.benchmark.frames import bounds_cases, frame_cases, image_gradient_case, start_cases, step_cases
-from verify.benchmark.targets import TARGETS, derived, table
+from verify.benchmark.targets import TARGETS, table
 from verify.benchmark.timing import Case
 from verify.records import read
 
@@ -59,24 +58,14 @@ def test_the_table_says_what_is_met():
             assert table(good | {key: false}).count("not met") == 1
 
 
-def test_every_target_is_measured_by_a_case():
-    cases = [*frame_cases(8192), *bounds_cases(), *step_cases(), image_gradient_case(), *start_cases()]
-    times = dict.fromkeys((f"{case.name}_{case.unit}" for case in cases), 1.0)
-    assert TARGETS.keys() <= derived(times).keys() | times.keys() | {"chambers_differing", "image_error"}
-
-
 @pytest.mark.parametrize("name", RUNS)
 def test_a_small_run_writes_what_it_measured(name, tmp_path, monkeypatch):
     for measured in (machines, own):
         monkeypatch.setattr(measured, "SIDE", 32)
     module, short = RUNS[name]
     module.main([*short, "--rounds", "2", "--output", str(tmp_path)])
-    numbers, kept = (
-        json.loads((tmp_path / f"{name}.json").read_text(encoding="utf-8"))["numbers"],
-        read(name)["numbers"],
-    )
-    assert set() < with_quartiles(numbers) <= with_quartiles(kept)
-    assert short or numbers.keys() == kept.keys()
+    numbers = json.loads((tmp_path / f"{name}.json").read_text("utf-8"))["numbers"]
+    assert set() < with_quartiles(numbers) <= with_quartiles(read(name)["numbers"])
     assert numbers.get("rounds", 2) == 2 and numbers.get("differing", 0) == 0
 
 
