@@ -93,10 +93,6 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
     [
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
         (1e-6, ".0e", "10^−6"),
-        (2.5e20, None, "2.5\u00a0×\u00a010^20"),
-        ("one-sided", None, "one-sided"),
-        (0.0121437, None, "0.01214"),
-        (12, None, "12"),
         (True, None, "yes"),
         (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),
@@ -108,13 +104,6 @@ def test_typesetting(value, spec, expected):
     parts = typeset(value, spec)
     text = "".join(f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts)
     assert text == expected
-
-
-@pytest.mark.parametrize("value", [Interval(0.5, 0.4, 0.6), Interval(7.28e-12, 6.99e-12, 7.63e-12)])
-@pytest.mark.parametrize("spec", [None, ".1e", ".3g"])
-def test_digits_that_are_not_certain_are_refused(value, spec):
-    with pytest.raises(ValueError, match=f"of a number from {value.lower} to {value.upper} is not certain"):
-        typeset(value, spec)
 
 
 def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):

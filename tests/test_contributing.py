@@ -1,72 +1,19 @@
 """CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
 
-import json
 import os
 import re
 import shutil
 import subprocess
 import sys
-from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from book.assembly.contents import page_files
-from book.assembly.results import look_up, parse
-from book.ledger import load
-from book.ledger.check import Run, faults_in
-from renderer import Scene, render
-from renderer.picture.views import to_bytes
 from verify.sources import ROOT
 
-EXAMPLES = Path("tests", "examples")
-CLAIM = "waves_climb_one_way"
-CERTIFICATES = "python -m proofs.engine.certificate"
-# Draws with the new model; "numpy" hides LLVM.
-DRAW = """
-import sys
-if sys.argv[1] == "numpy":
-    sys.modules["llvmlite"] = None
-import numpy as np
-from renderer import Scene, render
-from renderer.machines import machine
-np.save(sys.argv[1], render(Scene(model="oren_nayar"), 128, 128).rgb)
-print(machine().NAME)
-"""
-# Oren and Nayar's own formula, by angles, against what the renderer says of some pixels: the largest error of a number.
-COMPARE = """
-import numpy as np
-from renderer import Scene, pixel
-scene, sigma, errors, roughened = Scene(model="oren_nayar"), {sigma}, [], 0
-a, b = 1 - 0.5 * sigma**2 / (sigma**2 + 0.33), 0.45 * sigma**2 / (sigma**2 + 0.09)
-
-def towards(place, point):
-    return (place - point) / np.linalg.norm(place - point)
-
-def scattered(n, w, v):
-    angles = np.arccos([n @ w, n @ v])
-    azimuth_w, azimuth_v = (d - (n @ d) * n for d in (w, v))
-    turned = azimuth_w @ azimuth_v / np.linalg.norm(azimuth_w) / np.linalg.norm(azimuth_v)
-    return np.cos(angles[0]) * (a + b * max(0, turned) * np.sin(angles.max()) * np.tan(angles.min()))
-
-for column, row in [(column, row) for column in range(2, 96, 7) for row in range(2, 64, 5)]:
-    seen = pixel(scene, 96, 64, column, row)
-    point, n, color = np.array(seen.point), np.array(seen.normal), scene.ka * np.array(scene.ambient)
-    v = towards(np.array([0, 0, scene.eye]), point)
-    for light in seen.lights:
-        w = towards(np.array(scene.lights[light.number].position), point)
-        if n @ w > 0 and n @ v > 0:
-            mu, base = scattered(n, w, v), max(0, 2 * (n @ w) * (n @ v) - w @ v)
-            errors += [mu - light.mu, base**scene.shininess - light.specular]
-            roughened += mu > 1.01 * a * (n @ w)
-        elif n @ w <= 0:
-            assert light.mu <= 0
-        color = color + light.adds
-    errors += list(np.clip(color, 0, 1) - seen.rgb)
-print(len(errors), roughened, np.abs(errors).max())
-"""
+EXAMPLES = ROOT / "tests" / "examples"
 
 
 def run(folder, command, status=0):
@@ -79,117 +26,46 @@ def run(folder, command, status=0):
     return done.stdout + done.stderr
 
 
-def copied(folder):
-    """Copy the project as it is, without what is built and installed."""
-    left_out = shutil.ignore_patterns(".*", "__pycache__", "_build", "_generated", "node_modules")
-    shutil.copytree(ROOT, folder, ignore=left_out, dirs_exist_ok=True)
+def walked(folder, example, left_out):
+    """Follow a way in but for some lines in a copy of the project, without what is built; {module: what it printed}."""
+    built = shutil.ignore_patterns(".*", "__pycache__", "_build", "_generated", "node_modules")
+    shutil.copytree(ROOT, folder, ignore=built, dirs_exist_ok=True)
+    lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
+    lines = filter(None, (line.partition("#")[0].strip() for line in lines))
+    return {line.split()[2]: run(folder, line) for line in lines if not re.search(left_out, line)}
 
 
-def walked(folder, example):
-    """Follow a way in up to the book; return what each of its lines printed."""
-    copied(folder)
-    lines = [line.partition("#")[0].strip() for line in (folder / EXAMPLES / example / "way_in.sh").open()]
-    *lines, book = filter(None, lines)
-    assert book == "python -m book"
-    return {line: run(folder, line) for line in lines if "verify.formal" not in line or shutil.which("coqc")}
+def test_the_ways_in_are_short():
+    for example in EXAMPLES.iterdir():
+        written = [path for path in example.rglob("*.*") if path.suffix in (".patch", ".py", ".toml")]
+        assert written and sum(len(path.read_text("utf-8").splitlines()) for path in written) < 80
 
 
-@pytest.fixture(scope="module")
-def waves(tmp_path_factory):
-    """The folder in which the field was added, and what each line printed."""
-    folder = tmp_path_factory.mktemp("field")
-    return folder, walked(folder, "height_field")
-
-
-@pytest.fixture(scope="module")
-def lit(tmp_path_factory):
-    """The folder in which the light model was added, and what each line printed."""
-    folder = tmp_path_factory.mktemp("light")
-    return folder, walked(folder, "light_model")
+@pytest.mark.parametrize(
+    ("example", "kind", "name"), [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
+)
+def test_what_a_way_in_adds_draws_and_is_a_choice(tmp_path, example, kind, name):
+    walked(tmp_path, example, "certificate|pytest|formal|book$")  # what proves takes long
+    (drawn,) = tmp_path.glob("*.png")
+    run(tmp_path, "python -m renderer image --size 128 --out other.png")
+    picture, other = (np.asarray(Image.open(path)) for path in (drawn, tmp_path / "other.png"))
+    assert (picture != other).any(axis=2).mean() > 0.1
+    assert f"'{name}'" in run(tmp_path, f"python -m renderer image --{kind} foo --out x.png", status=2)
 
 
 @pytest.mark.long
 @pytest.mark.skipif("not config.getoption('long', False)", reason="takes minutes; run with verify and --long")
-@pytest.mark.parametrize("example", ["height_field", "light_model"])
-def test_a_way_in_ends_with_a_book(tmp_path, example):
-    copied(tmp_path)
-    run(tmp_path, f"bash -e {EXAMPLES / example / 'way_in.sh'}")
-    page = (tmp_path / "book" / "_build" / "html" / "s3.html").read_text(encoding="utf-8")
-    assert ('id="fig-waves"' in page) is (example == "height_field")
-
-
-def test_the_ways_in_are_short():
-    texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / EXAMPLES).rglob("*.*")}
-    for example in (ROOT / EXAMPLES).iterdir():
-        written = [p for p in texts if example in p.parents and p.suffix in (".patch", ".py", ".toml")]
-        assert sum(len(texts[path].splitlines()) for path in written) < 80
-    assert all(len(text.splitlines()) < 15 for path, text in texts.items() if path.suffix == ".v")
-
-
-def test_stale_certificates_are_made_anew_and_no_others(waves, lit):
-    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
-        made = {line.partition(":")[0] for line in printed[CERTIFICATES].splitlines()}
-        assert made == {"bump_moves_no_boundary", own}
-
-
-def test_coq_accepts_the_theorem(waves):
-    _, printed = waves
-    if not shutil.which("coqc"):
-        pytest.skip("Coq is not installed")
-    assert re.search(rf"{CLAIM} +2 claims +0 mutants +0 statements", printed["python -m verify.formal Waves"])
-
-
-def test_the_field_draws_and_is_a_choice_everywhere(waves):
-    folder, _ = waves
-    picture = np.asarray(Image.open(folder / "waves.png"))
-    assert picture.shape == (128, 128, 3)
-    run(folder, "python -m renderer image --field rings --size 128 --out rings.png")
-    assert (picture != np.asarray(Image.open(folder / "rings.png"))).any(axis=2).mean() > 0.1
-    script = run(folder, "python -c 'from book.simulator_module import source; print(source())'")
-    assert '"waves":{"ways":' in script
-    assert "'waves'" in run(folder, "python -m renderer image --field foo --out x.png", status=2)
-
-
-def test_the_theorems_are_proved_and_a_false_one_is_not(waves, lit):
-    for (_, printed), own in ((waves, CLAIM), (lit, "smooth_is_lambert")):
-        assert re.search(rf"{own} +proved .* mutants 2/2", printed[f"python -m pytest verify -q --theorem {own}"])
-    path = waves[0] / "proofs" / "theorems" / "waves.py"
-    true = path.read_text(encoding="utf-8")
-    false = true.replace("equation(k_v * h_u, k_u * h_v)", "equation(k_u * h_u, k_v * h_v)", 1)
-    assert false != true
-    path.write_text(false, encoding="utf-8")
-    try:
-        run(waves[0], f"{CERTIFICATES} {CLAIM}", status=1)
-    finally:
-        path.write_text(true, encoding="utf-8")
-
-
-def number_in(book, name):
-    return look_up(book, *parse(name)[:2])
-
-
-def test_the_claim_stands_and_falls_with_the_run(waves):
-    book = waves[0] / "book"
-    ledger = load(book / "ledger")
-    for grade, wrong in (("proved", []), ("failed", ["grade: proved is expected, the run made it failed"])):
-        seen = Run({CLAIM: grade}, {CLAIM: "proved"}, {*page_files(book)}, set(), partial(number_in, book), bool)
-        found = [fault for fault in faults_in(ledger, seen) if fault.startswith(CLAIM)]
-        assert found == [f"{CLAIM}: evidence {CLAIM}: {fault}" for fault in wrong]
-    assert 0 < json.loads((book / "_generated" / "waves.json").read_text(encoding="utf-8"))["numbers"]["turned"] < 1e-14
-
-
-def test_the_light_model_draws_the_same_bits_by_both_machines(lit):
-    folder, _ = lit
-    assert [run(folder, f"python -c '{DRAW}' {name}").strip() for name in ("llvm", "numpy")] == ["llvm", "numpy"]
-    by_llvm, by_numpy = (np.load(folder / f"{name}.npy") for name in ("llvm", "numpy"))
-    assert np.array_equal(by_llvm.view(np.int64), by_numpy.view(np.int64))
-    assert np.array_equal(np.asarray(Image.open(folder / "rough.png")), to_bytes(by_llvm))
-    assert np.abs(by_llvm - render(Scene(model="phong"), 128, 128).rgb).max() > 0.05
-
-
-def test_the_light_model_is_oren_and_nayars(lit):
-    folder, _ = lit
-    numbers, roughened, error = run(folder, f"python -c '{COMPARE.format(sigma=0.5)}'").split()
-    assert int(numbers) > 500 and int(roughened) > 50
-    assert float(error) < 1e-12
-    assert float(run(folder, f"python -c '{COMPARE.format(sigma=0.4)}'").split()[2]) > 0.01
+@pytest.mark.parametrize(
+    ("example", "theorem"), [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
+)
+def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
+    """The theorem is proved and its false variants are not, by Coq too; only stale certificates are made anew."""
+    printed = walked(tmp_path, example, "never" if shutil.which("coqc") else "formal")
+    made = {line.partition(":")[0] for line in printed["proofs.engine.certificate"].splitlines()}
+    assert made == {"bump_moves_no_boundary", theorem}
+    assert re.search(rf"{theorem} +proved .* mutants 2/2", printed["pytest"])
+    if "verify.formal" in printed:
+        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.formal"])
+    site = tmp_path / "book" / "_build" / "html"
+    assert f"theorem-{theorem}" in (site / "findings.html").read_text("utf-8")
+    assert ('id="fig-waves"' in (site / "s3.html").read_text("utf-8")) is (example == "height_field")

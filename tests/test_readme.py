@@ -24,16 +24,12 @@ def test_picture_is_the_renderers():
 
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    readme = (ROOT / "README.md").read_text("utf-8")
     lines = readme.split("## A picture in four lines\n\n")[1].split("\n\nA frame")[0]
     assert len(lines.split("\n")) == 5  # the import, and a blank line
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
     assert np.array_equal(np.asarray(Image.open(written)), image_view(render(Scene(), 256, 256)))
-
-
-def test_is_short_enough_to_read():
-    assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) < 120
 
 
 def test_an_index_shows_links_that_lead_somewhere(monkeypatch):

@@ -1,6 +1,5 @@
 """The chapter as one file: opened from the disk without a network, it has what the site has and asks for nothing."""
 
-import gzip
 import json
 import re
 import shutil
@@ -14,18 +13,17 @@ import pytest
 from PIL import Image
 
 from book.editions import files as edition
-from book.editions.document import LARGEST_DATA, document
-from book.editions.inlined import packed_address, svg_address, svg_parts
-from book.editions.names import REFERRING, Names
-from book.editions.pages import BrokenSite, Page, parsed
+from book.editions.document import document
+from book.editions.inlined import svg_address, svg_parts
+from book.editions.names import REFERRING
+from book.editions.pages import parsed
 from proofs.check import FOLDER
 from tests.tabs import PHONE, RUNNING, opened, wait_for
-from verify.sources import ROOT
 
 
 @pytest.fixture(scope="module")
 def mailed(single):
-    return parsed(single.read_text(encoding="utf-8"))
+    return parsed(single.read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")
@@ -41,11 +39,6 @@ def tab(browser, alone):
         page.set_default_timeout(120_000)
         wait_for(page, RUNNING)
         yield page
-
-
-def unpacked(packed: str) -> bytes:
-    """What an attribute carries, compressed."""
-    return gzip.decompress(b64decode(packed.rpartition(",")[2]))
 
 
 def show(tab, name: str):
@@ -67,15 +60,18 @@ def test_file_can_be_mailed_and_a_larger_one_is_not_written(single, monkeypatch)
         edition.single_file()
 
 
-def test_edition_is_made_when_the_site_changed(stamped, capsys):
+def test_edition_is_made_when_the_site_changed_or_it_is_not_there(stamped, capsys):
     made, place = [], stamped / "chapter.html"
-    for site, times in (({"a": "1"}, 1), ({"a": "1"}, 1), ({"a": "2"}, 2)):
-        edition.stamps.write("site", site)
-        edition.make("single", place, lambda: made.append(1) or b"<html>")
-        assert len(made) == times and place.read_bytes() == b"<html>"
+
+    def times(site):
+        edition.stamps.write("site", {"a": site})
+        edition.make("single", place, lambda: made.append(site) or b"<html>")
+        assert place.read_bytes() == b"<html>"
+        return len(made)
+
+    assert [times(site) for site in "1122"] == [1, 1, 2, 2] and "skipped" in capsys.readouterr().out
     place.unlink()
-    edition.make("single", place, lambda: made.append(1) or b"<html>")
-    assert len(made) == 3 and "skipped" in capsys.readouterr().out
+    assert times("2") == 3
 
 
 def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothing_would_be_loaded(mailed):
@@ -94,46 +90,9 @@ def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothin
     assert mailed.select("link:not([href^='data:'])") == []
 
 
-def test_a_listing_is_its_file_and_has_the_lines_that_links_lead_to(mailed):
-    name = "proofs/engine/kernel.py"
-    listing = mailed.find(attrs={"data-page": f"source/{name}"})
-    assert listing.pre.get_text() == (ROOT / name).read_text(encoding="utf-8")
-    assert listing.find(class_="numbers").get_text().split()[-1] == str(listing.pre.get_text().count("\n"))
-    wanted = {link["href"][1:] for link in mailed.select(f"a[href^='#source/{name}:L-']")}
-    assert wanted == {line["id"] for line in listing.select("a.line")}
-
-
-def test_files_to_keep_are_the_site_s_and_only_large_arrays_are_not_mailed(mailed, site):
-    """A script is its own lines around what the file has once."""
-    links, held = mailed.select("[data-packed]"), {f"#{link['id']}": link for link in mailed.select("a[id^='file-']")}
-    kept = {link["data-packed"]: unpacked(link["href"]) for link in links if not link["href"].startswith("#")}
-    assert kept["s5.md"] == (site / "_sources" / "s5.md").read_bytes()
-    assert len(links) > 100 and {"unit_length.json", "unit_length.py", "s5.ipynb"} <= {x["data-packed"] for x in links}
-    left_out = {re.search(r"\w+\.(?:csv|npz)", words.string)[0] for words in mailed.select(".not-mailed")}
-    data = [path for path in (site / "_downloads").rglob("*.*") if path.suffix in (".csv", ".npz")]
-    sizes = {path.name: len(packed_address(path.read_bytes())) for path in data}
-    assert left_out == {name for name, size in sizes.items() if size > LARGEST_DATA}
-    assert left_out and left_out < sizes.keys()
-    scripts, kernels = mailed.select("[data-own]"), set()
-    for link in scripts:
-        kernel, certificate = (unpacked(held[address]["href"]) for address in link["data-within"].split())
-        first, second, last = unpacked(link["data-own"]).split(b"\0")
-        whole = first + kernel.rstrip() + second + certificate.rstrip() + last
-        assert whole == (site / "_downloads" / "theorems" / link["data-packed"]).read_bytes()
-        kernels.add(kernel)
-    assert len(scripts) > 50 and len(kernels) == 1
-
-
 @pytest.mark.long
 def test_same_site_gives_the_same_bytes(single, site):
     assert document(site).encode() == single.read_bytes()
-
-
-def test_link_to_what_is_not_there_is_refused():
-    article = parsed('<article class="bd-article"><section id="a"></section></article>').article
-    names = Names([Page("a", article, None, None, [], {})], ())
-    with pytest.raises(BrokenSite, match="nowhere"):
-        names.fragment("a", "#nowhere")
 
 
 def test_a_render_has_the_pixels_that_it_has_in_the_site(mailed, site):

@@ -1,6 +1,7 @@
 """A record is stale when its code has changed, and not before; `make evidence` measures what is stale and no more."""
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -55,12 +56,11 @@ def edit(place, old, new):
     forget()
 
 
-@pytest.mark.parametrize(
-    ("name", "old", "new", "why"),
-    [
+def test_a_record_is_stale_if_its_code_changed_and_only_then(project):
+    for name, old, new, why in (
         ("proofs/law.py", "x + 1", "x - 1", "proofs/law.py changed"),
         ("verify/run.py", "law(2)", "law(3)", "verify/run.py changed"),
-        ("proofs/table.json", "1", "2", "proofs/table.json changed"),
+        ("proofs/table.json", "[1]", "[2]", "proofs/table.json changed"),
         ("requirements.lock", "numpy==1.0", "numpy==1.1", "numpy changed"),
         ("proofs/law.py", "# why", "# because", None),
         ("proofs/law.py", "Its words.", "Other\n\n    words.", None),
@@ -68,108 +68,76 @@ def edit(place, old, new):
         ("proofs/test_law.py", "True", "1", None),
         ("verify/other.py", "1", "2", None),
         ("requirements.lock", "pillow==1.0", "pillow==1.1", None),
-    ],
-)
-def test_a_record_is_stale_if_its_code_changed_and_only_then(project, name, old, new, why):
-    assert why_stale("sums") is None and records.remark.__wrapped__("sums") is None
-    edit(project / name, old, new)
-    assert why_stale("sums") == why
-    said = f"measured at commit {read('sums')['label']['commit']}; the code has changed since"
-    assert records.remark.__wrapped__("sums") == (said if why else None)
+    ):
+        assert why_stale("sums") is None and records.remark.__wrapped__("sums") is None
+        edit(project / name, old, new)
+        assert why_stale("sums") == why, name
+        said = f"measured at commit {read('sums')['label']['commit']}; the code has changed since"
+        assert records.remark.__wrapped__("sums") == (said if why else None)
+        edit(project / name, new, old)
 
 
-def test_the_hashes_are_those_of_the_code_that_ran(project):
+def test_the_hashes_are_those_of_the_code_that_ran_and_what_was_edited_by_hand_is_stale(project):
+    whole = read("sums")
+    for edited, why in (
+        (whole | {"numbers": {"found": 4}}, "changed after"),
+        (whole | {"code": {}}, "changed after"),
+        ({key: whole[key] for key in ("label", "numbers", "code")}, "does not say"),
+    ):
+        (project / FAKE["sums"].path).write_text(json.dumps(edited))
+        assert why in why_stale("sums")
     run = Run("sums")
     edit(project / "proofs/law.py", "x + 1", "x - 1")
     run.write({"numbers": {}, "label": {"browser": "none"}})
     assert why_stale("sums") == "proofs/law.py changed" and read("sums")["label"]["browser"] == "none"
 
 
-@pytest.mark.parametrize(
-    ("key", "value", "why"),
-    [
-        ("numbers", {"found": 4}, "changed after"),
-        ("code", {}, "changed after"),
-        ("seal", "0" * 16, "changed after"),
-        ("code", None, "does not say"),
-        ("seal", None, "does not say"),
-    ],
-)
-def test_a_record_that_was_edited_by_hand_is_stale(project, key, value, why):
-    content = {name: part for name, part in (read("sums") | {key: value}).items() if part is not None}
-    (project / FAKE["sums"].path).write_text(json.dumps(content))
-    assert why in why_stale("sums")
-
-
-def test_what_was_measured_with_other_options_is_not_kept(project, capsys, tmp_path):
-    def measure(rounds, only):
-        return {"numbers": {"rounds": rounds, "only": only}}
-
+def test_what_was_measured_with_other_options_is_not_kept(project, capsys):
     def run(*arguments):
-        records.command("sums", "A run.", measure, [*map(str, arguments)], rounds=9, only="")
+        records.command("sums", "A run.", lambda **found: {"numbers": found}, [*arguments], rounds=9, only="")
         return read("sums")["numbers"]
 
-    assert run("--rounds", 1) == run("--only", "a") == {"found": 3}
+    assert run("--rounds", "1") == run("--only", "a") == {"found": 3}
     assert capsys.readouterr().out.count("not kept") == 2
-    run("--rounds", 1, "--output", tmp_path)
-    assert json.loads((tmp_path / "sums.json").read_text())["numbers"] == {"rounds": 1, "only": ""}
+    run("--rounds", "1", "--output", str(project))
+    assert json.loads((project / "sums.json").read_text())["numbers"] == {"rounds": 1, "only": ""}
     assert run() == {"rounds": 9, "only": ""}
     with pytest.raises(SystemExit, match="2"):
-        run("--rounds", 0)
+        run("--rounds", "0")
 
 
-@pytest.fixture
-def runs(project, monkeypatch):
-    """The records that were measured, by a run that does what a test makes of it."""
-    found = SimpleNamespace(made=[], status=0, writes=True)
+def test_only_what_is_stale_is_measured_and_what_was_written_before_an_interruption_stays(project, monkeypatch, capsys):
+    made, status, said = [], 0, lambda: capsys.readouterr().out
 
     def run(command, **_):
         name = next(name for name, record in FAKE.items() if command[1:] == record.command.split())
-        found.made.append(name)
-        if found.writes:
+        if made:  # the second is stopped
+            raise KeyboardInterrupt
+        if not status:
+            made.append(name)
             Run(name).write({"numbers": {"found": 5}})
-        return SimpleNamespace(returncode=found.status)
+        return SimpleNamespace(returncode=status)
 
     monkeypatch.setattr(evidence.subprocess, "run", run)
     monkeypatch.setattr(records, "commit", lambda: "abc1234")
-    return found
-
-
-def test_only_what_is_stale_is_measured(project, runs, capsys):
-    assert evidence.main([]) == 0 and runs.made == []
+    assert evidence.main([]) == 0
     edit(project / "proofs/law.py", "x + 1", "x - 1")
-    assert evidence.main(["--list"]) == 0 and runs.made == []
-    assert "stale: proofs/law.py changed: python -m verify.run" in capsys.readouterr().out
-    assert evidence.main(["ones"]) == 0 and runs.made == []
-    assert evidence.main(["sums", "ones"]) == 0 and runs.made == ["sums"]
+    assert evidence.main(["--list"]) == evidence.main(["ones"]) == 0 and made == []
+    assert "stale: proofs/law.py changed: python -m verify.run" in said()
+    status = 3
+    assert evidence.main([]) == 1 and "still stale: sums: its run ended with status 3" in said()
+    with monkeypatch.context() as patch:
+        patch.setitem(FAKE, "sums", replace(FAKE["sums"], needs=("no_such_library",)))
+        assert evidence.main([]) == 1 and "it needs no_such_library, which is not installed" in said()
+    status = 0
+    assert evidence.main(["sums", "ones"]) == 0 and made == ["sums"]
     assert [read(name)["numbers"]["found"] for name in FAKE] == [5, 3]
-    assert evidence.main([]) == 0 and runs.made == ["sums"]
-    with pytest.raises(SystemExit, match="2"):
-        evidence.main(["nothing"])
-
-
-def test_what_cannot_be_measured_is_said(project, runs, capsys, monkeypatch):
-    edit(project / "proofs/law.py", "x + 1", "x - 1")
-    runs.writes, runs.status = False, 3
-    assert evidence.main([]) == 1 and "still stale: sums: its run ended with status 3" in capsys.readouterr().out
-    needy = Record("sums", RESULTS, "-m verify.run", ("verify/run.py",), needs=("no_such_library",))
-    monkeypatch.setitem(FAKE, "sums", needy)
-    assert evidence.main([]) == 1 and runs.made == ["sums"]
-    assert "it needs no_such_library, which is not installed" in capsys.readouterr().out
-
-
-def test_what_was_written_before_an_interruption_stays(project, runs, capsys, monkeypatch):
+    made.clear()
     for path in ("verify/run.py", "verify/other.py"):
         edit(project / path, "print", "str")
-    whole = evidence.renew
-
-    def stopped(name):
-        if runs.made:
-            raise KeyboardInterrupt
-        return whole(name)
-
-    monkeypatch.setattr(evidence, "renew", stopped)
     before = read("ones")
     assert evidence.main([]) == 1 and read("ones") == before and why_stale("sums") is None
-    said = capsys.readouterr().out
-    assert "measured anew: sums\n" in said and "still stale: ones: its run was stopped" in said
+    written = said()
+    assert "measured anew: sums\n" in written and "still stale: ones: its run was stopped" in written
+    with pytest.raises(SystemExit, match="2"):
+        evidence.main(["nothing"])
