@@ -33,9 +33,9 @@ def normals(scene: Scene, data: Mapping[str, np.ndarray]) -> dict[str, np.ndarra
     inputs = {**data, **in_float64(chart_inverse, data), "beta": scene.beta}
     turned = inputs | {"beta": -scene.beta}
     scaled = turned | {"h_u": data["h_u"] / (2 * np.pi), "h_v": data["h_v"] / np.pi}
-    pairs = [(bumped_normal, given) for given in (inputs, turned, scaled)]
-    pairs += [(program, inputs) for program in (blinn_normal, displaced_normal)]
-    vectors = [np.array([*in_float64(*pair).values()]) for pair in pairs]
+    programs = bumped_normal, bumped_normal, bumped_normal, blinn_normal, displaced_normal
+    given = inputs, turned, scaled, inputs, inputs
+    vectors = [np.array([*in_float64(*pair).values()]) for pair in zip(programs, given, strict=True)]
     return dict(zip((*STEPS, "displaced"), (n / np.linalg.norm(n, axis=0) for n in vectors), strict=True))
 
 
