@@ -93,6 +93,7 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
     [
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
         (1e-6, ".0e", "10^−6"),
+        (-1.5, None, "−1.5"),
         (True, None, "yes"),
         (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),
