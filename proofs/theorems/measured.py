@@ -79,7 +79,11 @@ gradients = Theorem(
     rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the "
     r"exact gradient at the float64 $(u, v)$: $k = k_u$ for $h_u$, $k_v$ for $h_v$, for rings $2k_v$, of sizes up to "
     r"$2^{20}$.",
-    hypotheses=(r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$", "nothing overflows"),
+    hypotheses=(
+        r"$h$ depends on $u$ and $v$ through $\sin$ and $\cos$ of $\pi k_u u$ and $\pi k_v v$, or of twice that, alone",
+        r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$",
+        "nothing overflows",
+    ),
     rounded=(
         _slopes_in_float64(sine, {h_u: k_u, h_v: k_v}),
         _slopes_in_float64(ridges, {h_u: k_u, h_v: k_v}),

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Iterable
 from functools import lru_cache, partial
 
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import normal, point
+from verify.accuracy.gradient_errors import OF_WAVES
 from verify.stability import geometry, shading
 from verify.stability.sweep import Sweep
 from verify.stability.wave_numbers import EDGES, large_wave_numbers
@@ -30,7 +30,7 @@ SWEEPS: dict[str, Callable[..., Sweep]] = {
     "light_distance": shading.near_and_far_lights,
     "shininess": shading.any_shininess,
     "shininess_fractional": partial(shading.any_shininess, whole=False),
-    **_of_each("wave_numbers", large_wave_numbers, HEIGHT_FIELDS),
+    **_of_each("wave_numbers", large_wave_numbers, OF_WAVES),
     **_of_each("opposite_light", shading.opposite_light, LIGHT_MODELS),
 }
 

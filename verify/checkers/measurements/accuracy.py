@@ -6,10 +6,9 @@ import numpy as np
 from flint import arb
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
-from verify.accuracy.gradient_errors import UNIT, worst_at_ratios
+from verify.accuracy.gradient_errors import OF_WAVES, UNIT, worst_at_ratios
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
 from verify.checkers.measurement import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
@@ -61,7 +60,7 @@ def general_gradient(form: str | None = None) -> Measurement:
 @measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
 def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
     """The general form where k_u and k_v differ, have other signs, or one is zero."""
-    found = {f"unequal_{field}": large_wave_numbers(field, PAIRS, samples=64) for field in HEIGHT_FIELDS}
+    found = {f"unequal_{field}": large_wave_numbers(field, PAIRS, samples=64) for field in OF_WAVES}
     return _of_sweeps(found, bound, " where k_u is not k_v")
 
 
