@@ -104,9 +104,8 @@ def random_state(rng):
     """Return a state of the page, cursor included; some off sphere A, zoomed."""
     state = {name: rng.choice(values) for name, values in OFTEN.items()}
     state |= {"ball": int(rng.random() < 0.8), "lights": [rng.random() < 0.8 for _ in DEFAULT_LIGHTS]}
-    zoomed = state["zoom"] > 0
-    state |= {corner: zoomed * rng.randrange(4000) for corner in ("left", "top")}
-    return state | {place: rng.randrange(4000 if zoomed else 128) for place in ("column", "row")}
+    state |= {corner: rng.randrange(4000) for corner in ("left", "top")}
+    return state | {place: rng.randrange(4000 if state["zoom"] else 128) for place in ("column", "row")}
 
 
 def random_crop(rng):
