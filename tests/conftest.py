@@ -3,7 +3,6 @@
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from book.assembly import stamps
 from book.editions import files
 from book.editions.chromium import NoBrowser
 from book.editions.pages import parsed
-from tests.processes import python
+from tests.processes import python, started
 from tests.tabs import chromium, visits
 from verify.sources import ROOT
 
@@ -48,8 +47,8 @@ def single(site: Path) -> Path:
 @pytest.fixture(scope="session")
 def server(site: Path):
     """The site's address on this machine alone."""
-    command = [sys.executable, "-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", site]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as running:
+    command = ("-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", site)
+    with started(*command, stderr=subprocess.DEVNULL) as running:
         yield re.search(r"http://[\d.:]+", running.stdout.readline())[0]
         running.terminate()
 

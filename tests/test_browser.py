@@ -13,7 +13,6 @@ from verify.sources import ROOT
 
 AXE = ROOT / "tests" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
 
-with_axe = pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/npm")
 PAGES = list(page_files(ROOT / "book"))
 # Sphinx's own pages, and the listing of a source: all listings are made alike.
 OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]
@@ -181,7 +180,6 @@ def test_menu_of_downloads_says_what_they_are(visit):
     assert names == ["Download notebook file", "Download source file", "Print to PDF"]
 
 
-@with_axe
 @pytest.mark.parametrize("mode", MODES)
 def test_simulator_has_no_violation_when_it_runs_is_looked_at_closely_and_complains(visit, mode):
     tab = visit("s4", **MODES[mode])
@@ -198,7 +196,6 @@ def test_simulator_has_no_violation_when_it_runs_is_looked_at_closely_and_compla
     assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")  # the ruler scrolls in its own box
 
 
-@with_axe
 def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit):
     for mode, button, shown in (
         ("light", ".search-button-field:visible", "#pst-search-dialog[open]"),
@@ -210,7 +207,7 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
         assert violations(tab, mode) == []
 
 
-@with_axe
+@pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/npm")
 @pytest.mark.parametrize(
     ("mode", "spoil", "rule"),
     [

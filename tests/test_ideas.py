@@ -115,7 +115,8 @@ def covered(figure, *colours):
     return [(np.abs(seen - colour) < 2).all(axis=2) for colour in colours]
 
 
-def test_bump_surface_moves_rim_and_shadow_in_the_last_state_alone(idea):
+def test_bump_surface_turns_and_moves_rim_and_shadow_in_the_last_state_alone(idea, visit):
+    """By hand and keys; and it stays still without a card."""
     tab, figure, _ = idea("bump_surface")
     seen = []
     for button, angle in zip(figure.locator(".idea-states button").all(), idea_kernels.angles(), strict=True):
@@ -126,10 +127,6 @@ def test_bump_surface_moves_rim_and_shadow_in_the_last_state_alone(idea):
     assert figure.locator("[aria-pressed=true]").count() == 1 and all(map(np.any, seen[0]))
     for first, *others in zip(*seen, strict=True):
         assert [np.array_equal(first, other) for other in others] == [True, True, True, False]
-
-
-def test_bump_surface_turns_by_hand_and_keys_and_stays_still_without_a_card(idea, visit):
-    tab, figure, _ = idea("bump_surface")
     view = figure.locator("[role=slider]")
     start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
     view.drag_to(view, source_position=places[0], target_position=places[1])
