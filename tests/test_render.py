@@ -45,9 +45,9 @@ def test_one_thread_and_two_give_the_same_bits(method):
     assert same(render(DEFAULT, 300, 200, method, threads=1), render(DEFAULT, 300, 200, method, threads=2))
 
 
-def with_parts(scene, other, names):
-    """Return a scene with some fields of another."""
-    return replace(scene, **{name: getattr(other, name) for name in names})
+def with_parts(scene, parts, names):
+    """Return a scene with some of the parts that are given by name."""
+    return replace(scene, **{name: parts[name] for name in names})
 
 
 @pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])
@@ -57,17 +57,25 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
     with drawn_by(drawer, 1):
         stage = stage_of(scene, *size)
-        red = tuple(replace(light, color=light.color and (1, 0, 0)) for light in scene.lights)
-        for lights in (scene.lights, red):
-            shaded = replace(with_parts(scene, data.draw(looks), BUMP + SHADING), lights=lights)
+        for _ in range(2):
+            shaded = with_parts(scene, vars(data.draw(looks)), (*BUMP, *SHADING))
             frame = render(shaded, *size, data.draw(methods), stage=stage)
             assert same(frame, render(shaded, *size, frame.method))
-            bumped, method, planes = with_parts(shaded, data.draw(looks), BUMP), data.draw(methods), frame.planes
+            bumped, method, planes = with_parts(shaded, vars(data.draw(looks)), BUMP), data.draw(methods), frame.planes
             over = render(bumped, *size, method, stage=stage, into=frame)
             assert np.shares_memory(over.planes, planes)
             assert same(over, render(bumped, *size, method))
             for gone in (partial(render, bumped, *size, stage=stage, into=frame), lambda frame=frame: frame.rgb):
                 assert "is not allowed: another frame has been drawn into it" in rejection(gone)
+
+
+@pytest.mark.parametrize("name", [*SHADING, "lights"])
+def test_a_stage_serves_another_shading(name):
+    red = tuple(Light(light.position, (1, 0, 0)) for light in DEFAULT.lights)
+    value = {"model": "phong", "lights": red}.get(name) or 0.5 * np.array(getattr(DEFAULT, name))
+    shaded, stage = replace(DEFAULT, **{name: value}), render(DEFAULT, 32, 32).stage
+    for scene in (DEFAULT, shaded):
+        assert same(render(scene, 32, 32, stage=stage), render(scene, 32, 32))
 
 
 def test_a_stage_of_another_scene_raster_or_crop_is_rejected():
