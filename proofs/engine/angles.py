@@ -8,8 +8,6 @@ from collections.abc import Iterable, Iterator
 from math import lcm
 
 from sympy import Basic, Expr, Float, Poly, Rational, S, Symbol, cos, expand_mul, pi, sin
-from sympy.core.relational import Relational
-from sympy.logic.boolalg import And
 from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.derivative import LARGEST, Untranslatable
@@ -24,10 +22,9 @@ def angle_of(e: Expr) -> Expr:
 
 
 def angles_in(expressions: Iterable[Basic]) -> Iterator[Expr]:
-    """Yield the angles in expressions, and in the sides of relations (a relation itself may evaluate to true)."""
-    parts = [part for e in expressions for part in (e.args if isinstance(e, And) else [e])]
-    for side in [side for part in parts for side in (part.args if isinstance(part, Relational) else [part])]:
-        yield from map(angle_of, side.atoms(*COSINES, *SINES))
+    """Yield the angles in expressions and relations."""
+    for e in expressions:
+        yield from map(angle_of, e.atoms(*COSINES, *SINES))
 
 
 def terms_of(angle: Expr) -> list[tuple[Rational, Expr]]:

@@ -39,7 +39,7 @@ def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
 
 @dataclass(frozen=True)
 class Parts:
-    """What has fields of Some: tuples from here on."""
+    """What has fields that are given as one thing or several (Some): once made, each is a tuple."""
 
     borrowed = cited = squares = example = ()  # what a Claim may have
 
@@ -78,7 +78,7 @@ class Claim(Parts):
     squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
     ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
-    as far as the search for one needs to be told. Both are tuples of pairs from here on.
+    as far as the search for one needs to be told. Once made it has both as pairs.
     """
 
     name: str

@@ -4,7 +4,7 @@ It is the chapter's derivation, line by line. Kernels print it as it stands; pro
 they need.
 """
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import wraps
 from typing import Annotated, Any
@@ -23,12 +23,13 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-Some = Annotated[Any, "one thing, or several in tuples and lists, one in another"]
+Some = Annotated[Any, "or several"]  # one thing, or several in tuples, lists and iterators, one in another
 
 
 def flat(part: Some) -> tuple:
-    """Return the things as one tuple."""
-    return tuple(thing for each in part for thing in flat(each)) if isinstance(part, tuple | list) else (part,)
+    """Return one thing, or several, however they stand in one another, as one tuple."""
+    several = isinstance(part, tuple | list | Iterator)
+    return tuple(thing for each in part for thing in flat(each)) if several else (part,)
 
 
 def pairs(given: Any) -> tuple[tuple, ...]:
@@ -39,7 +40,7 @@ def pairs(given: Any) -> tuple[tuple, ...]:
 
 @dataclass(frozen=True)
 class Program:
-    """Definitions {symbol: expression} in order, from `inputs` to `outputs`; tuples, and of pairs, from here on.
+    """Definitions {symbol: expression} in order, from `inputs` to `outputs`; once made, ((symbol, expression), …).
 
     A vector may be an input, or defined at once: {symbols: expressions}. Without `outputs`, the last line's are.
     Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
@@ -89,7 +90,10 @@ class Program:
         )
 
     def at(self, values: Mapping) -> "Program":
-        """Return the program with {symbol or vector: value or values}: what inputs are, and what lines are called."""
+        """Return the program with values, which may be expressions, for some inputs, and other names for some lines.
+
+        values: {symbol or vector: value or values}.
+        """
         put = dict(pairs(values))
         inputs = [t for s in self.inputs for t in sorted(put.get(s, s).free_symbols, key=str)]
         lines = [(put.get(symbol, symbol), expression.xreplace(put)) for symbol, expression in self.definitions]

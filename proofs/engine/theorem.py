@@ -85,9 +85,10 @@ class Theorem(Parts):
     """A statement with everything that its evidence is made of.
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
-    statement may be Clauses, each with the claims that say it; where one is argued, so is the theorem.
-    claims: what is checked; of Clauses, theirs. steps: the argument. uses: ids of the theorems that it rests on: those
-    that claims borrow from or steps use are added. side_conditions: each with its edge tests. mutants: at least two.
+    statement may be {text: the claims that say it, or as a text why it is argued}, or Clauses; where one is argued, so
+    is the theorem. claims: what is checked; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
+    theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
+    steps use are added. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
     is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
