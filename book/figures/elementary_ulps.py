@@ -12,8 +12,8 @@ from verify.accuracy.pieces import worst
 
 LEAST = 0.01  # below it the pieces of an angle only repeat themselves
 PANELS = {
-    "sinpi": (r"$\sin\,\pi r$", "r", LEAST, 1),
-    "cospi": (r"$\cos\,\pi r$", "r", LEAST, 1),
+    "sinpi": (r"$\sin\,\pi r$", "r", LEAST, 0.2501),
+    "cospi": (r"$\cos\,\pi r$", "r", LEAST, 0.2501),
     "atan2pi": (r"atan2$(t, 1)/\pi$", "t", LEAST, 1),
     "exp": (r"$e^r$", "r", -1, 1),
     "log": (r"$\ln\,m$", "m", 1 + LEAST, 1.4143),

@@ -52,7 +52,7 @@ def errors_in_ulps(name: str, *arguments: np.ndarray) -> np.ndarray:
 
 @cache
 def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program = e.sine_of_half_turns) -> list[Piece]:
-    """Return the Pieces of sinpi (or cospi) over the reduced argument, 0 ≤ r ≤ 1/4 (the rest by symmetry).
+    """Return the Pieces of the sine's polynomial (or the cosine's) over the reduced argument, 0 ≤ r ≤ 1/4.
 
     of_product: the argument has been rounded once, as it is after `two_product`.
     """
@@ -78,6 +78,16 @@ def _sine_piece(code, series, near, low, high, cosine, of_product):
     moved = steepest * Rounded(r, rounds=of_product, ends=ends).error
     known = {"z": (0 if smallest else r.lower() ** 2, r.upper() ** 2), near: (*true, series.error(r) + moved)}
     return Piece(low, high, run(code, {"remainder": Rounded(r)}, known)[near].ulps())
+
+
+@cache
+def half_turn_pieces(cosine: bool, of_product: bool = False, **changed: Program) -> list[Piece]:
+    """Return the Pieces of sinpi (or cospi) over 0 ≤ x ≤ 1/2 (the rest by symmetry).
+
+    Beyond a quarter the polynomial is the other one, of 1/2 − x.
+    """
+    own, other = (sine_pieces(polynomial, of_product, **changed) for polynomial in (cosine, not cosine))
+    return own + [Piece(0.5 - piece.high, 0.5 - piece.low, piece.ulps) for piece in other]
 
 
 @cache
@@ -154,10 +164,10 @@ class _Angle:
 
 
 PIECES: dict[str, Callable[..., list[Piece]]] = {
-    "sinpi": sine_pieces,
-    "cospi": partial(sine_pieces, cosine=True),
-    "sinpi_of_product": partial(sine_pieces, of_product=True),
-    "cospi_of_product": partial(sine_pieces, cosine=True, of_product=True),
+    "sinpi": partial(half_turn_pieces, False),
+    "cospi": partial(half_turn_pieces, True),
+    "sinpi_of_product": partial(half_turn_pieces, False, True),
+    "cospi_of_product": partial(half_turn_pieces, True, True),
     "atan2pi": angle_pieces,
     "exp": exponential_pieces,
     "log": logarithm_pieces,
