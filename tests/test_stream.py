@@ -91,9 +91,9 @@ def test_an_error_of_a_band_reaches_the_caller_and_leaves_the_old_file(name, thr
         draw = machine().drawer(want, job)
 
         def failing(rows):
-            if rows.stop == len(job.y) and len(drawn) > 0:
+            if rows.stop == len(job["y"]) and len(drawn) > 0:
                 raise ArithmeticError("a band")
-            drawn.extend([rows] if rows.stop == len(job.y) else [])
+            drawn.extend([rows] if rows.stop == len(job["y"]) else [])
             return draw(rows)
 
         return failing

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, exact, render, stage_of, threads
-from renderer.shader.numbers import numbers_of
 from renderer.threads import available_cores, run_bands
 from tests.processes import python
 
@@ -127,8 +126,8 @@ def test_what_frames_share_cannot_be_written():
     stage = stage_of(Scene(), 40, 30)
     frame = render(Scene(), 40, 30, central(1e-3), stage=stage)
     shared = {f"stage.{name}": getattr(stage, name) for name in ("chambers", "x", "y")}
-    shared |= {f"job.{number}": part for number, part in enumerate(stage.raster_of() + stage.raster_of(of_a=True))}
-    shared |= {f"numbers.{number}": part for number, part in enumerate(numbers_of(Scene(), exact()))}
+    jobs = (stage.job(Scene(), exact(), {"code": frame.chambers}, of_a) for of_a in (False, True))
+    shared |= {f"job.{number}.{name}": part for number, job in enumerate(jobs) for name, part in job.items()}
     shared |= {"chambers": frame.chambers, "planes_on_a": frame.planes_on_a, **frame.surface_data}
     for name, array in shared.items():
         with pytest.raises(ValueError, match="read-only"):

@@ -61,11 +61,6 @@ class Mask:
         self.holds, self.open = holds, open_
 
     @property
-    def machine(self) -> type:
-        """What `renderer.operations` asks."""
-        return Operations
-
-    @property
     def maybe(self) -> Any:
         """For which it may hold."""
         return self.holds if self.open is None else self.holds | self.open
@@ -126,15 +121,15 @@ class Enclosed(Bounded):
         """Where it is an exact 0."""
         return plus(abs(self.value), self.error) == 0.0
 
-    @property
-    def machine(self) -> type:
-        """What `renderer.operations` asks."""
-        return Operations
-
-    @staticmethod
-    def of(number: Any) -> "Enclosed":
-        """Return a number as Enclosed."""
-        return enclosed(number)
+    @classmethod
+    def of(cls, number: Any) -> "Enclosed":
+        """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
+        if isinstance(number, Enclosed):
+            return number
+        if isinstance(number, Constant):
+            return cls(float(number), number.error)
+        literal = isinstance(number, int | float)
+        return cls(float(number) if literal else number, stays_exact=literal)
 
     @classmethod
     def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
@@ -202,14 +197,7 @@ class Enclosed(Bounded):
     )
 
 
-def enclosed(number: Any) -> Enclosed:
-    """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
-    if isinstance(number, Enclosed):
-        return number
-    if isinstance(number, Constant):
-        return Enclosed(float(number), number.error)
-    literal = isinstance(number, int | float)
-    return Enclosed(float(number) if literal else number, stays_exact=literal)
+enclosed = Enclosed.of
 
 
 def _ends(number):
@@ -387,3 +375,6 @@ class Operations:
         """Return −1, 0 or 1. A gradient asks for it at a crease: where its side is open, so is the pixel."""
         at_work.get().leave_open((number > 0.0).open)
         return operations.sign.kernel(number)
+
+
+Mask.machine = Enclosed.machine = Operations  # type: ignore[attr-defined]  # what `renderer.operations` asks

@@ -22,7 +22,7 @@ class Variable:
     @property
     def value(self) -> Enclosed:
         """The present value."""
-        return Enclosed.counted(*self._parts.value, self._stays_exact)
+        return Enclosed.counted(*self._parts.value, self._stays_exact)  # type: ignore[call-arg]
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""

@@ -7,14 +7,13 @@ import numpy as np
 
 from renderer import kernels
 from renderer.checks import check_whole
-from renderer.machines import Job
 from renderer.machines.numpy_rows import Block, Rows
 from renderer.picture.drawing import render
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
+from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, of_form, want_of
 from renderer.shader.shader import COLORS, Group
 
 SURFACES = ("none", "A", "B", "floor")
@@ -103,12 +102,10 @@ def _floats(numbers):
 @np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
-    (scene, lights), stage = numbers_of(frame.scene, frame.method), frame.stage
-    planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
-    block = Block(Job(scene, lights, *stage.raster_of(), planes), slice(1))
+    job = frame.stage.job(frame.scene, frame.method, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
     want = want_of(frame.scene, frame.method, chambers_known=True)
     want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
-    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, block)
+    group = _WrittenDown(Rows(job["lights"]), of_form(SCENE_FORM, job["scene"]), want, Block(job, slice(1)))
     group.draw()
     return group.found
 

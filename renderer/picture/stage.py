@@ -76,16 +76,18 @@ class Stage:
         shape = (len(self.y), len(self._x))
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
-    def raster_of(self, of_a: bool = False) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return a Job's x, y and columns: all columns, or those of each row that A may be in."""
-        return self._x, self.y, self._columns_of_a if of_a else self._everywhere
+    def job(self, scene: Scene, method: GradientMethod, planes: Job, of_a: bool = False) -> Job:
+        """Return what is drawn on (`renderer.machines`): all columns, or those of each row that A may be in."""
+        numbers, lights = numbers_of(scene, method)
+        own = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
+        return own | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
         self,
         scene: Scene,
         method: GradientMethod,
         threads: int,
-        planes: dict[str, np.ndarray],
+        planes: Job,
         before: Callable[[slice], None] | None = None,
         **want: Any,
     ) -> np.ndarray:
@@ -93,12 +95,11 @@ class Stage:
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
-        raster, bounds = self.raster_of(of_a=want.get("surfaces") == "a"), None
+        job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
             from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
 
-            bounds = input_bounds(scene, self.raster, len(self._x))
-        job = Job(*numbers_of(scene, method), *raster, {"code": self._codes} | planes, bounds)
+            job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
         starts = range(0, len(self.y), rows)
 

@@ -1,7 +1,7 @@
 """The numbers that the shader is given: of the scene, of each light, and where on the image each thing can be."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any
@@ -79,13 +79,16 @@ def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
     return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
 
 
-def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
-    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high)."""
+def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
+    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high).
+
+    number: what the scene's own are taken for where others are computed from them.
+    """
     geometry = geometry_of(scene)
     reach, box_of_b, _ = places_of(geometry)
     (_, way), (_, style) = way_of(scene, method), style_of(scene)
     power_u, power_v = (algebraic_powers(scene) if way == "algebraic" else None) or (0, 0)
-    light, dark = (tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0))
+    light, dark = (floor_albedo(number(dark), number(scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},
         ball=geometry.ball,  # centre and radius of B
@@ -102,7 +105,7 @@ def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
         turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
-        ambient=tuple(ambient_term(scene.ka, channel) for channel in scene.ambient),
+        ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),
         floor_light=light,  # red and green; blue
         floor_dark=dark,
     )
