@@ -80,16 +80,14 @@ class CoqPrinter(KernelPrinter):
     real part is taken.
     """
 
-    names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln"}
+    names: ClassVar = {
+        "Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln", "Pi": "PI", "Infinity": "p_infty",
+    }  # fmt: skip
 
     def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
 
-    def _print_Pi(self, expr):
-        return "PI"
-
-    def _print_Infinity(self, expr):
-        return "p_infty"
+    _print_Pi = KernelPrinter._print_Infinity
 
     def _print_Symbol(self, symbol):
         return symbol.name if symbol.is_real else f"real {symbol.name}"

@@ -37,7 +37,7 @@ def host_lanes(want: Want) -> int:
     other's latency.
     """
     features = llvm.get_host_cpu_features()
-    wide = 8 if features.get("avx512f") or features.get("avx") else 4
+    wide = 8 if features.get("avx") else 4
     is_long = not want.whole or any(way in HEIGHT_EVALUATIONS for _, way in want.ways)
     return 2 * wide if (is_long or want.bounds) and features.get("avx512f") else wide
 

@@ -22,8 +22,6 @@ from renderer.shader.numbers import read_only, way_of
 from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
 
-SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
-
 
 @dataclass(eq=False, repr=False)
 class Frame:
@@ -54,13 +52,13 @@ class Frame:
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
         specular_powers, light_terms.
         """
-        chambers = {code: pixels for code, pixels in enumerate(np.bincount(self.chambers.ravel()).tolist()) if pixels}
-        pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
+        codes, pixels = (found.tolist() for found in np.unique(self.chambers, return_counts=True))
+        _, *of_surfaces = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
         field, way = way_of(self.scene, self.method)
         heights, gradients = field_kernels(field)["height_evaluations"].get(way, 0), self._counts["gradients"]
-        return pixels | {
+        return dict(zip(("pixels_a", "pixels_b", "pixels_floor"), of_surfaces, strict=True)) | {
             "machine": machine().NAME,
-            "pixels": chambers,
+            "pixels": dict(zip(codes, pixels, strict=True)),
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,

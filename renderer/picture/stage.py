@@ -15,7 +15,7 @@ from renderer.machines import Job, machine
 from renderer.picture.memory import lent
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene, geometry_of
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
 from renderer.shader.numbers import numbers_of, places_of, read_only, want_of
 from renderer.shader.shader import COLORS
 from renderer.threads import run_bands
@@ -133,7 +133,5 @@ class Stage:
 
 
 def shading_of(scene: Scene) -> tuple:
-    """Return what the colours off A depend on beside the chambers: equal for equal shadings."""
-    lights = tuple(light.color for light in scene.lights)
-    weights = (scene.ka, scene.kd, scene.ks, scene.shininess, scene.model, scene.floor_tint)
-    return (*weights, scene.ambient, scene.albedo_a, scene.albedo_b, lights)
+    """Return what the colours off A depend on: equal for equal shadings."""
+    return tuple(value for name, value in vars(scene).items() if name not in MOVE_NO_BOUNDARY)
