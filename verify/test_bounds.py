@@ -176,7 +176,7 @@ def uncounted(kind, value, roundings, keeps_zero=False):
 @pytest.mark.parametrize(("broken", "name", "value", "operation"), [
     (Enclosed, "__mul__", without_own_rounding, "product"),
     (Enclosed, "counted", classmethod(uncounted), "quotient"),
-    (enclosing.Operations, "where", staticmethod(one_sided), "selected"),
+    (enclosing, "where", one_sided, "selected"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "both"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
     (Enclosed, "__mul__", without_second_order, "product"),
@@ -189,7 +189,7 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
 
 
 def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
-    monkeypatch.setattr(enclosing.Operations, "where", staticmethod(one_sided))
+    monkeypatch.setattr(enclosing, "where", one_sided)
     assert any(picture.wrong(0, 0) for picture in on_creases())
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from renderer.machines.enclosing import Enclosed, Mask, Operations, at_work, enclosed
+from renderer.machines.enclosing import Enclosed, Mask, at_work, enclosed
 from renderer.operations import where
 from renderer.shader.shader import BOUNDS, Group, Variables
 
@@ -26,7 +26,7 @@ class Variable:
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
-        number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
+        number = enclosed(number) if mask is None else where(mask, number, self.value)
         self._parts.set((number.value, number.error))
 
 
