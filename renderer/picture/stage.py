@@ -4,7 +4,9 @@ Chambers depend on neither the height field, β, ε nor the gradient method (the
 `Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
 """
 
+from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
@@ -12,7 +14,6 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
-from renderer.picture.memory import lent
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
@@ -25,6 +26,30 @@ PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the
 MAX_DRAWN = 2**28
 MOST_BANDS = 16
 SMALLEST_BAND = 2**13  # pixels: below that, starting on a band costs more than drawing it
+LARGEST_KEPT = 2**27  # bytes: the colours of 2048²
+_spare: deque[np.ndarray] = deque(maxlen=2)  # a picture's colours, and their bounds
+
+
+class _Lent:
+    """Memory as NumPy asks for it; it is spare again when the last array that lies in it is gone."""
+
+    def __init__(self, block: np.ndarray):
+        self._block, self.__array_interface__ = block, block.__array_interface__
+
+    def __del__(self, spare: deque = _spare) -> None:
+        if self._block.nbytes <= LARGEST_KEPT:
+            spare.append(self._block)
+
+
+def lent(shape: tuple[int, ...]) -> np.ndarray:
+    """Return an array of float64 with whatever is in it: of a frame that is gone, as the system clears what is fresh."""
+    with suppress(IndexError):  # another thread took it
+        for _ in range(len(_spare)):
+            block = _spare.popleft()
+            if block.shape == shape:
+                return np.asarray(_Lent(block))
+            _spare.append(block)
+    return np.asarray(_Lent(np.empty(shape)))
 
 
 @lru_cache(maxsize=16)
