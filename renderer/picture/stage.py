@@ -42,7 +42,7 @@ class _Lent:
 
 
 def lent(shape: tuple[int, ...]) -> np.ndarray:
-    """Return an array of float64 with whatever is in it: of a frame that is gone, as the system clears what is fresh."""
+    """Return an array of float64 with whatever is in it: what is fresh the system would clear first."""
     with suppress(IndexError):  # another thread took it
         for _ in range(len(_spare)):
             block = _spare.popleft()
