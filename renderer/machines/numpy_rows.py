@@ -45,7 +45,7 @@ class Rows:
 
     def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index."""
-        return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
+        return result_of(alternatives[int(index)])
 
     def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None:
         """As `renderer.machines.traced.Tracer.by_squaring`."""

@@ -14,9 +14,8 @@ from renderer.machines.traced import BYTE, WHOLE, Tracer, Value
 from renderer.operations import floor, maximum, minimum, rint, where
 from renderer.shader.shader import COLORS
 
-OTHERS = tuple(f"other_{color}" for color in COLORS)
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
-            "plane", *COLORS, *OTHERS)  # fmt: skip
+            "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
 """What the code is given, one array of int64: as in `drawing_code.ARGUMENTS`. level_at: uint8, threshold: float64,
 palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
 NUMBERS = ("gain", "largest", "squares")
@@ -57,8 +56,7 @@ class Pixel:
 
     def apart(self) -> tuple[list[Value], Value]:
         """Return the sizes of the three differences and the largest of them, and take them into the account."""
-        pairs = ((self.load(one), self.load(other)) for one, other in zip(COLORS, OTHERS, strict=True))
-        red, green, blue = sizes = [abs(one - other) for one, other in pairs]
+        red, green, blue = sizes = [abs(self.load(color) - self.load(f"other_{color}")) for color in COLORS]
         largest = maximum(maximum(red, green), blue)
         found, total = (self.tracer.load(*self.number(name)) for name in NUMBERS[1:])
         self.tracer.store(maximum(found, largest), *self.number("largest"))

@@ -84,10 +84,9 @@ class _WrittenDown(Group):
     def light_up(self, mask, place, albedo, bodies):
         """Keep what each light does, beside lighting the pixel."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
-        view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
         for light in self.machine.lights:
             occluded = bool(self.loaded_shadow(light))
-            mu, specular = self.model(point, light, normal, view, mask)
+            mu, specular = self.model(point, light, normal, self.view(), mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
             adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
