@@ -26,7 +26,7 @@ COLORS = ("red", "green", "blue")
 BOUNDS = tuple(f"{color}_bound" for color in COLORS)
 ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
 ON_A = (*ANGLES, *SLOPES)
-WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
+WORK = ("gradient_evaluations", "shadow_tests", "specular_powers", "light_terms")
 
 Step = Callable[[], None]
 Numbers = Sequence[Number]
@@ -171,7 +171,7 @@ class Group:
             field = field_kernels(name)
             if way == "flat":
                 return 0.0, 0.0
-            self.machine.count("gradients", mask)
+            self.machine.count("gradient_evaluations", mask)
             if way == "algebraic":
                 u_real, u_imaginary, v_real, v_imaginary = k.algebraic_bases(*angles)
                 by_complex = k.complex_square, k.complex_product
