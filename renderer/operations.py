@@ -65,7 +65,7 @@ def elementary(kernel: Callable) -> Any:
 BIT_OPERATIONS = {"shl": np.left_shift, "lshr": np.right_shift, "and_": np.bitwise_and, "or_": np.bitwise_or}
 BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
 
-sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where))
+sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where))  # type: ignore[arg-type]
 
 
 @elementary

@@ -17,7 +17,7 @@ from renderer.machines import Job, machine
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
-from renderer.shader.numbers import numbers_of, places_of, read_only, want_of
+from renderer.shader.numbers import numbers_of, reach_of_a, read_only, want_of
 from renderer.shader.shader import COLORS
 from renderer.threads import run_bands
 
@@ -59,8 +59,7 @@ def _prepared(geometry, raster):
     wide = np.full(-(-len(x) // PITCH) * PITCH, np.nan)
     wide[: len(x)] = x
     everywhere = np.tile(np.array([0, len(x)], np.int64), (len(y), 1))
-    reach, _, _ = places_of(geometry)
-    square = reach * (1 + 1e-9) - y * y
+    square = reach_of_a(geometry.eye, geometry.radius) * (1 + 1e-9) - y * y
     half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
     read_only(wide, y, everywhere, of_a)
