@@ -1,13 +1,12 @@
 """Files that appear whole or not at all: written beside their place under another name, then renamed.
 
-The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer keeps locked. One that nobody has locked
-was left by a writer that was killed, and whoever writes into that folder next removes it.
+The other name is `.STEM-????????-unfinished.SUFFIX`; such a file stays where a writer was killed outright.
 """
 
 import os
 import secrets
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -46,20 +45,13 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 
 @contextmanager
 def _unfinished(path):
-    """Make a file beside `path` and yield it, open and locked; remove it at the end if it still has its name."""
-    linked = False
-    while not linked:  # another process may remove the file before it is locked
-        name = path.with_name(f".{path.stem}-{secrets.token_hex(4)}-unfinished{path.suffix}")
-        file = open(name, "xb")  # noqa: SIM115
-        with suppress(OSError):  # where a file system has no locks, nobody can lock it to remove it either
-            if fcntl:
-                fcntl.flock(file, fcntl.LOCK_EX)
-        linked = os.fstat(file.fileno()).st_nlink
+    """Make an empty file beside `path` and yield its name; remove it at the end if it still has that."""
+    name = path.with_name(f".{path.stem}-{secrets.token_hex(4)}-unfinished{path.suffix}")
     try:
-        yield file
+        open(name, "xb").close()
+        yield str(name)
     finally:
-        file.close()
-        Path(file.name).unlink(missing_ok=True)
+        name.unlink(missing_ok=True)
 
 
 def sole_writer(path: str | Path) -> BinaryIO:
@@ -82,27 +74,12 @@ def sole_writer(path: str | Path) -> BinaryIO:
         file.close()
 
 
-def remove_abandoned(folder: str | Path) -> None:
-    """Remove the unfinished files in a folder that no living process writes."""
-    for path in Path(folder).glob(".*-????????-unfinished.*"):
-        with suppress(OSError), open(path, "r+b") as file:
-            if fcntl:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            else:
-                file.close()
-            path.unlink()
-
-
 @contextmanager
 def whole_file(path: str | Path) -> Iterator[str]:
     """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error."""
-    path = Path(path)
-    remove_abandoned(path.parent)
-    with _unfinished(path) as file:
-        yield str(file.name)
-        if not fcntl:
-            file.close()
-        os.replace(file.name, path)
+    with _unfinished(Path(path)) as name:
+        yield name
+        os.replace(name, path)
 
 
 def write_whole(path: Path, content: bytes) -> None:

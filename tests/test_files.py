@@ -1,7 +1,6 @@
 """Files are whole or not there at all."""
 
 import os
-import signal
 import stat
 import zlib
 from io import BytesIO
@@ -11,12 +10,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from renderer import Scene, central, render, whole_files
+from renderer import Scene, central, render
 from renderer.files import pictures as files
 from renderer.picture import views
 from renderer.whole_files import checked_target, whole_file
 from tests.folders import contents
-from tests.processes import started
 from tests.refusals import rejection
 
 FRAME = render(Scene(), 24, 16, central(1e-3))
@@ -103,78 +101,12 @@ def test_a_frame_is_an_array_and_says_what_it_is():
     assert repr(frame.stage).startswith(f"Stage({frame.raster}, Geometry(eye=4.0, ") and "\n" not in repr(frame.stage)
 
 
-WRITE_FOR_EVER = """
-import sys, time
-from renderer.whole_files import whole_file
-with whole_file(sys.argv[1]) as name:
-    with open(name, "w") as file:
-        file.write("half")
-    print(name, flush=True)
-    time.sleep(600)
-"""
-
-
-@pytest.fixture
-def writer(tmp_path):
-    """A process that is in the middle of a file, and that file."""
-    with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
-        yield child, Path(child.stdout.readline().strip())
-        child.kill()
-
-
-def test_what_a_killed_writer_left_is_removed_by_the_next_one(writer, tmp_path):
-    child, left = writer
-    others = [tmp_path / name for name in (".a-12345678.npy", ".hidden", "a-12345678-unfinished.npy")]
-    for path in others:
-        path.write_text("somebody's")
-    files.write_png(tmp_path / "b.png", PICTURE)
-    assert left.read_text() == "half"  # its writer lives
-    child.send_signal(signal.SIGKILL)
-    child.wait()
-    assert left.exists()
-    files.write_png(tmp_path / "b.png", PICTURE)
-    assert sorted(tmp_path.iterdir()) == sorted([*others, tmp_path / "b.png"])
-
-
 def test_files_of_the_same_process_are_left_alone(tmp_path):
     with whole_file(tmp_path / "a.csv") as one, whole_file(tmp_path / "a.csv") as other:
         assert one != other
         Path(one).write_text("one")
         Path(other).write_text("other")
     assert contents(tmp_path) == {"a.csv": b"one"}
-
-
-def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
-    lock, seen = whole_files.fcntl.flock, []
-
-    def slow(file, kind):
-        if not seen:
-            Path(file.name).unlink()
-        seen.append(file.name)
-        lock(file, kind)
-
-    monkeypatch.setattr(whole_files.fcntl, "flock", slow)
-    with whole_file(tmp_path / "a.csv") as name:
-        assert Path(name).exists()
-    assert len(set(seen)) == 2
-    assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
-
-
-@pytest.mark.parametrize("locks", ["missing", "refused"])
-def test_without_locks_a_file_is_written_all_the_same(locks, tmp_path, monkeypatch):
-    def refuse(file, kind):
-        raise OSError("no locks available")
-
-    if locks == "missing":
-        monkeypatch.setattr(whole_files, "fcntl", None)
-    else:
-        monkeypatch.setattr(whole_files.fcntl, "flock", refuse)
-    left = tmp_path / ".b-12345678-unfinished.csv"
-    left.write_text("half")
-    with whole_file(tmp_path / "a.csv") as name:
-        Path(name).write_text("whole")
-    assert (tmp_path / "a.csv").read_text() == "whole"
-    assert left.exists() is (locks == "refused")  # where there are locks, one that cannot be had may be somebody's
 
 
 def test_a_file_has_the_permissions_of_any_other(tmp_path):
