@@ -9,6 +9,8 @@ from renderer.kernels import image_extent, image_x, image_y
 from renderer.scene.scene import Geometry, Scene
 
 MAX_SIDE = 2**24
+Crop = tuple[int, int, int, int]
+"""(left, top, width, height) of a part of a raster."""
 
 
 @dataclass(frozen=True)
