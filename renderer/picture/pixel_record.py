@@ -1,7 +1,6 @@
 """Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -64,18 +63,9 @@ def pixel(
     row = check_whole("row", row, raster.height - 1, low=0)
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
-    record: dict[str, Any] = {
-        "column": column,
-        "row": row,
-        "surface": SURFACES[code & SURFACE_BITS],
-        "chamber": code,
-        "rgb": tuple(frame.rgb[0, 0].tolist()),
-    }
-    if record["surface"] != "none":
-        record |= _lit(frame)
-    if record["surface"] == "A":
-        record |= _on_a(frame)
-    return PixelRecord(**record)
+    surface = SURFACES[code & SURFACE_BITS]
+    found = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
+    return PixelRecord(column, row, surface, code, **found, rgb=tuple(frame.rgb[0, 0].tolist()))
 
 
 class _WrittenDown(Group):
@@ -111,8 +101,10 @@ def _lit(frame):
 
 def _on_a(frame):
     data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
+    theta, phi = kernels.chart_radians(data["u"], data["v"])
     return {name: data[name] for name in ("u", "v", "h")} | {
-        **dict(zip(("theta", "phi"), kernels.chart_radians(data["u"], data["v"]), strict=True)),
+        "theta": theta,
+        "phi": phi,
         "gradient": (data["h_u"], data["h_v"]),
         "kink": data["kink"] == 1.0,
         "straddling": data.get("straddling") == 1.0,

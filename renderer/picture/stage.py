@@ -125,15 +125,15 @@ class Stage:
 
             job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
-        starts = range(0, len(self.y), rows)
+        bands = [range(start, min(len(self.y), start + rows)) for start in range(0, len(self.y), rows)]
 
         def draw_band(number):
-            band = range(starts[number], min(len(self.y), starts[number] + rows))
+            band = bands[number]
             if before:
                 before(slice(band.start, band.stop))
             return draw_rows(band)
 
-        return np.sum(run_bands(draw_band, len(starts), threads), axis=0)
+        return np.sum(run_bands(draw_band, len(bands), threads), axis=0)
 
     def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
         """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
