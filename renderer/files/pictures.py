@@ -146,6 +146,15 @@ def write_tiff(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndar
                     tile = part[top : top + TILE, left : left + TILE]
                     yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
 
-    form: dict[str, Any] = {"shape": (*shape, 3), "dtype": np.uint8, "photometric": "rgb", "metadata": None}
     with whole_file(path) as name:
-        tifffile.imwrite(name, tiles(), bigtiff=True, tile=(TILE, TILE), compression="zlib", **form)
+        tifffile.imwrite(
+            name,
+            tiles(),
+            bigtiff=True,
+            tile=(TILE, TILE),
+            compression="zlib",
+            shape=(*shape, 3),
+            dtype=np.uint8,
+            photometric="rgb",
+            metadata=None,
+        )
