@@ -47,46 +47,8 @@ def ratio(above: float, below: float) -> Constant:
     return Constant(above / below)
 
 
-def _operation(name, on_arrays):
-    """Return the function that asks the machine of the first traced argument, and NumPy where none is traced."""
-
-    def operation(*arguments):
-        for argument in arguments:
-            if hasattr(argument, "machine"):
-                return getattr(argument.machine, name)(*arguments)
-        return on_arrays(*arguments)
-
-    operation.__name__ = name
-    return operation
-
-
-def _bits(number, operation, other):
-    whole = np.asarray(number, np.float64).view(np.uint64)
-    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
-
-
-BIT_OPERATIONS = {"shl": np.left_shift, "lshr": np.right_shift, "and_": np.bitwise_and, "or_": np.bitwise_or}
-BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
-
-sqrt = _operation("sqrt", np.sqrt)
-floor = _operation("floor", np.floor)
-rint = _operation("rint", np.rint)
-where = _operation("where", np.where)
-bits = _operation("bits", _bits)  # of a float64, as LLVM names the operation, with a whole number
-
-
-def power_of_two(whole: Number) -> Number:
-    """Return 2ⁿ for a whole n from −1022 to 1023."""
-    return bits(whole + BIASED, "shl", 52)
-
-
-def binary_exponent(number: Number) -> Number:
-    """Return ⌊log₂|x|⌋ of a number of the normal range: its exponent's 11 bits become the last ones of 2^52."""
-    return bits(bits(bits(number, "lshr", 52), "and_", 2047), "or_", 0x433 << 52) - BIASED
-
-
 def elementary(kernel: Callable) -> Any:
-    """Return a kernel that a machine may have another way to compute: `kernel` is what others do."""
+    """Return a function that a machine may have another way to compute: `kernel` is what others do."""
 
     @wraps(kernel)
     def asked(*arguments):
@@ -98,6 +60,29 @@ def elementary(kernel: Callable) -> Any:
 
     asked.kernel = kernel  # type: ignore[attr-defined]
     return asked
+
+
+BIT_OPERATIONS = {"shl": np.left_shift, "lshr": np.right_shift, "and_": np.bitwise_and, "or_": np.bitwise_or}
+BIASED = 2.0**52 + 1023  # n + BIASED ends, as a float64, in the bits that stand for the exponent of 2ⁿ
+
+sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where))  # type: ignore[arg-type]
+
+
+@elementary
+def bits(number: Number, operation: str, other: int) -> Number:
+    """Return what an operation, as LLVM names it, makes of a float64's bits and a whole number."""
+    whole = np.asarray(number, np.float64).view(np.uint64)
+    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
+
+
+def power_of_two(whole: Number) -> Number:
+    """Return 2ⁿ for a whole n from −1022 to 1023."""
+    return bits(whole + BIASED, "shl", 52)
+
+
+def binary_exponent(number: Number) -> Number:
+    """Return ⌊log₂|x|⌋ of a number of the normal range: its exponent's 11 bits become the last ones of 2^52."""
+    return bits(bits(bits(number, "lshr", 52), "and_", 2047), "or_", 0x433 << 52) - BIASED
 
 
 def maximum(a: Number, b: Number) -> Number:

@@ -4,12 +4,9 @@ import tomllib
 from importlib import metadata
 from pathlib import Path
 
-
-def _version() -> str:
-    settings = Path(__file__).parents[1] / "pyproject.toml"
-    if settings.is_file():
-        return str(tomllib.loads(settings.read_text(encoding="utf-8"))["project"]["version"])
-    return metadata.version("symbolic-rendering")
-
-
-__version__ = _version()
+_settings = Path(__file__).parents[1] / "pyproject.toml"
+__version__: str
+if _settings.is_file():
+    __version__ = tomllib.loads(_settings.read_text(encoding="utf-8"))["project"]["version"]
+else:
+    __version__ = metadata.version("symbolic-rendering")

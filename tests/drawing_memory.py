@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS
+from renderer.machines.drawing_code import ARGUMENTS
 from renderer.shader.shader import WORK
 
 WORD = 8
@@ -16,13 +16,12 @@ def drawer_over_memory(run, base=0):
 
     def drawer(want, job):
         def draw(rows):
-            arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
-            arrays |= dict(zip(INPUT_BOUNDS, job.bounds, strict=True)) | {"counts": np.zeros(len(WORK), np.int64)}
+            arrays = job | {"counts": np.zeros(len(WORK), np.int64)}
             sizes = [WORD * len(ARGUMENTS), *(-(-array.nbytes // WORD) * WORD for array in arrays.values())]
             places = dict(zip(arrays, np.cumsum(sizes).tolist(), strict=False))
             given = {name: base + place for name, place in places.items()}
-            given |= {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job.x)}
-            given["light_count"] = len(job.lights)
+            given |= {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job["x"])}
+            given["light_count"] = len(job["lights"])
             parts = [np.array([given.get(name, 0) for name in ARGUMENTS]), *arrays.values()]
             memory = run(want, b"".join(p.tobytes().ljust(size, b"\0") for p, size in zip(parts, sizes, strict=True)))
             for name, array in arrays.items():

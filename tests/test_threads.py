@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from renderer import Scene, central, render, stage_of, threads
+from renderer import Scene, central, exact, render, stage_of, threads
 from renderer.threads import available_cores, run_bands
 from tests.processes import python
 
@@ -125,8 +125,9 @@ def test_a_helper_that_comes_late_is_not_waited_for(monkeypatch):
 def test_what_frames_share_cannot_be_written():
     stage = stage_of(Scene(), 40, 30)
     frame = render(Scene(), 40, 30, central(1e-3), stage=stage)
+    jobs = (stage.job(Scene(), exact(), {"code": frame.chambers}, of_a) for of_a in (False, True))
     shared = [stage.chambers, stage.x, stage.y, frame.chambers, frame.planes_on_a, *frame.surface_data.values()]
-    for array in shared:
+    for array in (*shared, *(part for job in jobs for part in job.values())):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0
     frame.rgb[:] = 0.0  # its own

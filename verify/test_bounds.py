@@ -21,7 +21,7 @@ from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, Picture, measure
 from verify.evaluate.balls import BALLS
 
-enclosed_bounds, where = Frame.bounds.fget, enclosing.Operations.where
+enclosed_bounds, where = Frame.bounds.fget, enclosing.where
 
 
 @pytest.fixture
@@ -156,7 +156,7 @@ def uncounted(kind, value, roundings, keeps_zero=False):
 @pytest.mark.parametrize(("broken", "name", "value", "operation"), [
     (Enclosed, "__mul__", product(own=0.0), "product"),
     (Enclosed, "counted", classmethod(uncounted), "quotient"),
-    (enclosing.Operations, "where", staticmethod(one_sided), "selection"),
+    (enclosing, "where", one_sided, "selection"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "selection"),
     (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
     (Enclosed, "__mul__", product(second_order=0.0), "product"),
@@ -169,7 +169,7 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
 
 
 def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
-    monkeypatch.setattr(enclosing.Operations, "where", staticmethod(one_sided))
+    monkeypatch.setattr(enclosing, "where", one_sided)
     assert any(picture.wrong(0, 0) for picture in on_creases())
 
 

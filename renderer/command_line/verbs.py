@@ -41,7 +41,11 @@ def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
     bounds = checked_target(options.bounds, (".npz",), "bounds") if options.bounds else None
-    scene, method, raster = _drawn_again(options) if options.again else _asked_for(options)
+    if options.again:
+        scene, method, raster = _drawn_again(options)
+    else:
+        scene, method = scene_of(options), method_of(options)
+        raster = Raster(*size_of(options, options.size), options.crop)
     picture, more = (scene, raster.width, raster.height), {"gradient": method, "crop": raster.crop}
     more["threads"] = options.threads
     if target.suffix.lower() in files.STREAM_SUFFIXES:
@@ -63,13 +67,8 @@ def draw_image(options: Namespace) -> None:
         print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open", file=told)
 
 
-def _asked_for(options):
-    """Return the scene, the method and the raster of the options."""
-    return scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop)
-
-
 def _drawn_again(options):
-    """Return those of a picture's file; say where what drew it is not what draws now."""
+    """Return the scene, the method and the raster of a picture's file; say where what drew it is not what draws now."""
     given = vars(options).keys() & {"scene", *(field.name for field in fields(Scene))}
     given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
     if given:

@@ -15,7 +15,7 @@ import numpy as np
 
 from renderer.checks import extra
 from renderer.threads import available_cores, run_bands
-from renderer.whole_files import whole_file
+from renderer.whole_files import whole_file, write_whole
 
 PICTURE_SUFFIXES, STREAM_SUFFIXES = (".png", ".npz"), (".npy", ".tif", ".tiff")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
@@ -104,8 +104,7 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
     """Write what `png_of` returns; the file appears whole or not at all."""
-    with whole_file(path) as name:
-        Path(name).write_bytes(png_of(image, text))
+    write_whole(Path(path), png_of(image, text))
 
 
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:

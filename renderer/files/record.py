@@ -1,7 +1,6 @@
 """What a picture's file says of how it was drawn, so that it can be drawn again: JSON, in a PNG or an NPZ."""
 
 import json
-import struct
 import zlib
 from dataclasses import asdict
 from pathlib import Path
@@ -48,6 +47,8 @@ def read(path: str | Path) -> Drawing:
     """
     with distrusted("again", path):
         (text,) = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
+        if len(text) > LARGEST:
+            raise ValueError(f"a text of more than {LARGEST} bytes")
         record = read_json(text)
         if record.keys() != NAMES or record["gradient"].keys() != {"name", "eps", "form"}:
             raise ValueError("other names than a record has")
@@ -59,40 +60,28 @@ def read(path: str | Path) -> Drawing:
 
 
 def _of_png(path):
-    """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged or too long."""
-    found, kind = [], b""
-    with open(path, "rb") as file:
-        if file.read(len(SIGNATURE)) != SIGNATURE:
-            raise ValueError("no PNG")
-        while kind != b"IEND":
-            length, kind = struct.unpack(">I4s", _exactly(file, 8))
-            if kind != b"tEXt":
-                file.seek(length, 1)
-            elif length > LARGEST:
-                raise ValueError(f"a text of more than {LARGEST} bytes")
-            data = _exactly(file, length) if kind == b"tEXt" else b""
-            (checksum,) = struct.unpack(">I", _exactly(file, 4))
-            if data and zlib.crc32(kind + data) != checksum:
+    """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged."""
+    content, found, at, kind = Path(path).read_bytes(), [], len(SIGNATURE), b""
+    if not content.startswith(SIGNATURE):
+        raise ValueError("no PNG")
+    while kind != b"IEND":
+        begin, end = at + 8, at + 8 + int.from_bytes(content[at : at + 4])
+        kind, at = content[begin - 4 : begin], end + 4
+        if at > len(content):
+            raise ValueError("the file is cut")
+        if kind == b"tEXt":
+            if zlib.crc32(content[begin - 4 : end]) != int.from_bytes(content[end:at]):
                 raise ValueError("a damaged text")
-            keyword, _, text = data.partition(b"\0")
+            keyword, _, text = content[begin:end].partition(b"\0")
             found += [text] if keyword == KEYWORD else []
     return found
 
 
-def _exactly(file, length):
-    data = file.read(length)
-    if len(data) < length:
-        raise ValueError("the file is cut")
-    return data
-
-
 def _of_npz(path):
-    """Return the members that are a record. Raises ValueError where one is damaged or too long."""
+    """Return the members that are a record. Raises ValueError where one is damaged."""
     try:
         with ZipFile(path) as zipped:
             members = [one for one in zipped.infolist() if one.filename == MEMBER]
-            if any(one.file_size > LARGEST for one in members):
-                raise ValueError(f"a text of more than {LARGEST} bytes")
-            return [zipped.open(one).read(LARGEST) for one in members]
+            return [zipped.open(one).read(LARGEST + 1) for one in members]
     except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
         raise ValueError(str(error)) from None

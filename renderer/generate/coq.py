@@ -80,16 +80,14 @@ class CoqPrinter(KernelPrinter):
     real part is taken.
     """
 
-    names: ClassVar = {"Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln"}
+    names: ClassVar = {
+        "Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln", "Pi": "PI", "Infinity": "p_infty",
+    }  # fmt: skip
 
     def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
 
-    def _print_Pi(self, expr):
-        return "PI"
-
-    def _print_Infinity(self, expr):
-        return "p_infty"
+    _print_Pi = KernelPrinter._print_Infinity
 
     def _print_Symbol(self, symbol):
         return symbol.name if symbol.is_real else f"real {symbol.name}"
@@ -213,11 +211,10 @@ def exponential_in_range() -> Program:
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += [*image_derivative.base_derivatives.values(), half_turn_polynomials()]
-    found += [arctangent_polynomial(), exponential_polynomial()]
-    for field in height_fields.HEIGHT_FIELDS.values():
-        found += [height_fields.height(field), height_fields.gradient(field)]
-        found += [method(field) for method in finite_difference.METHODS.values()]
+    found += [*image_derivative.base_derivatives.values()]
+    found += [half_turn_polynomials(), arctangent_polynomial(), exponential_polynomial()]
+    programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
+    found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
     return by_name(found)
 
 
@@ -228,13 +225,21 @@ def float64_module(program: Program, *variables: str) -> str:
 
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
-    kernels = [elementary.two_product, half_turn_polynomials()]
-    kernels += [elementary.sine_of_half_turns, elementary.cosine_of_half_turns, elementary.angle_in_half_turns]
-    kernels += [exponential_in_range()]
-    kernels += [bump.perturbed, shading.light_direction, shading.light_term, shading.clip]
+    kernels = [
+        elementary.two_product,
+        half_turn_polynomials(),
+        elementary.sine_of_half_turns,
+        elementary.cosine_of_half_turns,
+        elementary.angle_in_half_turns,
+        exponential_in_range(),
+        bump.perturbed,
+        shading.light_direction,
+        shading.light_term,
+        shading.clip,
+    ]
+    programs_of = (height_fields.height, height_fields.gradient_from_factors, height_fields.gradient)
     for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
-        kernels += [height_fields.height(field), height_fields.gradient_from_factors(field)]
-        kernels += [height_fields.gradient(field)]
+        kernels += [program(field) for program in programs_of]
     modules = [float64_module(program) for program in kernels]
     modules.append(float64_module(finite_difference.central(ANY_FIELD), "Variable height : R -> R -> R -> R -> R."))
     modules += [_in_module(f"{program.name}_float64", rule(program)) for program in enclosed.RULES.values()]

@@ -8,8 +8,30 @@ import ast
 import operator
 import re
 from collections.abc import Mapping
+from typing import Any
 
-from sympy import Abs, Add, And, Expr, Max, Min, Mul, Or, Piecewise, Pow, Rational, S, Symbol, exp, log, pi, sign, sqrt
+from sympy import (
+    Abs,
+    Add,
+    And,
+    Expr,
+    Max,
+    Min,
+    Mul,
+    Or,
+    Piecewise,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    Tuple,
+    exp,
+    log,
+    pi,
+    sign,
+    sqrt,
+)
+from sympy.logic.boolalg import Boolean
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
@@ -59,8 +81,8 @@ class _Reader:
         """Return the text of a node."""
         return self.text[node.col_offset : node.end_col_offset]
 
-    def read(self, node: ast.expr, depth: int) -> Expr:
-        """Return the expression of a node that is so deep in the tree."""
+    def read(self, node: ast.expr, depth: int, kind: type = Expr) -> Any:
+        """Return the expression of a node so deep in the tree; kind: a condition's is Boolean, a choice's Tuple."""
         if depth > DEEPEST:
             raise self.refused(f"it is nested more than {DEEPEST} deep")
         try:
@@ -69,6 +91,8 @@ class _Reader:
             if str(error).startswith("expression = "):
                 raise
             raise self.refused(f"{self.said(node)[:60]} is not defined") from None
+        if next(known for known in (Expr, Tuple, Boolean) if isinstance(found, known)) is not kind:
+            raise self.refused(f"{self.said(node)[:60]!r} is not of the kind that belongs there")
         return self._bounded(found, node)
 
     def _of(self, node, depth):
@@ -92,10 +116,19 @@ class _Reader:
                 if self.choices > MOST_CHOICES:
                     raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
                 self.inside += 1
-                read = self._choice if name == "Piecewise" else self.read
-                found = _CHOICES[name](*[read(argument, depth) for argument in arguments])
+                kind = Tuple if name == "Piecewise" else Expr
+                found = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
                 self.inside -= 1
                 return found
+            case ast.Tuple([value, condition]):
+                return Tuple(self.read(value, depth), self.read(condition, depth, Boolean))
+            case ast.Constant(True):
+                return S.true
+            case ast.BinOp(one, ast.BitAnd() | ast.BitOr() as connective, other):
+                sides = self.read(one, depth, Boolean), self.read(other, depth, Boolean)
+                return And(*sides) if isinstance(connective, ast.BitAnd) else Or(*sides)
+            case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
+                return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
         allowed = ", ".join([*self.names, *_OF_ONE, *_CHOICES])
         raise self.refused(f"{self.said(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
 
@@ -110,27 +143,6 @@ class _Reader:
             parts.append(S.NegativeOne)
             node = node.operand
         return [self.read(node, depth), *reversed(parts)]
-
-    def _choice(self, node, depth):
-        """Return (value, condition) of a Piecewise."""
-        match node:
-            case ast.Tuple([value, ast.Constant(True)]):
-                return self.read(value, depth), S.true
-            case ast.Tuple([value, condition]):
-                return self.read(value, depth), self._condition(condition, depth)
-        raise self.refused(f"{self.said(node)[:60]!r} is no (value, condition)")
-
-    def _condition(self, node, depth):
-        if depth > DEEPEST:
-            raise self.refused(f"it is nested more than {DEEPEST} deep")
-        match node:
-            case ast.BinOp(one, ast.BitAnd() | ast.BitOr() as connective, other):
-                both = And if isinstance(connective, ast.BitAnd) else Or
-                return both(self._condition(one, depth + 1), self._condition(other, depth + 1))
-            case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
-                left, right = self.read(left, depth), self.read(right, depth)
-                return _COMPARISONS[type(relation)](left, right)
-        raise self.refused(f"{self.said(node)[:60]!r} is no comparison by <, <=, > or >=")
 
     def _power(self, power, node):
         """Return the exponent of a node, or refuse it."""

@@ -107,15 +107,16 @@ def _lines_of(program):
     return lines
 
 
-def field_from_record(record: Any) -> HeightField:
-    """Return the HeightField of {"name": …, "expression": its text, "seam": whether it has one}; raise ValueError."""
-    name, expression, seam = _parts("field", record, {"name": str, "expression": str, "seam": bool}, seam=False)
-    return HeightField(name, parse_expression(expression), seam)
+def from_record(what: str, record: dict[str, Any]) -> HeightField | LightModel:
+    """Return the field or the model of a record. Raises ValueError.
 
-
-def model_from_record(record: Any) -> LightModel:
-    """Return the LightModel of {"name": …, "program": ["line = …", …], "squared": the same or nothing}."""
-    name, program, squared = _parts("model", record, {"name": str, "program": list, "squared": list}, squared=[])
+    A field: {"name": …, "expression": its text, "seam": whether it has one}. A model: {"name": …, "program":
+    ["line = …", …], "squared": the same or nothing}.
+    """
+    if what == "field":
+        name, expression, seam = _parts(what, record, {"name": str, "expression": str, "seam": bool}, seam=False)
+        return HeightField(name, parse_expression(expression), seam)
+    name, program, squared = _parts(what, record, {"name": str, "program": list, "squared": list}, squared=[])
     return LightModel(name, _program_of(name, program), _program_of(name, squared) if squared else None)
 
 
@@ -140,7 +141,6 @@ def _program_of(name, lines):
 
 def _parts(what, record, kinds, **defaults):
     """Return the parts of a record, in the order of their kinds."""
-    check_kind(what, record, dict, "a name, or a record of one's own")
     for key in record:
         if key not in kinds:
             raise not_allowed(what, key, f"the parts {', '.join(kinds)}")

@@ -14,7 +14,7 @@ from sympy.printing.str import StrPrinter
 class KernelPrinter(StrPrinter):
     """Prints for `renderer.operations`; `verify.evaluate` prints the same lines for any other kind of number."""
 
-    names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum"}
+    names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "Infinity": "inf", "NegativeInfinity": "-inf"}
 
     def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""
@@ -28,14 +28,10 @@ class KernelPrinter(StrPrinter):
 
     _print_Integer = _print_Zero = _print_One = _print_NegativeOne = _print_Half = _print_Rational
 
-    def _print_Pi(self, expr):
-        return "pi"
-
     def _print_Infinity(self, expr):
-        return "inf"
+        return self.names[type(expr).__name__]
 
-    def _print_NegativeInfinity(self, expr):
-        return "-inf"
+    _print_NegativeInfinity = _print_Infinity
 
     def _print_Exp1(self, expr):
         return self._call("exp", [S.One])

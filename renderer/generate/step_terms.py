@@ -19,7 +19,7 @@ from proofs.formulas.symbols import v as along_v
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.generate.programs import field_programs
-from renderer.operations import UNIT, Number, floor, inf, maximum, minimum, rint, where
+from renderer.operations import UNIT, Mask, Number, floor, inf, maximum, minimum, rint, where
 
 ROOM = 1 + 2.0**-40
 SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
@@ -69,6 +69,17 @@ class Side(NamedTuple):
         """Return the size of the factor's derivative over πk at the point; on either side, if that is a crease."""
         return abs((kernels.cospi if self.is_sine else kernels.sinpi)(*kernels.two_product(self.rate, self.at)))
 
+    def crease(self, epsilon: Number, nearest_to: Callable) -> tuple[Mask, Number]:
+        """Return (whether the nearest zero is within a step, the tent bound: infinite where another one may be).
+
+        nearest_to: where that zero is, in half-turns, of the point's own.
+        """
+        product, error = kernels.two_product(self.rate, self.at)
+        distance = abs((product - nearest_to(product)) + error) / ROOM
+        tent = tent_bound(epsilon, minimum(epsilon, distance / self.rate), self.rate)
+        alone = (self.rate * epsilon + distance) * ROOM <= 1.0
+        return distance < self.rate * epsilon, where(alone, tent, inf)
+
 
 def factors_of(field: HeightField) -> tuple[Expr | None, Expr | None] | None:
     """Return the factors of u and of v that a field, or what it is the absolute value of, is the product of.
@@ -95,13 +106,6 @@ def half_unit(number: Number) -> Number:
     return UNIT * abs(large - (1 - UNIT) * large)
 
 
-def _nearest_crease(side, epsilon, nearest, product, error):
-    """Return (half-turns to a zero of the factor, the tent bound: infinite where another zero may be in reach)."""
-    distance = abs((product - nearest) + error) / ROOM
-    tent = tent_bound(epsilon, minimum(epsilon, distance / side.rate), side.rate)
-    return distance, where((side.rate * epsilon + distance) * ROOM <= 1.0, tent, inf)
-
-
 def _exact_in_u(side, epsilon):
     """Return (kind, bound, jump) of the error in u in exact arithmetic; jump: by how much h jumps between the samples.
 
@@ -109,10 +113,8 @@ def _exact_in_u(side, epsilon):
     """
     wraps = (side.at - epsilon < 0.0) | (side.at + epsilon >= 1.0)
     jump = where(wraps, abs(side.height(0.0) - side.height(1.0)), 0.0)
-    product, error = kernels.two_product(side.rate, side.at)
     shift = 0.0 if side.is_sine else 0.5
-    distance, tent = _nearest_crease(side, epsilon, rint(product - shift) + shift, product, error)
-    crossed = distance < side.rate * epsilon
+    crossed, tent = side.crease(epsilon, lambda product: rint(product - shift) + shift)
     if not side.folded:
         crossed = crossed & wraps & (0.5 * side.rate != floor(0.5 * side.rate))
     most = crease_bound(side.rate) + jump / (2.0 * epsilon)
@@ -122,7 +124,7 @@ def _exact_in_u(side, epsilon):
 
 
 def _exact_in_v(side, epsilon, inside):
-    """Return (kind, bound) of the error in v in exact arithmetic. Zeros at the poles are no creases.
+    """Return (kind, bound, no jump) of the error in v in exact arithmetic. Zeros at the poles are no creases.
 
     Clamped at the pole v = 0, a sine keeps second order, but not where a factor that is folded is 0: at the pole itself
     its slope is 0 by the rule of creases. Whatever is clamped there, or at the other pole, has the crudest bound.
@@ -131,15 +133,15 @@ def _exact_in_v(side, epsilon, inside):
     clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf
     bound, kind = where(inside, smooth, clamped), where(inside, TRUNCATION, ONE_SIDED)
     if side.folded:
-        product, error = kernels.two_product(side.rate, side.at)
         first = 1.0 if side.is_sine else 0.5
         last = first - 1.0 - floor(first - side.rate)  # the largest zero below k
-        nearest = minimum(maximum(rint(product - first) + first, first), last)
-        distance, tent = _nearest_crease(side, epsilon, nearest, product, error)
-        crossed = (distance < side.rate * epsilon) & (last >= first)
+        crossed, tent = side.crease(
+            epsilon, lambda product: minimum(maximum(rint(product - first) + first, first), last)
+        )
+        crossed = crossed & (last >= first)
         bound = where(crossed, where(inside, tent, inf), where(side.at > 0.0, bound, inf))
         kind = where(crossed, STRADDLING, kind)
-    return kind, minimum(most, bound)
+    return kind, minimum(most, bound), 0.0 * epsilon
 
 
 def _terms(side, still, epsilon, span, excess, moved, exact):
@@ -163,8 +165,8 @@ def _terms(side, still, epsilon, span, excess, moved, exact):
     found[1:3] = argument, value
     lost = (side.at + epsilon == side.at) & (side.at - epsilon == side.at)  # one height, twice: the error is the slope
     slope = slope_bound(side.rate) * fixed * side.slope()
-    found = [where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(found)]
-    return [where(side.rate > 0.0, ROOM * term, 0.0) for term in found]
+    lost_terms = (where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(found))
+    return [where(side.rate > 0.0, ROOM * term, 0.0) for term in lost_terms]
 
 
 def slope_terms(field: HeightField) -> Callable | None:
@@ -178,16 +180,13 @@ def slope_terms(field: HeightField) -> Callable | None:
 
     def terms(u, v, k_u, k_v, epsilon):
         rates = (abs(0.0 * epsilon + rate) for rate in wave_numbers(k_u, k_v))
-        in_u, in_v = (Side(f, folded, rate, at) for f, rate, at in zip(factors, rates, (u, v), strict=True))
+        in_u, in_v = map(Side, factors, (folded, folded), rates, (u, v))
         wraps = (u - epsilon < 0.0) | (u + epsilon >= 1.0)  # and is rounded once more
         moved = half_unit(u + epsilon) + where(wraps, UNIT / 2, 0.0)
         of_u = _terms(in_u, in_v, epsilon, 2.0 * epsilon, TWO_ROUNDINGS, moved, _exact_in_u(in_u, epsilon))
         inside = (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
         span = where(inside, 2.0 * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-        excess, exact = (
-            where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS),
-            (*_exact_in_v(in_v, epsilon, inside), 0.0 * epsilon),
-        )
+        excess, exact = where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS), _exact_in_v(in_v, epsilon, inside)
         return of_u, _terms(in_v, in_u, epsilon, span, excess, half_unit(v + epsilon), exact)
 
     return terms
@@ -202,10 +201,10 @@ def bounds_of(field: HeightField) -> Callable | None:
         return None
 
     def bounds(u, v, k_u, k_v, epsilon):
-        pairs = list(zip(*terms(u, v, k_u, k_v, epsilon), strict=True))
-        of_u, of_v = (sum(part[1:], part[0]) for part in zip(*pairs, strict=True))
+        found = terms(u, v, k_u, k_v, epsilon)
+        of_u, of_v = (sum(part[1:], part[0]) for part in found)
         leading, largest = 0.0, 0.0
-        for number, pair in enumerate(pairs, start=1):
+        for number, pair in enumerate(zip(*found, strict=True), start=1):
             term = where(of_u > of_v, *pair)
             leading, largest = where(term > largest, float(number), leading), maximum(largest, term)
         return maximum(of_u, of_v), leading, of_u, of_v

@@ -1,27 +1,17 @@
-"""The machines that run the shader: LLVM's vectors where llvmlite is installed, NumPy's rows elsewhere; same bits."""
+"""The machines that run the shader: LLVM's vectors where llvmlite is installed, NumPy's arrays elsewhere; same bits.
+
+What is drawn on, a job, is a dict of arrays: `scene` and `lights`, the numbers of these; `x`, image points as many as a
+plane's row is long, NaN beyond the raster's last column, and `y`, one of each row; `columns`, (rows, 2) int64, which
+columns of each row are looked at; the frame's planes by name, (rows, columns of x), float64, the chamber code `code`
+uint8. Where bounds are wanted, `x_bound`, `y_bound` and `scene_bounds` are those of the errors of x, y and scene.
+"""
 
 from functools import cache
 from types import ModuleType
-from typing import NamedTuple
 
 import numpy as np
 
-
-class Job(NamedTuple):
-    """What is drawn on: the numbers of a scene and of its lights, a raster's image points, and a frame's planes.
-
-    x: as long as a plane's row, NaN beyond the raster's last column. y: (rows,). columns: (rows, 2) int64, which
-    columns of each row are looked at. planes: {name: (rows, columns of x)}, float64, the chamber code uint8.
-    bounds: of the errors of x, of y, and of the scene's numbers (as long as these), where they are wanted.
-    """
-
-    scene: np.ndarray
-    lights: np.ndarray
-    x: np.ndarray
-    y: np.ndarray
-    columns: np.ndarray
-    planes: dict
-    bounds: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None
+Job = dict[str, np.ndarray]
 
 
 @cache

@@ -9,9 +9,8 @@ from renderer.shader.shader import BOUNDS, CHART, COLORS, ON_A, WORK, Group, Wan
 
 PLANES = (*COLORS, "code", *ON_A, *CHART, *BOUNDS, "open")
 BYTES = ("code", "open")
-INPUT_BOUNDS = ("x_bound", "y_bound", "scene_bounds")
 ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts",
-             *PLANES, *INPUT_BOUNDS)  # fmt: skip
+             *PLANES, "x_bound", "y_bound", "scene_bounds")  # fmt: skip
 """What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
 
 

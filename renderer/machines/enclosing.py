@@ -20,14 +20,15 @@ nothing.
 
 import math
 import operator
+import sys
 from contextvars import ContextVar
-from functools import partial
 from itertools import product
 from typing import Any
 
 from renderer import kernels, operations
 from renderer.machines.bounded import Bounded, is_zero, plus, times
-from renderer.operations import UNIT, Constant, where
+from renderer.operations import UNIT, Constant
+from renderer.operations import where as inner_where
 
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
@@ -50,7 +51,7 @@ def _least(*factors):
         if type(factor.value) is float:
             least = least if factor.value else 0.0
         elif factor.stays_exact:
-            least = where(factor.is_zero, 0.0, least)
+            least = inner_where(factor.is_zero, 0.0, least)
     return least
 
 
@@ -59,11 +60,6 @@ class Mask:
 
     def __init__(self, holds: Any, open_: Any = None):
         self.holds, self.open = holds, open_
-
-    @property
-    def machine(self) -> type:
-        """What `renderer.operations` asks."""
-        return Operations
 
     @property
     def maybe(self) -> Any:
@@ -126,15 +122,15 @@ class Enclosed(Bounded):
         """Where it is an exact 0."""
         return plus(abs(self.value), self.error) == 0.0
 
-    @property
-    def machine(self) -> type:
-        """What `renderer.operations` asks."""
-        return Operations
-
-    @staticmethod
-    def of(number: Any) -> "Enclosed":
-        """Return a number as Enclosed."""
-        return enclosed(number)
+    @classmethod
+    def of(cls, number: Any) -> "Enclosed":
+        """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
+        if isinstance(number, Enclosed):
+            return number
+        if isinstance(number, Constant):
+            return cls(float(number), number.error)
+        literal = isinstance(number, int | float)
+        return cls(float(number) if literal else number, stays_exact=literal)
 
     @classmethod
     def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
@@ -157,7 +153,7 @@ class Enclosed(Bounded):
             if _scales(literal):
                 lost = 0.0 if abs(literal.value) >= 1.0 else _least(scaled)
                 if scaled.stays_exact and not is_zero(lost):
-                    lost = where(abs(product) < LEAST_NORMAL, lost, 0.0)
+                    lost = inner_where(abs(product) < LEAST_NORMAL, lost, 0.0)
                 return lost, stays_exact
         return plus(abs(product), _least(self, other)), stays_exact
 
@@ -174,7 +170,7 @@ class Enclosed(Bounded):
         if is_zero(self.error):
             return 1.0 / abs(self.value)
         least = abs(self.value) - self.bound
-        return where(least > 0.0, 1.0 / least, math.inf)
+        return inner_where(least > 0.0, 1.0 / least, math.inf)
 
     def __neg__(self):
         return Enclosed.counted(-self.value, self.error, self.stays_exact)
@@ -202,14 +198,7 @@ class Enclosed(Bounded):
     )
 
 
-def enclosed(number: Any) -> Enclosed:
-    """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
-    if isinstance(number, Enclosed):
-        return number
-    if isinstance(number, Constant):
-        return Enclosed(float(number), number.error)
-    literal = isinstance(number, int | float)
-    return Enclosed(float(number) if literal else number, stays_exact=literal)
+enclosed = Enclosed.of
 
 
 def _ends(number):
@@ -224,166 +213,164 @@ def _rarely(mask, value, otherwise):
     """Return what `value` returns where a mask holds; it is called for no group for which it holds nowhere."""
     machine = getattr(mask, "machine", None)
     if machine is None:
-        return where(mask, value(), otherwise)
+        return inner_where(mask, value(), otherwise)
     chosen = machine.variable(otherwise)
     machine.when(mask, lambda: chosen.set(value(), mask))
     return chosen.value
 
 
-class Operations:
-    """What `renderer.operations` and the elementary kernels are on Enclosed numbers."""
+def where(mask: Mask, value: Any, otherwise: Any) -> Enclosed:
+    """Return the selected side; where the mask is open, within the bounds of both."""
+    if not isinstance(mask, Mask):
+        mask = Mask(mask)
+    value, otherwise = enclosed(value), enclosed(otherwise)
+    chosen = inner_where(mask.holds, value.value, otherwise.value)
+    exact = is_zero(value.error) and is_zero(otherwise.error)
+    roundings = 0.0 if exact else inner_where(mask.holds, value.error, otherwise.error)
+    if mask.open is not None:
+        apart = abs(value.value - otherwise.value) * (1.0 / UNIT)
+        roundings = inner_where(mask.open, plus(apart, value.error, otherwise.error), roundings)
+    return Enclosed.counted(chosen, roundings, value.stays_exact and otherwise.stays_exact)
 
-    @staticmethod
-    def where(mask: Mask, value: Any, otherwise: Any) -> Enclosed:
-        """Return the selected side; where the mask is open, within the bounds of both."""
-        if not isinstance(mask, Mask):
-            mask = Mask(mask)
-        value, otherwise = enclosed(value), enclosed(otherwise)
-        chosen = where(mask.holds, value.value, otherwise.value)
-        exact = is_zero(value.error) and is_zero(otherwise.error)
-        roundings = 0.0 if exact else where(mask.holds, value.error, otherwise.error)
-        if mask.open is not None:
-            apart = abs(value.value - otherwise.value) * (1.0 / UNIT)
-            roundings = where(mask.open, plus(apart, value.error, otherwise.error), roundings)
-        return Enclosed.counted(chosen, roundings, value.stays_exact and otherwise.stays_exact)
 
-    @staticmethod
-    def sqrt(number: Enclosed) -> Enclosed:
-        """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
-        root, moved = operations.sqrt(number.value), 0.0
-        if not is_zero(number.error):
-            near_zero = ~(number.error < number.value * (1.0 / UNIT))
-            by_size = partial(lambda error: operations.sqrt(error) * ROOT_OF_ROUNDING, number.error)
-            moved = _rarely(near_zero, by_size, number.error / root)
-        return Enclosed.counted(root, plus(moved, root), number.stays_exact)
+def sqrt(number: Enclosed) -> Enclosed:
+    """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
+    root, moved = operations.sqrt(number.value), 0.0
+    if not is_zero(number.error):
+        near_zero = ~(number.error < number.value * (1.0 / UNIT))
+        moved = _rarely(near_zero, lambda: operations.sqrt(number.error) * ROOT_OF_ROUNDING, number.error / root)
+    return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
-    @staticmethod
-    def _whole(number, found, away):
-        """Return a whole number that is found, which may be the next one where what changes it is in reach."""
-        if is_zero(number.error):
-            return Enclosed(found, stays_exact=True)
-        reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
-        further = operations.floor(number.bound)
-        return Enclosed(found, where(reaches, 1.0 + further, further), True)
 
-    @classmethod
-    def floor(cls, number: Enclosed) -> Enclosed:
-        """A whole number within the bound of the number may be either one's."""
-        away = abs(number.value - operations.rint(number.value))
-        return cls._whole(number, operations.floor(number.value), away)
+def _whole(number, found, away):
+    """Return a whole number that is found, which may be the next one where what changes it is in reach."""
+    if is_zero(number.error):
+        return Enclosed(found, stays_exact=True)
+    reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
+    further = operations.floor(number.bound)
+    return Enclosed(found, inner_where(reaches, 1.0 + further, further), True)
 
-    @classmethod
-    def rint(cls, number: Enclosed) -> Enclosed:
-        """The same of halves."""
-        nearest = operations.rint(number.value)
-        return cls._whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
-    @staticmethod
-    def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
-        """Return the factors: sinpi and cospi, which alone take a product in two parts, take them so here."""
-        return enclosed(a), enclosed(b)
+def floor(number: Enclosed) -> Enclosed:
+    """A whole number within the bound of the number may be either one's."""
+    away = abs(number.value - operations.rint(number.value))
+    return _whole(number, operations.floor(number.value), away)
 
-    @staticmethod
-    def _of_half_turns(kernel, product, factor):
-        product, factor = enclosed(product), enclosed(factor)
-        moved = times(ROUNDING, product.product_moves(factor))
-        whole, rest = kernels.two_product.kernel(product.value, factor.value)
-        found = kernel(whole, rest)
-        own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
-        if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
-            exact = abs(whole) >= 0.5
-            for part in (product, factor):
-                exact = exact if type(part.value) is float else exact | part.is_zero
-            own = where((found == 0.0) & exact, 0.0, own)
-        if is_zero(moved):
-            return Enclosed(found, own * SLACK)
-        turned = math.pi * SLACK * moved
-        return Enclosed(found, (where(turned < 2.0, turned, 2.0) + own) * SLACK)
 
-    @classmethod
-    def sinpi(cls, product: Any, factor: Any = 1.0) -> Enclosed:
-        """Return sin π ab: its slope is at most π, and it moves by 2 at most."""
-        return cls._of_half_turns(kernels.sinpi.kernel, product, factor)
+def rint(number: Enclosed) -> Enclosed:
+    """The same of halves."""
+    nearest = operations.rint(number.value)
+    return _whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
-    @classmethod
-    def cospi(cls, product: Any, factor: Any = 1.0) -> Enclosed:
-        """Return cos π ab."""
-        return cls._of_half_turns(kernels.cospi.kernel, product, factor)
 
-    @staticmethod
-    def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
-        """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
+def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
+    """Return the factors: sinpi and cospi, which alone take a product in two parts, take them so here."""
+    return enclosed(a), enclosed(b)
 
-        Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
-        exact.
-        """
-        y, x = enclosed(ordinate), enclosed(abscissa)
-        found = kernels.atan2pi.kernel(y.value, x.value)
-        own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
-        moved = plus(y.bound, x.bound)
-        if is_zero(moved):
-            return Enclosed(found, own * SLACK)
-        radius = operations.sqrt(x.value * x.value + y.value * y.value)
-        across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
-        sine = across / (radius * (radius - moved))
-        near = (moved < 0.5 * radius) & (sine < 0.249)
-        bound = where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
-        over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
-        bound = where(over_the_cut, 2.0, bound) * SLACK
-        if not (x.stays_exact and y.stays_exact):
-            return Enclosed(found, bound)
-        on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
-        return Enclosed(found, where(on_axis, 0.0, bound), True)
 
-    @staticmethod
-    def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
-        """Return `found`, off by `ulps` of it: in each of its arguments the function rises or falls.
+def _of_half_turns(kernel, product, factor):
+    product, factor = enclosed(product), enclosed(factor)
+    moved = times(ROUNDING, product.product_moves(factor))
+    whole, rest = kernels.two_product.kernel(product.value, factor.value)
+    found = kernel(whole, rest)
+    own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+    if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
+        exact = abs(whole) >= 0.5
+        for part in (product, factor):
+            exact = exact if type(part.value) is float else exact | part.is_zero
+        own = inner_where((found == 0.0) & exact, 0.0, own)
+    if is_zero(moved):
+        return Enclosed(found, own * SLACK)
+    turned = math.pi * SLACK * moved
+    return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
 
-        So at some of their ends it is furthest from there.
-        """
 
-        def own(result):
-            return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
+def sinpi(product: Any, factor: Any = 1.0) -> Enclosed:
+    """Return sin π ab: its slope is at most π, and it moves by 2 at most."""
+    return _of_half_turns(kernels.sinpi.kernel, product, factor)
 
-        moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
-        if is_zero(moved):
-            return Enclosed(found, own(found) * SLACK)
-        for ends in product(*map(_ends, arguments)):
-            end = kernel(*ends)
-            away = abs(end - found) + own(end)
-            furthest = where(away > furthest, away, furthest)
-        return Enclosed(found, (where(moved < math.inf, furthest, math.inf) + own(found)) * SLACK)
 
-    @classmethod
-    def exp(cls, product: Any, factor: Any = 1.0) -> Enclosed:
-        """Return exp ab."""
-        a, b = enclosed(product), enclosed(factor)
-        found = kernels.exp.kernel(*kernels.two_product.kernel(a.value, b.value))
-        return cls._monotone(kernels.exp.kernel, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+def cospi(product: Any, factor: Any = 1.0) -> Enclosed:
+    """Return cos π ab."""
+    return _of_half_turns(kernels.cospi.kernel, product, factor)
 
-    @classmethod
-    def log(cls, number: Enclosed) -> Enclosed:
-        """Return log a: −∞ where a may be 0."""
 
-        def of_positive(end):
-            return kernels.log.kernel(operations.maximum(0.0, end))
+def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
+    """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
 
-        return cls._monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log.kernel(number.value), [number])
+    Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
+    exact.
+    """
+    y, x = enclosed(ordinate), enclosed(abscissa)
+    found = kernels.atan2pi.kernel(y.value, x.value)
+    own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
+    moved = plus(y.bound, x.bound)
+    if is_zero(moved):
+        return Enclosed(found, own * SLACK)
+    radius = operations.sqrt(x.value * x.value + y.value * y.value)
+    across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
+    sine = across / (radius * (radius - moved))
+    near = (moved < 0.5 * radius) & (sine < 0.249)
+    bound = inner_where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
+    over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
+    bound = inner_where(over_the_cut, 2.0, bound) * SLACK
+    if not (x.stays_exact and y.stays_exact):
+        return Enclosed(found, bound)
+    on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
+    return Enclosed(found, inner_where(on_axis, 0.0, bound), True)
 
-    @classmethod
-    def power(cls, number: Any, exponent: Any) -> Enclosed:
-        """Return a^p: 0 for a number that is certainly not positive."""
-        number, exponent = enclosed(number), enclosed(exponent)
 
-        def ulps(result):
-            return where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
+def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
+    """Return `found`, off by `ulps` of it: in each of its arguments the function rises or falls.
 
-        found = kernels.power.kernel(number.value, exponent.value)
-        vanishing = where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-        return cls._monotone(kernels.power.kernel, ulps, found, [number, exponent], vanishing)
+    So at some of their ends it is furthest from there.
+    """
 
-    @staticmethod
-    def sign(number: Any) -> Enclosed:
-        """Return −1, 0 or 1. A gradient asks for it at a crease: where its side is open, so is the pixel."""
-        at_work.get().leave_open((number > 0.0).open)
-        return operations.sign.kernel(number)
+    def own(result):
+        return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
+
+    moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
+    if is_zero(moved):
+        return Enclosed(found, own(found) * SLACK)
+    for ends in product(*map(_ends, arguments)):
+        end = kernel(*ends)
+        away = abs(end - found) + own(end)
+        furthest = inner_where(away > furthest, away, furthest)
+    return Enclosed(found, (inner_where(moved < math.inf, furthest, math.inf) + own(found)) * SLACK)
+
+
+def exp(product: Any, factor: Any = 1.0) -> Enclosed:
+    """Return exp ab."""
+    a, b = enclosed(product), enclosed(factor)
+    found = kernels.exp.kernel(*kernels.two_product.kernel(a.value, b.value))
+    return _monotone(kernels.exp.kernel, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+
+
+def log(number: Enclosed) -> Enclosed:
+    """Return log a: −∞ where a may be 0."""
+
+    def of_positive(end):
+        return kernels.log.kernel(operations.maximum(0.0, end))
+
+    return _monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log.kernel(number.value), [number])
+
+
+def power(number: Any, exponent: Any) -> Enclosed:
+    """Return a^p: 0 for a number that is certainly not positive."""
+    number, exponent = enclosed(number), enclosed(exponent)
+
+    def ulps(result):
+        return inner_where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
+
+    found = kernels.power.kernel(number.value, exponent.value)
+    vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
+    return _monotone(kernels.power.kernel, ulps, found, [number, exponent], vanishing)
+
+
+def sign(number: Any) -> Enclosed:
+    """Return −1, 0 or 1. A gradient asks for it at a crease: where its side is open, so is the pixel."""
+    at_work.get().leave_open((number > 0.0).open)
+    return operations.sign.kernel(number)
+
+
+Mask.machine = Enclosed.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # what `renderer.operations` asks

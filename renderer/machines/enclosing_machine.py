@@ -1,11 +1,13 @@
 """A machine around another one: it runs the shader on numbers with bounds, and stores these beside the colours."""
 
 from collections.abc import Callable, Sequence
+from itertools import repeat
 from types import SimpleNamespace
 from typing import Any
 
-from renderer.machines.enclosing import Enclosed, Mask, Operations, at_work, enclosed
+from renderer.machines.enclosing import Enclosed, Mask, at_work, enclosed
 from renderer.operations import where
+from renderer.shader.numbers import flat, of_form
 from renderer.shader.shader import BOUNDS, Group, Variables
 
 ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
@@ -22,11 +24,11 @@ class Variable:
     @property
     def value(self) -> Enclosed:
         """The present value."""
-        return Enclosed.counted(*self._parts.value, self._stays_exact)
+        return Enclosed.counted(*self._parts.value, self._stays_exact)  # type: ignore[call-arg]
 
     def set(self, number: Any, mask: Mask | None = None) -> None:
         """Put a value in its place, where the mask holds."""
-        number = enclosed(number) if mask is None else Operations.where(mask, number, self.value)
+        number = enclosed(number) if mask is None else where(mask, number, self.value)
         self._parts.set((number.value, number.error))
 
 
@@ -81,15 +83,10 @@ class Enclosing:
 
 def enclosed_numbers(numbers: SimpleNamespace, bounds: SimpleNamespace | None = None) -> SimpleNamespace:
     """Return numbers of a form as Enclosed; of the scene's, those that are ROUNDED have `bounds`."""
-
-    def paired(name, number):
-        own = getattr(bounds, name) if bounds and name in ROUNDED else 0.0
-        if isinstance(number, tuple):
-            own = own if isinstance(own, tuple) else (own,) * len(number)
-            return tuple(Enclosed(*pair) for pair in zip(number, own, strict=True))
-        return Enclosed(number, own)
-
-    return SimpleNamespace(**{name: paired(name, number) for name, number in vars(numbers).items()})
+    own = of_form(numbers, repeat(0.0))
+    if bounds:
+        vars(own).update({name: getattr(bounds, name) for name in ROUNDED})
+    return of_form(numbers, map(Enclosed, flat(numbers), flat(own)))
 
 
 class Pixels:

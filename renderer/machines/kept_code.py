@@ -11,7 +11,7 @@ import stat
 from contextlib import suppress
 from pathlib import Path
 
-from renderer.whole_files import whole_file
+from renderer.whole_files import write_whole
 
 VARIABLE = "SYMBOLIC_RENDERING_CODE"
 OFF = ("", "off")
@@ -71,8 +71,7 @@ def save(key: str, code: bytes) -> None:
         kept_in.parent.mkdir(parents=True, exist_ok=True)
         kept_in.mkdir(mode=0o700, exist_ok=True)
         if trusted(kept_in):
-            with whole_file(kept_in / f"{key}.o") as name:
-                Path(name).write_bytes(_digest(key, code) + code)
+            write_whole(kept_in / f"{key}.o", _digest(key, code) + code)
             _make_room(kept_in)
 
 

@@ -19,7 +19,7 @@ from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options
 
 from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines import Job, kept_code
-from renderer.machines.drawing_code import ARGUMENTS, INPUT_BOUNDS, emit
+from renderer.machines.drawing_code import ARGUMENTS, emit
 from renderer.shader.shader import WORK, Want
 
 NAME = "llvm"
@@ -37,7 +37,7 @@ def host_lanes(want: Want) -> int:
     other's latency.
     """
     features = llvm.get_host_cpu_features()
-    wide = 8 if features.get("avx512f") or features.get("avx") else 4
+    wide = 8 if features.get("avx") else 4
     is_long = not want.whole or any(way in HEIGHT_EVALUATIONS for _, way in want.ways)
     return 2 * wide if (is_long or want.bounds) and features.get("avx512f") else wide
 
@@ -109,10 +109,8 @@ def drawer(
     if code is None:
         with _compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    arrays = {name: getattr(job, name) for name in ("x", "y", "columns", "scene", "lights")} | job.planes
-    arrays |= dict(zip(INPUT_BOUNDS, job.bounds or (), strict=False))
-    given = {name: array.ctypes.data for name, array in arrays.items()}
-    given |= {"pitch": len(job.x), "light_count": len(job.lights)}
+    given = {name: array.ctypes.data for name, array in job.items()}
+    given |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
     shared = [given.get(name, 0) for name in ARGUMENTS]
     first, last, counts = (ARGUMENTS.index(name) for name in ("first_row", "last_row", "counts"))
 
@@ -122,5 +120,5 @@ def drawer(
         code(ctypes.addressof(arguments))
         return list(counted)
 
-    draw.alive = arrays  # type: ignore[attr-defined]  # whose addresses it has
+    draw.alive = job  # type: ignore[attr-defined]  # whose addresses it has
     return draw

@@ -45,7 +45,7 @@ class Rows:
 
     def choose(self, alternatives: Sequence, index: Number, result_of: Callable[[Any], Sequence]) -> Sequence:
         """Return `result_of` the alternative of an index."""
-        return result_of(alternatives[0] if len(alternatives) == 1 else alternatives[int(index)])
+        return result_of(alternatives[int(index)])
 
     def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None:
         """As `renderer.machines.traced.Tracer.by_squaring`."""
@@ -71,9 +71,9 @@ class Block:
     """The pixels of some rows, a slice: what the shader reads and writes of the frame's planes."""
 
     def __init__(self, job: Job, rows: slice):
-        begin, end = job.columns[rows].T
-        self.rows, self.columns, self._planes = rows, slice(begin.min(), end.max()), job.planes
-        self.x, self.y = job.x[self.columns], job.y[rows, None]
+        begin, end = job["columns"][rows].T
+        self.rows, self.columns, self._planes = rows, slice(begin.min(), end.max()), job
+        self.x, self.y = job["x"][self.columns], job["y"][rows, None]
 
     def load(self, name: str) -> np.ndarray:
         """Return a plane's part as float64."""
@@ -86,17 +86,15 @@ class Block:
 
 def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
     """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
-    scene = of_form(SCENE_FORM, job.scene)
+    scene = of_form(SCENE_FORM, job["scene"])
 
     @np.errstate(all="ignore")  # a selection computes both of its sides
     def draw(rows):
-        machine, block = Rows(job.lights), Block(job, slice(rows.start, rows.stop))
+        machine, block = Rows(job["lights"]), Block(job, slice(rows.start, rows.stop))
         group = Group(machine, scene, want, block)
-        if job.bounds:
-            x_bound, y_bound, bounds = job.bounds
-            group = enclosed_group(
-                group, of_form(SCENE_FORM, bounds), x_bound[block.columns], y_bound[block.rows, None]
-            )
+        if want.bounds:
+            of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]
+            group = enclosed_group(group, of_form(SCENE_FORM, job["scene_bounds"]), *of_pixels)
         group.draw()
         return [machine.counts[kind] for kind in WORK]
 

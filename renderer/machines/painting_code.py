@@ -2,21 +2,19 @@
 
 A level, of sRGB or of a scale of colours, begins at a threshold. A table says which level holds where a cell of numbers
 begins; cells are so small that at most one threshold lies inside. One pixel is painted after another, as an int32:
-red is its lowest byte, and it is opaque. Until it is stored it is a float64, which holds every whole number of 32 bits.
+red is its lowest byte, and it is opaque.
 """
 
 from collections.abc import Callable, Iterable
-from itertools import pairwise
 
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, WHOLE, Tracer, Value
-from renderer.operations import floor, maximum, minimum, rint, where
+from renderer.operations import maximum, minimum, rint
 from renderer.shader.shader import COLORS
 
-OTHERS = tuple(f"other_{color}" for color in COLORS)
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
-            "plane", *COLORS, *OTHERS)  # fmt: skip
+            "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
 """What the code is given, one array of int64: as in `drawing_code.ARGUMENTS`. level_at: uint8, threshold: float64,
 palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
 NUMBERS = ("gain", "largest", "squares")
@@ -24,14 +22,14 @@ NUMBERS = ("gain", "largest", "squares")
 SRGB_CELLS = 2**12  # equal parts of [0, 1]
 SIZE_BITS = 16  # of a float64's upper ones: a cell is a sixteenth of an octave
 PIXEL = ir.IntType(32)
-OPAQUE = 255.0 * 2**24
+OPAQUE = WHOLE(255 << 24)
 
 
 class Pixel:
-    """The pixel that is painted: its place among the planes, and the tables."""
+    """The pixel that is painted: its place among the planes, and the tables. Whole numbers are int64."""
 
     def __init__(self, tracer: Tracer, at: ir.Value):
-        self.tracer, self.given, self.at = tracer, tracer.given, at
+        self.tracer, self.builder, self.given, self.at = tracer, tracer.builder, tracer.given, at
 
     def load(self, plane: str) -> Value:
         """Return a plane's number."""
@@ -41,24 +39,31 @@ class Pixel:
         """Return where one of NUMBERS is: an array, and a place in it."""
         return self.given["numbers"], WHOLE(NUMBERS.index(name))
 
-    def level(self, number: Value, cell: ir.Value) -> Value:
+    def whole(self, argument: str, at: ir.Value, kind: ir.Type = PIXEL) -> ir.Value:
+        """Return a whole number of an array."""
+        return self.builder.zext(self.builder.load(self.tracer.place(self.given[argument], at, kind)), WHOLE)
+
+    def level(self, number: Value, cell: ir.Value) -> ir.Value:
         """Return the level of a number in a cell of the table."""
-        level = self.tracer.load(self.given["level_at"], cell, BYTE)
-        threshold = self.tracer.load(self.given["threshold"], self.tracer.whole(level + 1.0))
-        return where(number >= threshold, level + 1.0, level)
+        level = self.whole("level_at", cell, BYTE)
+        above = number >= self.tracer.load(self.given["threshold"], self.builder.add(level, WHOLE(1)))
+        return self.builder.add(level, self.builder.zext(above.vector, WHOLE))
 
-    def colour(self, level: Value) -> Value:
-        """Return the palette's pixel of a level."""
-        return self.tracer.load(self.given["palette"], self.tracer.whole(level), PIXEL)
-
-    def scaled(self, number: Value, share: float) -> Value:
+    def scaled(self, number: Value, share: float) -> ir.Value:
         """Return a number times the gain, at most `share`, as the nearest of 255 levels."""
-        return rint(minimum(number * self.tracer.load(*self.number("gain")), share) * (255 / share))
+        product = minimum(number * self.tracer.load(*self.number("gain")), share)
+        return self.tracer.whole(rint(product * (255 / share)))
+
+    def packed(self, levels: Iterable[ir.Value]) -> ir.Value:
+        """Return the pixel of red, green and blue."""
+        pixel = OPAQUE
+        for channel, level in enumerate(levels):
+            pixel = self.builder.or_(pixel, self.builder.shl(level, WHOLE(8 * channel)))
+        return pixel
 
     def apart(self) -> tuple[list[Value], Value]:
         """Return the sizes of the three differences and the largest of them, and take them into the account."""
-        pairs = ((self.load(one), self.load(other)) for one, other in zip(COLORS, OTHERS, strict=True))
-        red, green, blue = sizes = [abs(one - other) for one, other in pairs]
+        red, green, blue = sizes = [abs(self.load(color) - self.load(f"other_{color}")) for color in COLORS]
         largest = maximum(maximum(red, green), blue)
         found, total = (self.tracer.load(*self.number(name)) for name in NUMBERS[1:])
         self.tracer.store(maximum(found, largest), *self.number("largest"))
@@ -66,42 +71,36 @@ class Pixel:
         return sizes, largest
 
 
-def packed(levels: Iterable[Value]) -> Value:
-    """Return the pixel of red, green and blue."""
-    red, green, blue = levels
-    return red + green * 2.0**8 + blue * 2.0**16 + OPAQUE
-
-
-def colors(pixel: Pixel) -> Value:
+def colors(pixel: Pixel) -> ir.Value:
     """The colours, as sRGB."""
     channels = map(pixel.load, COLORS)
-    return packed(pixel.level(linear, pixel.tracer.whole(linear * SRGB_CELLS)) for linear in channels)
+    return pixel.packed(pixel.level(linear, pixel.tracer.whole(linear * SRGB_CELLS)) for linear in channels)
 
 
-def difference_logarithmic(pixel: Pixel) -> Value:
+def difference_logarithmic(pixel: Pixel) -> ir.Value:
     """The largest difference of a channel, in the palette's colours by level; 0 is black."""
-    (_, largest), builder = pixel.apart(), pixel.tracer.builder
+    (_, largest), builder = pixel.apart(), pixel.builder
     cell = builder.lshr(builder.bitcast(largest.vector, WHOLE), WHOLE(64 - SIZE_BITS))
-    return where(largest > 0.0, pixel.colour(pixel.level(largest, cell)), OPAQUE)
+    return builder.select((largest > 0.0).vector, pixel.whole("palette", pixel.level(largest, cell)), OPAQUE)
 
 
-def difference_linear(pixel: Pixel) -> Value:
+def difference_linear(pixel: Pixel) -> ir.Value:
     """The differences of the channels times the gain."""
     sizes, _ = pixel.apart()
-    return packed(pixel.scaled(size, 1.0) for size in sizes)
+    return pixel.packed(pixel.scaled(size, 1.0) for size in sizes)
 
 
-def levels(pixel: Pixel) -> Value:
+def levels(pixel: Pixel) -> ir.Value:
     """A plane times the gain as a level, at most 255, in the palette's colours."""
-    return pixel.colour(pixel.scaled(pixel.load("plane"), 255.0))
+    return pixel.whole("palette", pixel.scaled(pixel.load("plane"), 255.0))
 
 
-def flags(pixel: Pixel) -> Value:
+def flags(pixel: Pixel) -> ir.Value:
     """What is there, dimmed to a third; white where the plane is 1."""
-    there = pixel.tracer.load(pixel.given["pixels"], pixel.at, PIXEL)
-    bytes_from = [floor(there * 2.0**-shift) for shift in (0, 8, 16, 24)]
-    dimmed = (floor((byte - 256.0 * above) / 3.0) for byte, above in pairwise(bytes_from))
-    return where(pixel.load("plane") > 0.0, 2.0**32 - 1.0, packed(dimmed))
+    builder, there = pixel.builder, pixel.whole("pixels", pixel.at)
+    bytes_there = (builder.and_(builder.lshr(there, WHOLE(8 * channel)), WHOLE(255)) for channel in range(3))
+    dimmed = pixel.packed(builder.udiv(level, WHOLE(3)) for level in bytes_there)
+    return builder.select((pixel.load("plane") > 0.0).vector, WHOLE(-1), dimmed)
 
 
 PAINTERS = {
@@ -110,12 +109,14 @@ PAINTERS = {
 }
 
 
-def emit_painter(module: ir.Module, name: str, painter: Callable[[Pixel], Value]) -> None:
+def emit_painter(module: ir.Module, name: str, painter: Callable[[Pixel], ir.Value]) -> None:
     """Emit the function `name` that paints some columns of some rows, its one parameter the address of PAINTING."""
     tracer = Tracer(module, name, 1, PAINTING)
+    builder, given = tracer.builder, tracer.given
     with tracer.rows() as (row, begin, end):
-        row_begin = tracer.builder.mul(row, tracer.given["pitch"])
+        row_begin = builder.mul(row, given["pitch"])
         with tracer.loop(begin, end) as column:
-            pixel = Pixel(tracer, tracer.builder.add(row_begin, column))
-            tracer.store(painter(pixel), tracer.given["pixels"], pixel.at, PIXEL)
-    tracer.builder.ret_void()
+            at = builder.add(row_begin, column)
+            painted = builder.trunc(painter(Pixel(tracer, at)), PIXEL)
+            builder.store(painted, tracer.place(given["pixels"], at, PIXEL))
+    builder.ret_void()

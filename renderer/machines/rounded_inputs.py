@@ -1,12 +1,12 @@
 """What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
 
 from functools import lru_cache
-from itertools import repeat
 from types import SimpleNamespace
 
 import numpy as np
 
-from renderer.kernels import ambient_term, floor_albedo, image_extent, image_x, image_y, silhouette_of_a
+from renderer.kernels import image_extent, image_x, image_y, silhouette_of_a
+from renderer.machines import Job
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed, enclosed
 from renderer.operations import Number, where
 from renderer.scene.methods import exact
@@ -48,26 +48,20 @@ def _on_grid(coordinate, step):
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
     """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
+    computed = flat(scene_numbers(scene, exact(), Enclosed))
+    bounds = of_form(numbers, (float(getattr(number, "bound", 0.0)) for number in computed))
     silhouette = silhouette_of_a(*map(Enclosed, _lengths(scene)))
     square = silhouette * silhouette
     off = abs(numbers.reach_of_a - square.value)
-    floors = (floor_albedo(Enclosed(np.float64(dark)), Enclosed(np.float64(scene.floor_tint))) for dark in (0.0, 1.0))
-    light, dark = (tuple(float(part.bound) for part in floor) for floor in floors)
-    own = {
-        "reach_of_a": float((square.bound + off + UNIT * off) * SLACK),
-        "ambient": tuple(float(ambient_term(Enclosed(scene.ka), channel).bound) for channel in scene.ambient),
-        "floor_light": light,
-        "floor_dark": dark,
-    }
-    return SimpleNamespace(**vars(of_form(numbers, repeat(0.0))) | own)
+    bounds.reach_of_a = float((square.bound + off + UNIT * off) * SLACK)
+    return bounds
 
 
 @lru_cache(maxsize=16)
-def input_bounds(scene: Scene, raster: Raster, wide: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return a Job's `bounds`: of x, (wide,) with 0 beyond the raster, of y, and of the scene's numbers."""
+def input_bounds(scene: Scene, raster: Raster, wide: int) -> Job:
+    """Return the bounds of a job: that of x with 0 beyond the raster, `wide` in all."""
     of_x, of_y = of_image_points(scene, raster)
-    padded = np.zeros(wide)
-    padded[: len(of_x)] = of_x
     of_numbers = np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
-    read_only(padded, of_y, of_numbers)
-    return padded, of_y, of_numbers
+    found = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
+    read_only(*found.values())
+    return found

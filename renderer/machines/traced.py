@@ -127,11 +127,16 @@ class Tracer:
     def __init__(self, module: ir.Module, name: str, lanes: int, names: Sequence[str] = (), number: ir.Type = FLOAT):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
         (self._arguments,), self.lanes, self.module = function.args, lanes, module
-        self.vector, self.builder = ir.VectorType(number, lanes), ir.IRBuilder(function.append_basic_block())
+        self.number, self.builder = number, ir.IRBuilder(function.append_basic_block())
+        self.vector = self._all(number)
         self.given = {argument: self.argument(place) for place, argument in enumerate(names)}
         self.counts = {kind: self.reserve(WHOLE) for kind in WORK}
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
+
+    def _all(self, kind):
+        """Return the type of a group's numbers of a kind: of one lane, that of one number."""
+        return ir.VectorType(kind, self.lanes) if self.lanes > 1 else kind
 
     def argument(self, number: int) -> ir.Value:
         """Return one of the function's arguments."""
@@ -156,8 +161,8 @@ class Tracer:
 
     def _group(self, array, at, kind):
         """Return where the numbers of a group are, from a number of an array on."""
-        kind = kind or self.vector.element
-        return self.builder.bitcast(self.place(array, at, kind), ir.VectorType(kind, self.lanes).as_pointer())
+        kind = kind or self.number
+        return self.builder.bitcast(self.place(array, at, kind), self._all(kind).as_pointer())
 
     def load(self, array: ir.Value, at: ir.Value, kind: ir.Type | None = None) -> Value:
         """Return the numbers of a group, which an array has from `at` on; kind: of whole ones."""
@@ -185,11 +190,12 @@ class Tracer:
 
     def whole(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
-        return self.builder.fptosi(self.builder.extract_element(value.vector, WHOLE(0)), WHOLE)
+        first = self.builder.extract_element(value.vector, WHOLE(0)) if self.lanes > 1 else value.vector
+        return self.builder.fptosi(first, WHOLE)
 
     def call(self, intrinsic: str, argument: Value | float) -> Value:
         """Return what one of LLVM's own functions makes of a Value."""
-        name = f"llvm.{intrinsic}.v{self.lanes}{self.vector.element.intrinsic_name}"
+        name = f"llvm.{intrinsic}.{f'v{self.lanes}' if self.lanes > 1 else ''}{self.number.intrinsic_name}"
         function = self.module.declare_intrinsic(name, fnty=ir.FunctionType(self.vector, [self.vector]))
         return Value(self, self.builder.call(function, [self.value(argument).vector]))
 

@@ -6,15 +6,13 @@ from renderer.checks import check_kind, not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
 from renderer.scene.methods import GradientMethod, checked_method, exact
-from renderer.scene.raster import Raster
+from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import Scene
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
 
-def stage_of(
-    scene: Scene, width: int, height: int, crop: tuple[int, int, int, int] | None = None, threads: int | None = None
-) -> Stage:
+def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, threads: int | None = None) -> Stage:
     """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again.
 
     Raises ValueError that names what is not allowed.
@@ -29,7 +27,7 @@ def render(
     width: int,
     height: int,
     gradient: GradientMethod | None = None,
-    crop: tuple[int, int, int, int] | None = None,
+    crop: Crop | None = None,
     threads: int | None = None,
     stage: Stage | None = None,
     into: Frame | None = None,

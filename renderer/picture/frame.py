@@ -22,8 +22,6 @@ from renderer.shader.numbers import read_only, way_of
 from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
 
-SURFACES = {"pixels_a": 1, "pixels_b": 2, "pixels_floor": 3}
-
 
 @dataclass(eq=False, repr=False)
 class Frame:
@@ -54,17 +52,20 @@ class Frame:
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
         specular_powers, light_terms.
         """
-        chambers = {code: pixels for code, pixels in enumerate(np.bincount(self.chambers.ravel()).tolist()) if pixels}
-        pixels = {n: sum(p for c, p in chambers.items() if c & SURFACE_BITS == s) for n, s in SURFACES.items()}
+        codes, pixels = (found.tolist() for found in np.unique(self.chambers, return_counts=True))
+        _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
         field, way = way_of(self.scene, self.method)
-        heights, gradients = field_kernels(field)["height_evaluations"].get(way, 0), self._counts["gradients"]
-        return pixels | {
+        heights = field_kernels(field)["height_evaluations"].get(way, 0)
+        gradients = self._counts["gradient_evaluations"]
+        return self._counts | {
             "machine": machine().NAME,
-            "pixels": chambers,
+            "pixels": dict(zip(codes, pixels, strict=True)),
+            "pixels_a": on_a,
+            "pixels_b": on_b,
+            "pixels_floor": on_floor,
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
-            **{kind: self._counts[kind] for kind in ("shadow_tests", "specular_powers", "light_terms")},
         }
 
     def hand_over(self) -> np.ndarray:
@@ -167,10 +168,10 @@ class Frame:
 
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
-        planes = {name: self.stage.new_plane() for name in ON_A}
-        want: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
-        self.stage.draw(replace(self.scene, beta=1.0), self.method, 1, planes, **want)
-        on_a = np.stack([planes[name][:, : self.raster.shape[1]][self.stage.on_a] for name in ON_A])
+        planes = self.stage.new_plane(channels=len(ON_A))
+        drawn = replace(self.scene, beta=1.0), self.method, 1, dict(zip(ON_A, planes, strict=True))
+        self.stage.draw(*drawn, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
+        on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
         read_only(on_a)
         return on_a
 
@@ -196,9 +197,8 @@ class Frame:
         if not self.scene.lights:
             raise not_allowed("light", light, "none, as the scene has no light")
         light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
-        angles, gradient = self.planes_on_a[:4], self.planes_on_a[4:]
-        normal = bumped_normal(*angles, *gradient, self.scene.beta)
-        point, position = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position
+        normal = bumped_normal(*self.planes_on_a, self.scene.beta)
+        point, position = point_on_a(*self.planes_on_a[:4], self.scene.radius), self.scene.lights[light].position
         return self._plane(light_cosine(*point, *position, *normal), np.nan)
 
     def _plane(self, values, off_a, kind=np.float64):

@@ -1,20 +1,18 @@
 """Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from renderer import kernels
 from renderer.checks import check_whole
-from renderer.machines import Job
 from renderer.machines.numpy_rows import Block, Rows
 from renderer.picture.drawing import render
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, numbers_of, of_form, want_of
+from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, of_form, want_of
 from renderer.shader.shader import COLORS, Group
 
 SURFACES = ("none", "A", "B", "floor")
@@ -65,18 +63,9 @@ def pixel(
     row = check_whole("row", row, raster.height - 1, low=0)
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
-    record: dict[str, Any] = {
-        "column": column,
-        "row": row,
-        "surface": SURFACES[code & SURFACE_BITS],
-        "chamber": code,
-        "rgb": tuple(frame.rgb[0, 0].tolist()),
-    }
-    if record["surface"] != "none":
-        record |= _lit(frame)
-    if record["surface"] == "A":
-        record |= _on_a(frame)
-    return PixelRecord(**record)
+    surface = SURFACES[code & SURFACE_BITS]
+    found = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
+    return PixelRecord(column, row, surface, code, **found, rgb=tuple(frame.rgb[0, 0].tolist()))
 
 
 class _WrittenDown(Group):
@@ -85,10 +74,9 @@ class _WrittenDown(Group):
     def light_up(self, mask, place, albedo, bodies):
         """Keep what each light does, beside lighting the pixel."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
-        view = kernels.view_direction(self.x, self.y, s.eye, kernels.view_length(self.x, self.y, s.eye))
         for light in self.machine.lights:
             occluded = bool(self.loaded_shadow(light))
-            mu, specular = self.model(point, light, normal, view, mask)
+            mu, specular = self.model(point, light, normal, self.view(), mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
             adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
@@ -103,20 +91,20 @@ def _floats(numbers):
 @np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
-    (scene, lights), stage = numbers_of(frame.scene, frame.method), frame.stage
-    planes = {"code": frame.chambers} | dict(zip(COLORS, np.empty((3, 1, 1)), strict=True))
-    block = Block(Job(scene, lights, *stage.raster_of(), planes), slice(1))
+    job = frame.stage.job(frame.scene, frame.method, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
     want = want_of(frame.scene, frame.method, chambers_known=True)
     want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
-    group = _WrittenDown(Rows(lights), of_form(SCENE_FORM, scene), want, block)
+    group = _WrittenDown(Rows(job["lights"]), of_form(SCENE_FORM, job["scene"]), want, Block(job, slice(1)))
     group.draw()
     return group.found
 
 
 def _on_a(frame):
     data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
+    theta, phi = kernels.chart_radians(data["u"], data["v"])
     return {name: data[name] for name in ("u", "v", "h")} | {
-        **dict(zip(("theta", "phi"), kernels.chart_radians(data["u"], data["v"]), strict=True)),
+        "theta": theta,
+        "phi": phi,
         "gradient": (data["h_u"], data["h_v"]),
         "kink": data["kink"] == 1.0,
         "straddling": data.get("straddling") == 1.0,

@@ -4,7 +4,9 @@ Chambers depend on neither the height field, β, ε nor the gradient method (the
 `Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
 """
 
+from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
@@ -12,11 +14,10 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, machine
-from renderer.picture.memory import lent
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene, geometry_of
-from renderer.shader.numbers import numbers_of, places_of, read_only, want_of
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
+from renderer.shader.numbers import numbers_of, reach_of_a, read_only, want_of
 from renderer.shader.shader import COLORS
 from renderer.threads import run_bands
 
@@ -25,6 +26,30 @@ PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the
 MAX_DRAWN = 2**28
 MOST_BANDS = 16
 SMALLEST_BAND = 2**13  # pixels: below that, starting on a band costs more than drawing it
+LARGEST_KEPT = 2**27  # bytes: the colours of 2048²
+_spare: deque[np.ndarray] = deque(maxlen=2)  # a picture's colours, and their bounds
+
+
+class _Lent:
+    """Memory as NumPy asks for it; it is spare again when the last array that lies in it is gone."""
+
+    def __init__(self, block: np.ndarray):
+        self._block, self.__array_interface__ = block, block.__array_interface__
+
+    def __del__(self, spare: deque = _spare) -> None:
+        if self._block.nbytes <= LARGEST_KEPT:
+            spare.append(self._block)
+
+
+def lent(shape: tuple[int, ...]) -> np.ndarray:
+    """Return an array of float64 with whatever is in it: what is fresh the system would clear first."""
+    with suppress(IndexError):  # another thread took it
+        for _ in range(len(_spare)):
+            block = _spare.popleft()
+            if block.shape == shape:
+                return np.asarray(_Lent(block))
+            _spare.append(block)
+    return np.asarray(_Lent(np.empty(shape)))
 
 
 @lru_cache(maxsize=16)
@@ -34,8 +59,7 @@ def _prepared(geometry, raster):
     wide = np.full(-(-len(x) // PITCH) * PITCH, np.nan)
     wide[: len(x)] = x
     everywhere = np.tile(np.array([0, len(x)], np.int64), (len(y), 1))
-    reach, _, _ = places_of(geometry)
-    square = reach * (1 + 1e-9) - y * y
+    square = reach_of_a(geometry.eye, geometry.radius) * (1 + 1e-9) - y * y
     half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
     read_only(wide, y, everywhere, of_a)
@@ -76,16 +100,18 @@ class Stage:
         shape = (len(self.y), len(self._x))
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
-    def raster_of(self, of_a: bool = False) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return a Job's x, y and columns: all columns, or those of each row that A may be in."""
-        return self._x, self.y, self._columns_of_a if of_a else self._everywhere
+    def job(self, scene: Scene, method: GradientMethod, planes: Job, of_a: bool = False) -> Job:
+        """Return what is drawn on (`renderer.machines`): all columns, or those of each row that A may be in."""
+        numbers, lights = numbers_of(scene, method)
+        own = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
+        return own | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
         self,
         scene: Scene,
         method: GradientMethod,
         threads: int,
-        planes: dict[str, np.ndarray],
+        planes: Job,
         before: Callable[[slice], None] | None = None,
         **want: Any,
     ) -> np.ndarray:
@@ -93,22 +119,21 @@ class Stage:
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
-        raster, bounds = self.raster_of(of_a=want.get("surfaces") == "a"), None
+        job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
             from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
 
-            bounds = input_bounds(scene, self.raster, len(self._x))
-        job = Job(*numbers_of(scene, method), *raster, {"code": self._codes} | planes, bounds)
+            job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
-        starts = range(0, len(self.y), rows)
+        bands = [range(start, min(len(self.y), start + rows)) for start in range(0, len(self.y), rows)]
 
         def draw_band(number):
-            band = range(starts[number], min(len(self.y), starts[number] + rows))
+            band = bands[number]
             if before:
                 before(slice(band.start, band.stop))
             return draw_rows(band)
 
-        return np.sum(run_bands(draw_band, len(starts), threads), axis=0)
+        return np.sum(run_bands(draw_band, len(bands), threads), axis=0)
 
     def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
         """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
@@ -132,7 +157,5 @@ class Stage:
 
 
 def shading_of(scene: Scene) -> tuple:
-    """Return what the colours off A depend on beside the chambers: equal for equal shadings."""
-    lights = tuple(light.color for light in scene.lights)
-    weights = (scene.ka, scene.kd, scene.ks, scene.shininess, scene.model, scene.floor_tint)
-    return (*weights, scene.ambient, scene.albedo_a, scene.albedo_b, lights)
+    """Return what the colours off A depend on: equal for equal shadings."""
+    return tuple(value for name, value in vars(scene).items() if name not in MOVE_NO_BOUNDARY)

@@ -7,14 +7,14 @@ from renderer.files.pictures import STREAM_SUFFIXES, TILE, write_npy, write_tiff
 from renderer.picture import views
 from renderer.picture.drawing import render
 from renderer.scene.methods import GradientMethod
-from renderer.scene.raster import Raster
+from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import Scene
 from renderer.whole_files import checked_target
 
 BLOCK_PIXELS = 2**20  # a block's planes and their copy for the file: about 60 MB
 
 
-def blocks(crop: tuple[int, int, int, int], rows: int) -> list[tuple[int, int, int, int]]:
+def blocks(crop: Crop, rows: int) -> list[Crop]:
     """Return the crops (left, top, width, height) that make up `crop`: `rows` rows each, whole if they have at most
     BLOCK_PIXELS pixels, else cut at multiples of TILE columns; from left to right, then downwards."""
     left, top, width, height = crop
@@ -32,7 +32,7 @@ def stream(
     height: int,
     path: str | Path,
     gradient: GradientMethod | None = None,
-    crop: tuple[int, int, int, int] | None = None,
+    crop: Crop | None = None,
     threads: int | None = None,
     progress: Callable[[list], Iterable] = iter,
 ) -> tuple[int, int]:

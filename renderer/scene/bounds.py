@@ -6,6 +6,8 @@ leave a pixel out; where a bound does not exist the box is the whole plane.
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -18,27 +20,23 @@ EVERYWHERE = (-math.inf, math.inf)
 EMPTY = (math.inf, -math.inf) * 2
 
 
-def _interval(apex, apex_height, center, center_height, radius, levels, eye=math.inf):
-    """Return the hull of what lies between the tangents at the given heights: in the world, or seen from the eye."""
-    if apex_height - center_height <= radius * (1 + GUARD):
-        return EVERYWHERE
-    ends = [
-        coordinate / (1.0 - level / eye)
-        for level in levels
-        for coordinate in tangent_interval(apex, apex_height, center, center_height, radius, level)
-    ]
-    if not all(map(math.isfinite, ends)):
-        return EVERYWHERE
-    room = GUARD * (max(map(abs, ends)) + abs(center) + abs(apex) + radius)
-    return min(ends) - room, max(ends) + room
-
-
 def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: Sequence[float], eye: float) -> Box:
-    """Return the box of what a sphere hides from `apex` between two heights, which are below the apex and the eye."""
-    if min(apex[2], eye) <= max(levels):
+    """Return the box of what a sphere hides from `apex` between two heights, which are below the apex and the eye.
+
+    Along either axis it is the hull of what lies between the tangents at these heights, seen from the eye.
+    """
+    if min(apex[2], eye) <= max(levels) or apex[2] - center[2] <= radius * (1 + GUARD):
         return EVERYWHERE * 2
-    spans = [_interval(apex[axis], apex[2], center[axis], center[2], radius, levels, eye) for axis in (0, 1)]
-    return spans[0] + spans[1]
+    found: Any = ()
+    for axis in (0, 1):
+        ends = [
+            coordinate / (1.0 - level / eye)
+            for level in levels
+            for coordinate in tangent_interval(apex[axis], apex[2], center[axis], center[2], radius, level)
+        ]
+        room = GUARD * (max(map(abs, ends)) + abs(center[axis]) + abs(apex[axis]) + radius)
+        found += (min(ends) - room, max(ends) + room) if all(map(math.isfinite, ends)) else EVERYWHERE
+    return found
 
 
 def _casts(light, body, ball):
@@ -47,6 +45,7 @@ def _casts(light, body, ball):
         return not shadow_clearance(*light, *body[0], body[1], *ball[0], np.float64(ball[1])) > GUARD
 
 
+@lru_cache(maxsize=64)
 def shadow_boxes(g: Geometry, light: Sequence[float]) -> tuple[Box, ...]:
     """Return where A's shadow on the floor, B's on the floor, B's on A and A's on B can be, of a light at a point.
 
@@ -72,6 +71,7 @@ def _shadow_box(eye, light, body, ball, low, high):
     return box(light, *body, (low, high), eye)
 
 
+@lru_cache(maxsize=64)
 def ball_box(g: Geometry) -> Box:
     """Return where B can be seen: empty without one."""
     return box((0.0, 0.0, g.eye), g.ball[:3], g.ball[3], (0.0,), g.eye) if g.ball_on else EMPTY

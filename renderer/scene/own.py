@@ -11,12 +11,17 @@ from renderer.checks import check_choice
 from renderer.kernels import FIELDS, LIGHT_MODELS
 
 
+def _makers():
+    from renderer.generate import own
+
+    return own
+
+
 def check_own(name: str, value: Any, choices: Iterable[str]) -> Any:
     """Return one of `choices`, or one's own field or model, whose kernels are made. Raises ValueError on the rest."""
     if isinstance(value, str):
         return str(check_choice(name, value, choices))
-    from renderer.generate import own
-
+    own = _makers()
     kind, kernels_of = (own.HeightField, field_kernels) if name == "field" else (own.LightModel, model_kernels)
     if not isinstance(value, kind):
         return check_choice(name, value, choices)
@@ -27,35 +32,19 @@ def check_own(name: str, value: Any, choices: Iterable[str]) -> Any:
 
 def field_kernels(field: Any) -> dict[str, Any]:
     """Return the kernels of a scene's field, as in `kernels.FIELDS`."""
-    if isinstance(field, str):
-        return FIELDS[field]
-    from renderer.generate import own
-
-    return own.field_kernels(field)
+    return FIELDS[field] if isinstance(field, str) else _makers().field_kernels(field)
 
 
 def model_kernels(model: Any) -> tuple[Callable, Callable | None]:
     """Return the kernels of a scene's model of light, as in `kernels.LIGHT_MODELS`."""
-    if isinstance(model, str):
-        return LIGHT_MODELS[model]
-    from renderer.generate import own
-
-    return own.model_kernels(model)
+    return LIGHT_MODELS[model] if isinstance(model, str) else _makers().model_kernels(model)
 
 
 def own_record(own: Any) -> Any:
     """Return what JSON can say of a field or model: its name, or a dict. Raises ValueError where that has no text."""
-    if isinstance(own, str):
-        return own
-    from renderer.generate import own as makers
-
-    return makers.as_record(own)
+    return own if isinstance(own, str) else _makers().as_record(own)
 
 
 def own_from_record(name: str, record: Any) -> Any:
     """Return what a record says, if it is a dict: the inverse of `own_record`. Raises ValueError."""
-    if not isinstance(record, dict):
-        return record
-    from renderer.generate import own
-
-    return own.field_from_record(record) if name == "field" else own.model_from_record(record)
+    return _makers().from_record(name, record) if isinstance(record, dict) else record

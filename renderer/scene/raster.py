@@ -9,6 +9,8 @@ from renderer.kernels import image_extent, image_x, image_y
 from renderer.scene.scene import Geometry, Scene
 
 MAX_SIDE = 2**24
+Crop = tuple[int, int, int, int]
+"""(left, top, width, height) of a part of a raster."""
 
 
 @dataclass(frozen=True)
@@ -32,14 +34,13 @@ class Raster:
             return (0, 0, width, height)
         allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
         try:
-            left, top, wide, high = (int(number) for number in self.crop)
-            whole = tuple(self.crop) == (left, top, wide, high)
+            left, top, wide, high = whole = tuple(int(number) for number in self.crop)
+            inside = 0 <= left < left + wide <= width and 0 <= top < top + high <= height
+            if tuple(self.crop) == whole and inside:
+                return whole
         except (TypeError, ValueError, OverflowError):
-            whole = False
-        inside = whole and left >= 0 and top >= 0 and wide >= 1 and high >= 1
-        if not inside or left + wide > width or top + high > height:
-            raise not_allowed("crop", self.crop, allowed)
-        return (left, top, wide, high)
+            pass
+        raise not_allowed("crop", self.crop, allowed)
 
     @property
     def shape(self) -> tuple[int, int]:

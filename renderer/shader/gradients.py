@@ -62,13 +62,12 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     u ∈ [0, 1), v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
     """
     check_kind("scene", scene, Scene)
-    if checked_method("method", method).name == "exact":
-        uses_algebraic_form(scene, method)
     here = _chart_points(u, v)
-    field, waves = field_kernels(scene.field), (scene.ku, scene.kv)
-    if method.name == "exact":
-        gradient = field["gradient"](*here, *waves)
+    field, arguments = field_kernels(scene.field), (*here, scene.ku, scene.kv)
+    if checked_method("method", method).name == "exact":
+        uses_algebraic_form(scene, method)  # which refuses a form that there is none of
+        gradient = field["gradient"](*arguments)
     else:
-        gradient = difference(field, method.name, *here, *waves, method.eps)
+        gradient = difference(field, method.name, *arguments, method.eps)
     h_u, h_v = (np.broadcast_to(part, here[0].shape).copy() for part in gradient)
     return h_u, h_v

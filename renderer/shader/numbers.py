@@ -1,7 +1,7 @@
 """The numbers that the shader is given: of the scene, of each light, and where on the image each thing can be."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any
@@ -12,7 +12,7 @@ from renderer.kernels import ambient_term, floor_albedo, silhouette_of_a
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.own import model_kernels
-from renderer.scene.scene import Geometry, Light, Scene, geometry_of
+from renderer.scene.scene import Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, Want
 
@@ -40,6 +40,7 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
     )
 
 
+@lru_cache(maxsize=64)
 def reach_of_a(eye: float, radius: float) -> float:
     """Return the largest float64 X for which √X is at most ρ_s: a ray meets A exactly if x² + y² ≤ X.
 
@@ -52,13 +53,6 @@ def reach_of_a(eye: float, radius: float) -> float:
     while math.sqrt(math.nextafter(reach, math.inf)) <= silhouette:
         reach = math.nextafter(reach, math.inf)
     return reach
-
-
-@lru_cache(maxsize=64)
-def places_of(geometry: Geometry) -> tuple[float, Box, list[tuple[Box, ...] | None]]:
-    """Return (reach of A, box of B, [boxes of each light, None for one that is off]): fixed for the chambers."""
-    boxes = [None if position is None else shadow_boxes(geometry, position) for position in geometry.lights]
-    return reach_of_a(geometry.eye, geometry.radius), ball_box(geometry), boxes
 
 
 def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
@@ -79,21 +73,23 @@ def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
     return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
 
 
-def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
-    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high)."""
+def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
+    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high).
+
+    number: what the scene's own are taken for where others are computed from them.
+    """
     geometry = geometry_of(scene)
-    reach, box_of_b, _ = places_of(geometry)
     (_, way), (_, style) = way_of(scene, method), style_of(scene)
     power_u, power_v = (algebraic_powers(scene) if way == "algebraic" else None) or (0, 0)
-    light, dark = (tuple(float(part) for part in floor_albedo(dark, scene.floor_tint)) for dark in (0.0, 1.0))
+    light, dark = (floor_albedo(number(dark), number(scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},
         ball=geometry.ball,  # centre and radius of B
         ball_on=geometry.ball_on,
         floor_on=geometry.floor_on,
         ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
-        reach_of_a=reach,  # the largest x² + y² at which A is met
-        box_of_b=box_of_b,
+        reach_of_a=reach_of_a(scene.eye, scene.radius),  # the largest x² + y² at which A is met
+        box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
         model=0.0,
         eps=method.eps or 0.0,
@@ -102,7 +98,7 @@ def scene_numbers(scene: Scene, method: GradientMethod) -> SimpleNamespace:
         turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
-        ambient=tuple(ambient_term(scene.ka, channel) for channel in scene.ambient),
+        ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),
         floor_light=light,  # red and green; blue
         floor_dark=dark,
     )
@@ -128,11 +124,11 @@ LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
 @lru_cache(maxsize=64)
 def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
-    boxes = places_of(geometry_of(scene))[2]
+    geometry = geometry_of(scene)
     lights = [
-        flat(light_numbers(number, light, box))
-        for number, (light, box) in enumerate(zip(scene.lights, boxes, strict=True))
-        if box is not None
+        flat(light_numbers(number, light, shadow_boxes(geometry, light.position)))
+        for number, light in enumerate(scene.lights)
+        if light.color is not None
     ]
     found = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
     read_only(*found)

@@ -12,6 +12,7 @@ gives values for many pixels at once, and masks that say for which of them somet
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -25,7 +26,7 @@ COLORS = ("red", "green", "blue")
 BOUNDS = tuple(f"{color}_bound" for color in COLORS)
 ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
 ON_A = (*ANGLES, *SLOPES)
-WORK = ("gradients", "shadow_tests", "specular_powers", "light_terms")
+WORK = ("gradient_evaluations", "shadow_tests", "specular_powers", "light_terms")
 
 Step = Callable[[], None]
 Numbers = Sequence[Number]
@@ -157,7 +158,7 @@ class Group:
         else:
             dark = k.checker(self.x, self.y) > 0.0
             self.code.set(self.code.value + DARK_BIT, mask & dark)
-        red, blue = (where(dark, *pair) for pair in zip(s.floor_dark, s.floor_light, strict=True))
+        red, blue = map(partial(where, dark), s.floor_dark, s.floor_light)
         self.light_up(mask, place, (red, red, blue),
                       lambda light: [(self.sphere_a, light.a_on_floor), (s.ball, light.b_on_floor)])  # fmt: skip
 
@@ -170,7 +171,7 @@ class Group:
             field = field_kernels(name)
             if way == "flat":
                 return 0.0, 0.0
-            self.machine.count("gradients", mask)
+            self.machine.count("gradient_evaluations", mask)
             if way == "algebraic":
                 u_real, u_imaginary, v_real, v_imaginary = k.algebraic_bases(*angles)
                 by_complex = k.complex_square, k.complex_product
@@ -208,9 +209,7 @@ class Group:
         if want.chambers_known and not want.colors:
             return
         point, normal = place[:3], place[3:]
-        color = Variables(machine, s.ambient)
-        if want.colors:
-            view = k.view_direction(self.x, self.y, s.eye, k.view_length(self.x, self.y, s.eye))
+        color, view = Variables(machine, s.ambient), self.view()
 
         def shine(light, lit):
             machine.count("light_terms", lit)
@@ -227,6 +226,11 @@ class Group:
 
         machine.each_light(reach)
         self.color.set(map(k.clip, color.value), mask)
+
+    def view(self) -> Numbers:
+        """Return the direction to the eye."""
+        here = self.x, self.y, self.scene.eye
+        return k.view_direction(*here, k.view_length(*here))
 
     def loaded_shadow(self, light: SimpleNamespace) -> Mask:
         """Return where the chamber code has the light's bit."""
@@ -260,17 +264,13 @@ class Group:
             if style == "diffuse":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
-            if not self.want.whole:
-                return mu, self.highlight(specular, lit)
+            if not self.want.whole:  # for no group that is unlit, or without a highlight
+                highlight = self.machine.variable(0.0)
+                self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
+                return mu, highlight.value
             return mu, *self.power((specular,), s.power, lambda a: (a * a,), lambda a, b: (a * b,))
 
         return self.machine.choose(self.want.lights, s.model, by)
-
-    def highlight(self, base: Number, lit: Mask) -> Number:
-        """Return base^p for a shininess p that is not whole: for no group that is unlit, or without a highlight."""
-        highlight = self.machine.variable(0.0)
-        self.machine.when(lit & (base > 0.0), lambda: highlight.set(k.highlight(base, self.scene.power)))
-        return highlight.value
 
 
 def difference(field: dict[str, Callable], method: str, *arguments: Number) -> Numbers:

@@ -75,7 +75,7 @@ def test_a_machine_that_draws_other_bits_is_seen(monkeypatch):
 
         def wrong(rows):
             counted = draw(rows)
-            job.planes["red"][:] *= 1 + 2**-50
+            job["red"][:] *= 1 + 2**-50
             return counted
 
         return wrong
