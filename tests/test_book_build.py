@@ -5,12 +5,11 @@ import subprocess
 
 import pytest
 
-from book.assembly import check, report, stamps, watch, website
-from book.releases.same_bytes import files_of
+from book.assembly import report, stamps, watch, website
 from tests.processes import python
 
 
-def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
+def test_theorems_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
     commands, failing = [], set()
 
     def run(command, **options):
@@ -21,27 +20,16 @@ def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, mo
 
     monkeypatch.setattr(subprocess, "run", run)
     monkeypatch.setattr(report, "REPORT", stamped / "proofs.json")
-    monkeypatch.setattr(check, "checked_files", lambda: [stamps.LOCK_FILE])
-    for work in (check.run, check.run, report.make):  # the whole run writes the theorems' report, too
+    monkeypatch.setattr(report, "reported_hashes", lambda: {"a": "1"})
+    for work in (report.make, report.make):
         work()
-    assert commands == ["verify"]
+    assert commands == ["verify/test_theorems.py"]
     report.REPORT.unlink()
-    for work in (report.make, report.make, check.run):
-        work()
-    assert commands == ["verify", "verify/test_theorems.py"]
-    monkeypatch.setattr(check, "checked_files", lambda: [])
-    failing.add("verify")
+    failing.add("verify/test_theorems.py")
     for _ in range(2):
         with pytest.raises(subprocess.CalledProcessError):
-            check.run()
-    assert commands[2:] == ["verify", "verify"]
-
-
-def test_check_reaches_code_and_data_but_no_prose():
-    names = {path.relative_to(stamps.ROOT).as_posix() for path in check.checked_files()}
-    assert {"requirements.lock", "pyproject.toml", "book/assembly/stamps.py", "tests/data/seed_64.npz"} <= names
-    assert any(name.startswith("proofs/") for name in names)
-    assert not any(name.endswith(".md") for name in names if name.startswith("book/"))
+            report.make()
+    assert commands == 3 * ["verify/test_theorems.py"]
 
 
 @pytest.fixture
@@ -67,20 +55,6 @@ def small_book(stamped, monkeypatch):
     return folder
 
 
-def test_an_edited_page_is_built_alone_and_the_site_has_the_bytes_of_a_whole_build(small_book):
-    website.build()
-    others = [website.WORK / "_build" / "html" / name for name in ("index.html", "api.html")]
-    before, page = [path.stat().st_mtime_ns for path in others], small_book / "s1.md"
-    page.write_text(page.read_text().replace("An aardvark", "Two zebras"))
-    website.build()
-    edited = {name: path.read_bytes() for name, path in files_of(website.SITE).items()}
-    assert b"Two zebras" in edited["s1.html"] and b"aardvark" not in edited["searchindex.js"]
-    assert stamps.read("pages")["edited"] and before[1] == others[1].stat().st_mtime_ns
-    website.build(whole=True)
-    assert not stamps.read("pages")["edited"] and before[1] != others[1].stat().st_mtime_ns
-    assert {name: path.read_bytes() for name, path in files_of(website.SITE).items()} == edited
-
-
 def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(small_book):
     with watch.builder(small_book, small_book / "watched") as build:
         build()
@@ -91,16 +65,6 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(small_book):
             build()
         assert "Three zebras" in others[0].with_name("s1.html").read_text(encoding="utf-8")
         assert before[1] == others[1].stat().st_mtime_ns
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "same"),
-    [("An aardvark", "Two", True), ("# Bumps", "# Hills", False), ("s1)=", "s2)=", False), ("Blinn", "Peer", False)],
-)
-def test_what_other_pages_see_of_a_page_builds_them_all(small_book, old, new, same):
-    before, page = website.foundation(website.site_hashes()), small_book / "s1.md"
-    page.write_text(page.read_text().replace(old, new))
-    assert (website.foundation(website.site_hashes()) == before) == same
 
 
 def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):
@@ -116,7 +80,7 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):
     with pytest.raises(subprocess.CalledProcessError):
         website.build()
     assert website.INDEX.read_text() == "old"
-    assert stamps.read("site") is None and stamps.read("pages") is None
+    assert stamps.read("site") is None
 
 
 def test_build_does_not_inherit_what_would_change_its_bytes(monkeypatch, tmp_path):

@@ -158,7 +158,7 @@ def test_a_report_that_is_stale_edited_by_hand_or_missing_is_refused(fresh_repor
     assert report.load().keys() == THEOREMS.keys()
     with monkeypatch.context() as changed:
         changed.setattr(report, "reported_hashes", lambda: {"proofs/x.py": "2"})
-        with pytest.raises(report.NoReport, match=r"stale.*python -m book check"):
+        with pytest.raises(report.NoReport, match=r"stale.*python -m book"):
             report.load()
     fresh_report.write_text(fresh_report.read_text().replace("refuted", "proved"))
     with pytest.raises(report.NoReport, match="stale"):

@@ -16,7 +16,6 @@ section ids                `(s1)=` before a heading puts s1 on the section itsel
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (assets.py)
-an edited page             builds no other (page_cache.py)
 screen readers             lists and tables that they understand (accessibility.py)
 a sentence found           shown by the search, with its section (search.py)
 formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py, font.py)
