@@ -6,10 +6,10 @@ picture_1, picture_2 … A curve that is drawn and not handed over is an error, 
 
 import csv
 import io
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.axes import Axes
 
 from book.drawing.registry import Drawing, flat
 
@@ -23,15 +23,12 @@ def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
 
     Raises ValueError naming the figure where an array is of another kind, missing, or too large.
     """
-    arrays = {name: _checked(id, name, values) for name, values in flat(drawing.data)}
-    if isinstance(drawing.picture, Figure):
-        _require_curves(id, drawing.picture, arrays)
-        pictures = getattr(drawing.picture, "pictures", ())
-    else:
-        pictures = () if drawing.picture is None else (drawing.picture,)
+    arrays, picture = {name: _checked(id, name, values) for name, values in flat(drawing.data)}, drawing.picture
+    _require_curves(id, getattr(picture, "axes", ()), arrays)
+    pictures = [picture] if isinstance(picture, np.ndarray) else getattr(picture, "pictures", ())
     arrays |= {f"picture_{number}": image for number, image in enumerate(pictures, 1)}
     if not arrays:
-        if drawing.picture is not None:
+        if picture is not None:
             raise ValueError(f"figure {id!r}: its Drawing needs data=: the arrays that the picture shows")
         return {}
     shapes = {array.shape for array in arrays.values()}
@@ -46,32 +43,28 @@ def read_data(name: str, content: bytes) -> dict[str, np.ndarray]:
     """The arrays of such a file, by name, from its name and content; columns of words as strings."""
     if name.endswith(".npz"):
         with np.load(io.BytesIO(content)) as arrays:
-            return {key: arrays[key] for key in arrays.files}
+            return dict(arrays)
     rows = list(csv.reader(io.StringIO(content.decode())))
     return {column[0]: _column(column[1:]) for column in zip(*rows, strict=True)}
 
 
 def _checked(id: str, name: str, values) -> np.ndarray:
     array = np.asarray(values)
-    if not name or not name.isprintable() or "/" in name or name.startswith("picture_"):
-        raise ValueError(f"figure {id!r}: data name {name!r}: a printable string without / that is not picture_N")
-    if array.dtype.kind not in "biufU" or array.ndim == 0 or array.size == 0:
+    if array.dtype.kind not in "biufU" or array.ndim == 0:
         raise ValueError(f"figure {id!r}: data {name!r} is {array.dtype} of shape {array.shape}; give an array of "
                          "numbers, truth values or strings")  # fmt: skip
     return array
 
 
-def _require_curves(id: str, fig: Figure, arrays: Mapping[str, np.ndarray]) -> None:
+def _require_curves(id: str, axes: Iterable[Axes], arrays: Mapping[str, np.ndarray]) -> None:
     """Raise ValueError where a curve's heights (the places along a level row of points) are not among the data."""
-    numbers = [array.ravel().astype(float) for array in arrays.values() if array.dtype.kind in "biuf"]
-    known = np.concatenate([*numbers, np.empty(0)])
-    for ax in fig.axes:
-        for line in ax.lines:
-            places, heights = (np.asarray(values, dtype=float) for values in line.get_data())
-            seen = places if len(np.unique(heights)) == 1 else heights
-            missing = seen[np.isfinite(seen) & ~np.isin(seen, known)]
-            if len(seen) >= FEWEST_POINTS and missing.size:
-                raise ValueError(f"figure {id!r} draws a curve that is not in its data: {missing[0]} is missing")
+    known = np.concatenate([[], *(array.ravel() for array in arrays.values() if array.dtype.kind != "U")])
+    for line in (line for ax in axes for line in ax.lines):
+        places, heights = (np.asarray(values, dtype=float) for values in line.get_data())
+        seen = places if len(np.unique(heights)) == 1 else heights
+        missing = seen[np.isfinite(seen) & ~np.isin(seen, known)]
+        if len(seen) >= FEWEST_POINTS and missing.size:
+            raise ValueError(f"figure {id!r} draws a curve that is not in its data: {missing[0]} is missing")
 
 
 def _csv(arrays: Mapping[str, np.ndarray]) -> bytes:

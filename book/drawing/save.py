@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from book.assembly.stamps import write_whole
-from book.drawing.data import SUFFIXES, data_file
+from book.drawing.data import data_file
 from book.drawing.palette import CSS_PIXELS_PER_INCH
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import styled
@@ -17,49 +17,43 @@ from renderer.files.pictures import png_of
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
+    files, size, kind = {}, None, "numbers"
     with styled():
-        drawing = _called(entry)
+        drawing = entry.drawn()
         picture = drawing.picture
         if isinstance(picture, Figure):
             size = [round(inches) for inches in picture.get_size_inches() * CSS_PIXELS_PER_INCH]
             files, kind = {".svg": _svg(picture)}, "svg"
-        elif picture is None:
-            files, size, kind = {}, None, "numbers"
-        else:
-            files, size, kind = {".png": _png(entry.id, picture)}, [picture.shape[1], picture.shape[0]], "png"
+        elif getattr(picture, "dtype", None) == np.uint8 and picture.ndim == 3:
+            files, size, kind = {".png": png_of(picture)}, [picture.shape[1], picture.shape[0]], "png"
+        elif picture is not None:
+            raise TypeError(
+                f"figure {entry.id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None"
+            )
         numbers, data = _content(entry.id, drawing)
     if kind == "svg":
         with styled("dark"):
-            again = _called(entry)
+            again = entry.drawn()
             if _content(entry.id, again) != (numbers, data):
                 raise ValueError(f"figure {entry.id!r} gives other numbers when it is drawn again")
             files[".dark.svg"] = _svg(again.picture)
-    exact = kind == "png" or getattr(picture, "pixel_exact", False)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
-    beside = next((f"{entry.id}{suffix}" for suffix in data), None)
+    exact = kind == "png" or getattr(picture, "pixel_exact", False)
     description = {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact}
-    description |= {"certified": certified(drawing.shown)}
-    return files | data, description | {"data": beside, "numbers": numbers}
+    beside = next((f"{entry.id}{suffix}" for suffix in data), None)
+    return files | data, description | {"certified": certified(drawing.shown), "data": beside, "numbers": numbers}
 
 
 def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
     """Draw a figure and write its files, the JSON last: it never describes a missing picture."""
     files, description = draw_files(entry)
+    for old in folder.glob(f"{entry.id}.*"):
+        old.unlink()
+    description |= {"source": source, "function": entry.draw.__name__, "key": key, "reads": entry.reads}
+    files[".json"] = (json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
     for suffix, content in files.items():
         write_whole(folder / f"{entry.id}{suffix}", content)
-    for suffix in {".svg", ".dark.svg", ".png", *SUFFIXES} - files.keys():
-        (folder / f"{entry.id}{suffix}").unlink(missing_ok=True)
-    description |= {"source": source, "function": entry.draw.__name__, "key": key, "reads": list(entry.data)}
-    text = json.dumps(description, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    write_whole(folder / f"{entry.id}.json", text.encode())
-    return [f"{entry.id}{suffix}" for suffix in (*files, ".json")]
-
-
-def _called(entry: Registered) -> Drawing:
-    drawing = entry.draw()
-    if not isinstance(drawing, Drawing):
-        raise TypeError(f"figure {entry.id!r} returned a {type(drawing).__name__}, not a Drawing")
-    return drawing
+    return [f"{entry.id}{suffix}" for suffix in files]
 
 
 def _content(id: str, drawing: Drawing) -> tuple[dict, dict[str, bytes]]:
@@ -72,9 +66,3 @@ def _svg(fig: Figure) -> bytes:
     # No date, no creator: the same drawing must give the same bytes.
     fig.savefig(buffer, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     return buffer.getvalue()
-
-
-def _png(id: str, picture: np.ndarray) -> bytes:
-    if not isinstance(picture, np.ndarray) or picture.dtype != np.uint8 or picture.ndim != 3:
-        raise TypeError(f"figure {id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, 3 or 4) or None")
-    return png_of(picture)

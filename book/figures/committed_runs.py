@@ -1,29 +1,27 @@
 """The records of long runs over scenes and formulas: their counts and their labels; numbers only."""
 
 from book.drawing.registry import Drawing, figure
-from verify.records import RECORDS, read
 
 LABEL = ("processor", "python", "date", "commit")
 
 
-def _counts(name) -> Drawing:
-    record = read(name)
+def _counts(record) -> Drawing:
     return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
 
 
-@figure("accepted_scenes", data=[RECORDS["accepted_scenes"].path])
-def accepted_scenes() -> Drawing:
+@figure(record="accepted_scenes")
+def accepted_scenes(record: dict) -> Drawing:
     """The committed long run over random accepted scenes: its counts and its label; numbers only."""
-    return _counts("accepted_scenes")
+    return _counts(record)
 
 
-@figure("edited_formulas", data=[RECORDS["edited_formulas"].path])
-def edited_formulas() -> Drawing:
+@figure(record="edited_formulas")
+def edited_formulas(record: dict) -> Drawing:
     """The committed run over edits of the formulas: its counts and its label; numbers only."""
-    return _counts("edited_formulas")
+    return _counts(record)
 
 
-@figure("enclosed_pixels", data=[RECORDS["enclosed_pixels"].path])
-def enclosed_pixels() -> Drawing:
+@figure(record="enclosed_pixels")
+def enclosed_pixels(record: dict) -> Drawing:
     """The committed run over pixels with bounds: its counts and its label; numbers only."""
-    return _counts("enclosed_pixels")
+    return _counts(record)
