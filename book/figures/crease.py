@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, SHORT, SOLID, curve, decades, dots, label_line_end, palette, plot, slope_triangle
+from book.drawing.style import DASHED, SHORT, SOLID, colour_of, curve, decades, dots, label_line_end, plot, slope_triangle
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
 from renderer.picture.facts import crease_contrast
@@ -15,29 +15,32 @@ from verify.accuracy.orders import SLOPES, fitted_slope, on_the_raster, predicte
 CREASE, ROW = 0.125, 0.47
 
 
+def _slope(offsets, method):
+    """Return h_u of ridges at these distances from the crease u = 1/8."""
+    return gradient_at(SCENE, CREASE + offsets, ROW, method)[0]
+
+
 @figure
 def crease() -> Drawing:
     """h_u of ridges across the crease u = 1/8: exact, and by central differences of three steps."""
     offsets = np.linspace(-0.03, 0.03, 601)
-    exact_slope = gradient_at(SCENE, CREASE + offsets, ROW, exact())[0]
+    exact_slope = _slope(offsets, exact())
     fig, ax = plot(height=3.6)
     data = {"offset": offsets, "exact": exact_slope}
-    left, right = offsets < 0, offsets > 0
-    curve(ax, offsets[left], exact_slope[left], "symbolic", linewidth=2.2)
-    curve(ax, offsets[right], exact_slope[right], "symbolic", "exact", linewidth=2.2)
-    ax.plot(0, 0, marker="o", color=palette()["symbolic"], markersize=5)
+    for side, text in ((offsets < 0, ""), (offsets > 0, "exact")):
+        curve(ax, offsets[side], exact_slope[side], "symbolic", text, linewidth=2.2)
+    curve(ax, 0, 0, "symbolic", marker="o", markersize=5)
     for eps, dash, text in ((0.02, SOLID, "ε = 0.02"), (0.01, DASHED, "0.01"), (0.004, SHORT, "0.004")):
-        slope = gradient_at(SCENE, CREASE + offsets, ROW, central(eps))[0]
-        data[f"central_{eps:g}"] = slope
+        data[f"central_{eps:g}"] = slope = _slope(offsets, central(eps))
         curve(ax, offsets, slope, "numeric", linewidth=1.3, linestyle=dash)
         corner = np.searchsorted(offsets, eps)
         label_line_end(ax, offsets[corner], slope[corner], text, "numeric", "above")
-    ax.axhline(0, color=palette()["grid"], linewidth=0.8, zorder=0)
+    ax.axhline(0, color=colour_of("grid"), linewidth=0.8, zorder=0)
     ax.set(ylim=(-11, 11), xlabel="distance δ from the crease, in $u$", ylabel="$h_u$")
     on_kink, off_kink = crease_contrast(numeric(eps=1e-3), symbolic())
-    numbers = {"jump": exact_slope[right][0] - exact_slope[left][-1]}
+    numbers = {"jump": exact_slope[offsets > 0][0] - exact_slope[offsets < 0][-1]}
     for name, method in (("exact", exact()), ("central", central(1e-4))):
-        at, beside = gradient_at(SCENE, CREASE + np.array([0, 1e-6]), ROW, method)[0]
+        at, beside = _slope(np.array([0, 1e-6]), method)
         numbers[name] = {"at": at + 0.0, "beside": beside}  # −0 is 0
     numbers |= {"float_sine": np.sin(np.pi * SCENE.ku * CREASE), "mean_on": on_kink, "mean_off": off_kink}
     return Drawing(fig, numbers | {"orders": np.log10(on_kink / off_kink)}, data)
