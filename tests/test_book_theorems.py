@@ -16,8 +16,8 @@ from book.extension.cards import OPEN, coq
 from book.extension.dependencies import rows
 from book.extension.elements import typeset
 from book.extension.evidence import evidence_line, findings
-from book.extension.points import tex_point, tex_value
 from book.extension.printed_claims import rows as rows_of
+from book.extension.printed_claims import tex_point, tex_value
 from book.extension.theorems import Proofs, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems

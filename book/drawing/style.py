@@ -7,7 +7,7 @@
 
 A drawing is made once for the light page and once for the dark one. A `role` is a name of `palette()`, or a colour.
 `panels` shows the renderer's own pixels, never resampled, with their titles as type; `canvas` is a figure of so many
-CSS pixels, on which `pixel_axes` and `pixel_text` place by pixels from its upper left corner.
+CSS pixels, on which `pixel_axes`, `pixel_picture` and `pixel_text` place by pixels from its upper left corner.
 """
 
 from collections.abc import Iterator, Sequence
@@ -168,6 +168,13 @@ def pixel_axes(fig: Figure, left: float, top: float, wide: float, high: float, *
     return ax
 
 
+def pixel_picture(fig: Figure, left: float, top: float, picture: np.ndarray) -> Axes:
+    """Show a picture, one of its pixels a CSS pixel, so many of them from the figure's upper left corner."""
+    ax = pixel_axes(fig, left, top, *picture.shape[1::-1])
+    ax.imshow(picture, interpolation="none", aspect="auto")
+    return ax
+
+
 def pixel_text(fig: Figure, left: float, top: float, text: str, role: str = "ink", va: str = "baseline") -> None:
     """Write text whose baseline begins so many CSS pixels from the figure's upper left corner."""
     x, y, *_ = _box(fig, left, top, 0, 0)
@@ -189,11 +196,10 @@ def panels(
     fig.pictures = tuple(images)  # kept beside the figure, with its data
     left = 0
     for index, image in enumerate(images):
-        high, wide = image.shape[:2]
-        pixel_axes(fig, left, top, wide, high).imshow(image, interpolation="none", aspect="auto")
+        pixel_picture(fig, left, top, image)
         if titles:
             pixel_text(fig, left, 15, titles[index])
-        left += wide + GAP
+        left += image.shape[1] + GAP
     if bar:
         add_colour_bar(fig, _box(fig, left, top, BAR, tallest), bar, bar_label)
     return fig

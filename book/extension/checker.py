@@ -12,7 +12,7 @@ from sympy import Symbol, latex
 
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
-from book.extension.points import TEX
+from book.extension.printed_claims import TEX
 from book.extension.theorems import Here, Proofs, certificate, kind
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")

@@ -4,7 +4,6 @@ import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import cache
-from importlib import import_module
 from pathlib import Path
 
 from sphinx.application import Sphinx
@@ -76,18 +75,16 @@ class Proofs:
 
 def load(book: Path) -> Proofs:
     """Everything about the theorems; raises NoReport or ValueError."""
-    theorems, entries = all_theorems(), report.load()
+    theorems, entries, accepted = all_theorems(), report.load(), formal.record()
     if theorems.keys() != entries.keys():
         odd = ", ".join(sorted(theorems.keys() ^ entries.keys()))
         raise report.NoReport(f"the report and the theorems differ in: {odd}; {report.REMEDY}")
-    accepted = formal.record()
     for id, entry in entries.items():
-        entry["formal"] = accepted.get(id)
-        if entry["formal"]:
+        entry["formal"] = said = accepted.get(id)
+        if said:
             printed = statements(theorems[id])
-            entry["formal"] |= {"printed": {name: printed[name] for name in entry["formal"]["claims"]}}
-            entry["formal"]["here"] = report.asked()["Coq"]
-        whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued", "measured")
+            said |= {"printed": {name: printed[name] for name in said["claims"]}, "here": report.asked()["Coq"]}
+        whole = formal.whole(theorems[id], said) and entry["grade"] in ("proved", "argued", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, theorems))
 
@@ -126,14 +123,12 @@ class Here:
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
-    """The file that declares a theorem, and the line before the one that names it."""
-    modules = {path: import_module(f"proofs.theorems.{path.stem}") for path in sorted(THEOREMS.glob("[!_]*.py"))}
-    for path in modules:
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines()):
-            if re.search(rf"\bid=[\"']{id}[\"']", line):
-                return path, max(1, number)
-    held = [path for path in modules if id in [getattr(value, "id", "") for value in vars(modules[path]).values()]]
-    return held[0], 1  # its id is computed
+    """The file that names a theorem, and the line before it does."""
+    for path in sorted(THEOREMS.glob("[!_]*.py")):
+        text = path.read_text(encoding="utf-8")
+        if named := re.search(rf'^(?:name = | *id=)"{id}"', text, re.MULTILINE):
+            return path, max(1, text.count("\n", 0, named.start()))
+    raise ValueError(f"no file names the theorem {id!r}")
 
 
 def certificate(id: str) -> Path | None:

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import GAP, canvas, pixel_axes, pixel_text
+from book.drawing.style import GAP, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import FINE, SCENE, averaged
 from book.idea_kernels import angles, surfaces
 from renderer.picture.views import to_bytes
@@ -70,5 +70,5 @@ def bump_surface() -> Drawing:
         left = number * (SIDE + GAP)
         pixel_text(fig, left + 2, 15, title)
         pixel_text(fig, left + 2, 32, f"{angle:.{int(angle < 20)}f}° off" if angle else "0°: its own normal", "muted")
-        pixel_axes(fig, left, 44, SIDE, HIGH).imshow(still, interpolation="none", aspect="auto")
+        pixel_picture(fig, left, 44, still)
     return Drawing(fig, {"beta": SCENE.beta}, {"angle": angles()})

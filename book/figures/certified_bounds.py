@@ -6,9 +6,9 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import decades, dots, label_line_end, panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, certified_numbers, enlarged, symbolic
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
 from renderer.picture.differences import rounded_up
-from renderer.picture.views import difference_logarithmic, image_view
+from renderer.picture.views import difference_logarithmic
 from verify.accuracy.pixels import SCENES, checked_pixels, errors_of, problems, truth_of
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
@@ -31,8 +31,9 @@ def certified_bounds() -> Drawing:
     bounds = frame.bounds
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")
+    fine = symbolic(size=SIZE * FINE)
     maps = [enlarged(difference_logarithmic(each, LOW, HIGH), ZOOM) for each in (bounds, errors)]
-    pictures = [averaged(image_view(symbolic(size=SIZE * 3))), *maps]
+    pictures = [smooth(fine), *maps]
     fig = panels(pictures, ("the picture", "its bound", "its error"), (LOW, HIGH), "largest of a channel")
     numbers = {
         "side": SIDE,
@@ -43,7 +44,7 @@ def certified_bounds() -> Drawing:
     }
     numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
     data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
-    return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, symbolic(size=SIZE * 3)))
+    return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, fine))
 
 
 EACH = 15

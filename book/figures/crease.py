@@ -5,7 +5,18 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, SHORT, SOLID, colour_of, curve, decades, dots, label_line_end, plot, slope_triangle
+from book.drawing.style import (
+    DASHED,
+    SHORT,
+    SOLID,
+    colour_of,
+    curve,
+    decades,
+    dots,
+    label_line_end,
+    plot,
+    slope_triangle,
+)
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
 from renderer.picture.facts import crease_contrast

@@ -63,7 +63,9 @@ def image_error() -> Drawing:
     label_line_end(axes[0], STEPS[40], sine["rms"][40] / 3, "RMS", "difference", "below")
     # Between which numbers the least over all steps lies, and the step where it was computed.
     found = _curves("sine")["largest"]
-    lower, upper = Interval(*(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))).outward()
+    lower, upper = Interval(
+        *(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))
+    ).outward()
     floor = {"from": lower, "to": upper, "eps": STEPS[sine["largest"].argmin()]}
     return Drawing(fig, {"sine_largest": floor}, {"step": STEPS} | data)
 

@@ -6,11 +6,11 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, dots, panels, plot
-from book.figures.chapter_scene import FINE, SIZE, averaged, certified_numbers
+from book.figures.chapter_scene import FINE, SIZE, certified_numbers, smooth
 from renderer import HeightField, Scene, render, u, v
 from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
-from renderer.picture.views import difference_logarithmic, image_view
+from renderer.picture.views import difference_logarithmic
 from verify.accuracy.any_field import u_curve
 
 TEXTS = {
@@ -36,7 +36,7 @@ def own_fields() -> Drawing:
     for name in TEXTS:
         fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (SIZE * FINE, SIZE))
         bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
-        columns.append(np.vstack([averaged(image_view(fine)), bounds]))
+        columns.append(np.vstack([smooth(fine), bounds]))
         frames.append(frame)
         data[f"{name}_log10_bound"] = np.log10(np.maximum(frame.bounds.max(axis=2), 10.0**LOW)).astype(np.float16)
         numbers[name] = certified_numbers(frame)

@@ -1,6 +1,5 @@
 """The scene: its chambers, its height fields, where the creases fall, and the shadow that the bump moves."""
 
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
