@@ -5,7 +5,19 @@ from matplotlib.patches import Circle, Wedge
 from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import canvas, colour_of, curve, decades, dots, label, palette, pixel_axes, pixel_picture, pixel_text, plot
+from book.drawing.style import (
+    canvas,
+    colour_of,
+    curve,
+    decades,
+    dots,
+    label,
+    palette,
+    pixel_axes,
+    pixel_picture,
+    pixel_text,
+    plot,
+)
 from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, place, symbolic
 from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
