@@ -11,7 +11,7 @@ import numpy as np
 
 from book.assembly.results import load_result
 from book.drawing.data import read_data
-from book.figures import own_fields, pole
+from book.figures import certified_bounds, pole
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval, distance_on_a, rounded_up
 from renderer.scene.raster import Raster
@@ -110,7 +110,8 @@ def _bound(field):
 
 
 def _own_bound(name):
-    return lambda side: float(rounded_up(render(own_fields.scene_of(name), side, side, bounds=True).bounds.max(), 2))
+    scene = certified_bounds.scene_of(name)
+    return lambda side: float(rounded_up(render(scene, side, side, bounds=True).bounds.max(), 2))
 
 
 def _least_largest(side):
@@ -132,7 +133,7 @@ OVER_A_RASTER = {
     **{f"certified_bounds.{field}_bound": _bound(field) for field in ("sine", "ridges", "rings")},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
     "image_error.sine_largest_to": _least_largest,
-    **{f"own_fields.{name}_bound": _own_bound(name) for name in own_fields.TEXTS},
+    **{f"own_fields.{name}_bound": _own_bound(name) for name in certified_bounds.TEXTS},
     "three_pictures.largest": _largest,
     "views.steepest": lambda side: picture(side=side).slope.max(),
 }

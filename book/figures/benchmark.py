@@ -1,4 +1,4 @@
-"""What `make bench` measured and kept: time against pixels, and time against error of the gradient alone."""
+"""What was measured and kept: times against pixels and errors by `make bench`, and the counts of long runs."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -115,3 +115,28 @@ def gradient_time_against_error(record: dict) -> Drawing:
     decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$",
             xlim=around(times), ylim=around(errors))  # fmt: skip
     return Drawing(fig, data={"method": list(best), "ns": times, "error": errors})
+
+
+LABEL = ("processor", "python", "date", "commit")
+
+
+def _counts(record) -> Drawing:
+    return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
+
+
+@figure(record="accepted_scenes")
+def accepted_scenes(record: dict) -> Drawing:
+    """The committed long run over random accepted scenes: its counts and its label; numbers only."""
+    return _counts(record)
+
+
+@figure(record="edited_formulas")
+def edited_formulas(record: dict) -> Drawing:
+    """The committed run over edits of the formulas: its counts and its label; numbers only."""
+    return _counts(record)
+
+
+@figure(record="enclosed_pixels")
+def enclosed_pixels(record: dict) -> Drawing:
+    """The committed run over pixels with bounds: its counts and its label; numbers only."""
+    return _counts(record)

@@ -1,15 +1,16 @@
 """The chapter's pictures: the front page's, numeric beside symbolic and their difference, and the views of a frame."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
 from book.drawing.registry import Drawing, certified, figure
 from book.drawing.style import GAP, TITLE, canvas, panels, pixel_picture, pixel_text
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
-from renderer import central, exact, render
+from renderer import Scene, central, exact, render
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view
+from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
+from verify.accuracy import stacking
 
 LOW, HIGH = -8, 0
 SIDE, VIEW_SIDE = 264, 220
@@ -110,3 +111,35 @@ def hero_crease() -> Drawing:
         pixel_text(fig, 0, top + 16, title)
         pixel_picture(fig, 0, top + TITLE, smooth(frame))
     return Drawing(fig, {"times": ENLARGED}, {"rgb": smooth(frames[0])}, frames)
+
+
+SHOWN, MANY = 208, 4
+WAYS = {"one": {}, "lamp": {"lamp": MANY}, "pixel": {"pixel": MANY}}
+_stacked = cache(partial(stacking.stacked, SCENE, side=SHOWN))
+
+
+@figure("stacking")
+def stacked_pictures() -> Drawing:
+    """One light and one sample a pixel; a lamp and many samples; and how far the pipelines are apart in the second."""
+    plain, mean = _stacked(), _stacked(MANY, MANY)
+    pictures = [to_bytes(plain.picture), to_bytes(mean.picture), difference_logarithmic(mean.difference, LOW, HIGH)]
+    titles = ("one point, one sample", "a lamp, many samples", "numeric − symbolic")
+    found = {
+        f"{field}_{name}": stacking.stacked(Scene(field=field), **samples)
+        for field in ("ridges", "sine")
+        for name, samples in WAYS.items()
+    }
+    apart, mirrored = stacking.mirrors_apart(SCENE)
+    numbers = {
+        "eps": stacking.EPS,
+        "lamp_points": MANY**2,
+        "pixel_points": MANY**2,
+        "half": stacking.HALF,
+        "mirror_apart": apart,
+        "mirrored": mirrored,
+        "largest_share": max(both.of_the_bound for both in found.values()),
+        "flips": sum(both.flips for both in found.values()),
+    }
+    return Drawing(
+        panels(pictures, titles, (LOW, HIGH)), numbers | {name: {"rms": both.rms} for name, both in found.items()}
+    )
