@@ -26,7 +26,7 @@ from book.extension.cards import link
 from book.extension.elements import TEMPLATES, directive, filled, on, role, section
 from book.extension.ledger_evidence import number_nodes, test_address
 from book.extension.theorems import Here
-from book.ledger.check import faults_in, refutes
+from book.ledger.check import faults_in, last_run, refutes
 from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
 
 PAGE = "findings"
@@ -55,9 +55,7 @@ LOOKS = dict(zip(VERDICTS, _LOOKS, strict=True))
 def ledger_of(app: Sphinx) -> Ledger:
     """The build's ledger, held against the last run when first asked for; raises BadLedger or NoReport."""
     if not hasattr(app, "chapter_ledger"):
-        from book.ledger import run  # it imports this package's results
-
-        found, app.chapter_run = ledger.load(), run.last_run()
+        found, app.chapter_run = ledger.load(), last_run()
         if wrong := faults_in(found, app.chapter_run):
             raise BadLedger(wrong)
         app.chapter_ledger = found

@@ -14,10 +14,8 @@ from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import mark, typeset
 from book.extension.theorems import Here
-from book.ledger.check import refutes
-from book.ledger.entries import WORDS, Evidence
-from book.ledger.relations import relation
-from book.ledger.run import tests_in
+from book.ledger.check import refutes, tests_in
+from book.ledger.entries import WORDS, Evidence, relation
 from renderer.picture.differences import Interval
 
 
