@@ -1,7 +1,15 @@
-"""The directive `{worked-pixel}`: an {idea} with every line of one pixel, from its place to its colour.
+"""Small interactives: figures that a hand can move, and one with every line of a pixel, from its place to its colour.
 
-The formulas are the program's own (`book.idea_kernels`), the values those of one pixel; the page's script puts in
-their place those of the pixel that the reader picks.
+:::{idea} slope_is_texture
+:alt: what the still picture shows
+:width: page
+
+The caption. Everything is as for {chapter-figure}: the still picture is the figure of that name, and it stays where no
+script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place where one does.
+:::
+
+`{worked-pixel}` is an {idea} with the lines of a pixel. Their formulas are the program's own (`book.idea_kernels`), the
+values those of one pixel; the page's script puts in their place those of the pixel that the reader picks.
 """
 
 import math
@@ -10,14 +18,14 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy import Piecewise, Symbol, latex
 
-from book.extension.elements import directive, filled
-from book.extension.figures import OPTIONS
-from book.extension.ideas import idea
+from book.extension.elements import Nodes, Page, directive, filled, on_page
+from book.extension.figures import OPTIONS, chapter_figure
 from book.idea_kernels import PIXEL, lines_at
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
 
+SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
 SIZE, COLUMN, ROW = 256, 104, 92  # the picture, and the pixel whose values stand on paper
 A = "_on_a"
 EVERY = ("_x", "_y", "_z")
@@ -119,9 +127,26 @@ ON_A = ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")
 
 
 @directive("worked-pixel", arguments=1, content=True, **OPTIONS)
-def worked_pixel(here: SphinxDirective) -> list[nodes.Node]:
+def worked_pixel(here: SphinxDirective) -> Nodes:
     """An {idea} with the lines of a pixel under its picture."""
     (figure,) = idea(here)
     figure["classes"].append("idea-worked")
     figure.insert(1, filled("worked", lines=worked_lines()))
     return [figure]
+
+
+@directive("idea", arguments=1, content=True, **OPTIONS)
+def idea(here: SphinxDirective) -> Nodes:
+    """A figure with a script that replaces its picture."""
+    (figure,) = chapter_figure(here)
+    figure["classes"].append("idea")
+    figure["idea"] = here.arguments[0]
+    return [figure]
+
+
+@on_page
+def load_scripts(page: Page) -> None:
+    """Let a page with interactives load what they need, each file once."""
+    figures = page.doctree.findall(nodes.figure) if page.doctree else ()
+    if scripts := [f"ideas/{figure['idea']}.js" for figure in figures if "idea" in figure]:
+        page.load(*SHARED, *scripts, style="ideas/ideas.css")

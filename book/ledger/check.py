@@ -14,7 +14,7 @@ from typing import Any
 from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.assembly.results import look_up, parse
-from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, Evidence, Ledger, LedgerClaim, relation
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, BadLedger, Evidence, Ledger, LedgerClaim, load, relation
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)  # of the bibliography
 
@@ -59,6 +59,14 @@ def tests_in(path: Path) -> dict[str, int]:
     body = ast.parse(path.read_text(encoding="utf-8")).body if path.is_file() else ()
     functions = (node for node in body if isinstance(node, ast.FunctionDef))
     return {node.name: node.lineno for node in functions if node.name.startswith("test")}
+
+
+def standing() -> tuple[Ledger, Run]:
+    """The ledger, and the last run, which bears it out; raises BadLedger or NoReport."""
+    ledger, run = load(), last_run()
+    if faults := faults_in(ledger, run):
+        raise BadLedger(faults)
+    return ledger, run
 
 
 def faults_in(ledger: Ledger, run: Run) -> list[str]:
