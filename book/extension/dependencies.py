@@ -10,11 +10,10 @@ drawing is text, laid out here; its colours are the style sheet's, and so is the
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy.utilities.iterables import connected_components
 
-from book.extension.elements import Filled, directive, filled
+from book.extension.elements import Filled, Nodes, directive, filled
 from book.extension.theorems import Here
 
 WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
@@ -65,5 +64,5 @@ def drawing(book: Here) -> Filled:
 
 
 @directive("dependency-graph")
-def dependency_graph(here: SphinxDirective) -> list[nodes.Node]:
+def dependency_graph(here: SphinxDirective) -> Nodes:
     return [drawing(Here(here.env))]

@@ -25,8 +25,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from book.assembly.results import load_result, remark
-from book.extension.elements import directive, filled
-from book.extension.numbers import typeset
+from book.extension.elements import TEMPLATES, Nodes, directive, filled
 
 
 class PixelImage(nodes.image):
@@ -56,15 +55,13 @@ OPTIONS = {
 
 
 @directive("chapter-figure", arguments=1, content=True, **OPTIONS)
-def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
+def chapter_figure(here: SphinxDirective) -> Nodes:
     """A drawn figure with its caption, its label and where it comes from."""
     id = here.arguments[0]
     if not here.options.get("alt", "").strip():
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
     book = Path(here.env.srcdir)
     description = load_result(book, id)
-    if description["kind"] == "numbers":
-        raise ValueError(f"{id!r} has numbers but no picture")
     width = here.options.get("width", "text")
     figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *here.options.get("class", [])])
     here.set_source_info(figure)
@@ -78,7 +75,7 @@ def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
     if here.content:
         _add_caption(here, figure, id)
     if "plain" not in here.options:
-        figure += nodes.legend("", provenance(id, description))
+        figure += nodes.legend("", filled("provenance", **{"certified": None, "id": id} | description))
     if said := remark(book, id):
         figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
     return [figure]
@@ -113,33 +110,11 @@ def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> None:
     here.state.document.note_explicit_target(figure, figure)
 
 
-def provenance(id: str, description: dict) -> nodes.paragraph:
-    """The small line under a caption: source · data · numbers · its command · the hash it was drawn from."""
-    source = "/" + description["source"].removeprefix("book/")
-    links = [("source", source, f"{description['source']}, {description['function']}()")]
-    links += [("data", f"/_generated/{description['data']}", f"{description['data']}, what the picture shows")]
-    links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites")]
-    line = nodes.paragraph("", classes=["provenance"])
-    for link in links:
-        line += [file_link(*link), nodes.Text(" · ")]
-    line += [nodes.literal("", f"python -m book figures {id}")]
-    line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
-    line += _certified(description.get("certified"))
-    return line
-
-
-def _certified(found: dict | None) -> list[nodes.Node]:
-    """What is certain of the colours of the very frames that a picture shows; nothing where it shows none."""
-    if found is None:
-        return []
-    within = typeset(found["within"], ".1e")
-    text = " of its own formula in exact arithmetic (rounding alone), certified"
-    text += f", but for {found['undecided']:,} pixels that rounding leaves undecided" if found["undecided"] else ""
-    return [nodes.Text(" · every colour within "), *within, nodes.Text(text)]
-
-
 def file_link(text: str, target: str, title: str) -> addnodes.download_reference:
     """A link to a file of the book, which the site then has."""
     link = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=title)
     link += nodes.inline("", text)
     return link
+
+
+TEMPLATES.globals.update(file_link=file_link)

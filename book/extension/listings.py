@@ -24,7 +24,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.assembly import report, stamps
-from book.extension.elements import directive, on, role
+from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, proofs_of, script
 
 DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
@@ -109,13 +109,13 @@ def source_file(name: str) -> Path:
 
 
 @role("source-lines")
-def source_lines(here: SphinxRole) -> list[nodes.Node]:
+def source_lines(here: SphinxRole) -> Nodes:
     lines = source_file(here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
 @role("source-link")
-def source_link(here: SphinxRole) -> list[nodes.Node]:
+def source_link(here: SphinxRole) -> Nodes:
     if source_file(here.text) not in listed():
         raise ValueError(f"the file {here.text} has no page")
     target = listing_address(PurePosixPath(here.text))
@@ -123,7 +123,7 @@ def source_link(here: SphinxRole) -> list[nodes.Node]:
 
 
 @directive("docstring", arguments=1)
-def docstring(here: SphinxDirective) -> list[nodes.Node]:
+def docstring(here: SphinxDirective) -> Nodes:
     text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
     return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
 
@@ -144,6 +144,6 @@ def printed(name: str, wanted: list[str]) -> str:
 
 
 @directive("printed-lines", arguments=1, lines=directives.unchanged_required)
-def printed_lines(here: SphinxDirective) -> list[nodes.Node]:
+def printed_lines(here: SphinxDirective) -> Nodes:
     text = printed(here.arguments[0], here.options["lines"].split())
     return [nodes.literal_block(text, text, language="python", classes=["printed-lines"])]

@@ -21,7 +21,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
-from book.extension.elements import Page, directive, filled, on_page
+from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.notebooks import WHOLE
 
 FOLDER = "_downloads/notebooks"
@@ -50,7 +50,7 @@ def addresses(settings: dict, name: str) -> dict[str, str]:
 
 
 @directive("notebook", arguments=1)
-def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
+def notebook_links(here: SphinxDirective) -> Nodes:
     from book.notebooks.laboratory import cells  # which imports this package
     from book.notebooks.notebook import notebooks, text_of
 

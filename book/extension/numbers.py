@@ -21,14 +21,14 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, remark
-from book.extension.elements import TEMPLATES, directive, on, role
+from book.extension.elements import TEMPLATES, Nodes, directive, on, role
 from renderer.picture.differences import Interval
 
 MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
-def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> list[nodes.Node]:
+def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> Nodes:
     """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
     text = formatted(value, spec)
     if isinstance(value, str):
@@ -42,7 +42,7 @@ def typeset(value: int | float | str | bool | Interval, spec: str | None = None)
     return [nodes.Text(front), nodes.superscript("", exponent)]
 
 
-def mark(book: Path, id: str) -> list[nodes.Node]:
+def mark(book: Path, id: str) -> Nodes:
     """The mark behind a number that was measured before the code changed; nothing behind others."""
     said = remark(book, id)
     return [nodes.abbreviation("", "†", explanation=said, classes=["stale"])] if said else []
@@ -61,7 +61,7 @@ def explain_marks(app: Sphinx, document: nodes.document) -> None:
 
 
 @role("number")
-def number(here: SphinxRole) -> list[nodes.Node]:
+def number(here: SphinxRole) -> Nodes:
     """One number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     value = look_up(book, id, key)
@@ -71,7 +71,7 @@ def number(here: SphinxRole) -> list[nodes.Node]:
 
 
 @role("spread")
-def spread(here: SphinxRole) -> list[nodes.Node]:
+def spread(here: SphinxRole) -> Nodes:
     """The quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     look_up(book, id, key)
@@ -83,7 +83,7 @@ def spread(here: SphinxRole) -> list[nodes.Node]:
 
 
 @directive("benchmark-label", arguments=1)
-def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
+def benchmark_label(here: SphinxDirective) -> Nodes:
     return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
 
 
