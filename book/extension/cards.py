@@ -34,7 +34,7 @@ from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled,
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
-from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line, script
+from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line
 from proofs.engine.theorem import Theorem
 from verify import formal
 from verify.survey import AXIOMS
@@ -48,29 +48,14 @@ KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 def theorem_card(here: SphinxDirective) -> Nodes:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    if (page := book.proofs.places[id]) != here.env.docname:
-        raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]
 
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
     path, line = module_and_line(id)
-    downloads = {"certificate": f"{DOWNLOADS}/{id}.json"} if certificate(id) else {}
-    downloads |= {"stand-alone script": f"{DOWNLOADS}/{id}.py"} if script(id) else {}
-    return filled(
-        "card",
-        id=id,
-        book=book,
-        brief=list(brief),
-        theorem=book.proofs.theorems[id],
-        entry=book.proofs.entries[id],
-        check_here=check_here(book, id),
-        source=f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}",
-        downloads=downloads,
-        partly=formal.PARTLY.get(id),
-        word=WORDS.get(kind(book.proofs.entries[id]["shown"])),
-    )
+    source = f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}"
+    return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
 
 
 def behind(theorem: Theorem, entry: dict, variants: str) -> str:
@@ -151,6 +136,14 @@ def all_theorems(here: SphinxDirective) -> Nodes:
     return parts
 
 
-TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, beside=beside)
-TEMPLATES.globals.update(BEFORE=BEFORE, OPEN=OPEN, behind=behind)
-TEMPLATES.globals.update(killed=killed, kind=kind, point=point, rows=rows)
+TEMPLATES.globals.update(
+    {each.__name__: each for each in (axioms, behind, beside, certificate, coq, count, evidence_line, killed, kind)},
+    BEFORE=BEFORE,
+    DOWNLOADS=DOWNLOADS,
+    GRADES=GRADES,
+    OPEN=OPEN,
+    PARTLY=formal.PARTLY,
+    WORDS=WORDS,
+    point=point,
+    rows=rows,
+)

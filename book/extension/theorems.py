@@ -3,7 +3,6 @@
 import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 from sphinx.application import Sphinx
@@ -11,7 +10,6 @@ from sphinx.environment import BuildEnvironment
 
 from book.assembly import report, stamps
 from book.assembly.contents import placed
-from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.statements import statements
 from verify import formal
@@ -134,9 +132,3 @@ def module_and_line(id: str) -> tuple[Path, int]:
 def certificate(id: str) -> Path | None:
     path = stamps.ROOT / "proofs" / "certificates" / f"{id}.json"
     return path if path.is_file() else None
-
-
-@cache
-def script(id: str) -> str | None:
-    """The text of the stand-alone script that re-checks a theorem, if there is one."""
-    return standalone_script(id) if certificate(id) else None
