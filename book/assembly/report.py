@@ -9,7 +9,6 @@ from book.assembly import stamps
 from verify import formal
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
-REMEDY = "python -m book makes it"
 
 
 class NoReport(ValueError):
@@ -53,7 +52,7 @@ def make() -> None:
 def load() -> dict[str, dict]:
     """The report's entries, {id: entry}; raises NoReport if it is missing or stale."""
     if not is_fresh():
-        raise NoReport(f"there is no report of the proofs, or it is stale: the sources changed since; {REMEDY}")
+        raise NoReport("there is no report of the proofs, or it is stale: python -m book makes it")
     return {entry["id"]: entry for entry in stamps.table_in(REPORT)["theorems"]}
 
 

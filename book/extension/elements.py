@@ -106,15 +106,6 @@ def _plain(text: str) -> Nodes:
     return [node for node in found if node.astext()]
 
 
-def prose(text: str) -> nodes.Text:
-    """Words as Sphinx sets them, with the quotation marks of print."""
-    return nodes.Text(text)
-
-
-def literal(text: str) -> nodes.literal:
-    return nodes.literal("", text)
-
-
 def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
     """Make a function of the directive its nodes; the ValueError of what is not there fails the build."""
 
@@ -165,4 +156,5 @@ def on_page(handler: Callable[[Page], None], priority: int = 500) -> Callable:
     return on("html-page-context", priority)(hear)
 
 
-TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)
+# Words of prose are nodes: Sphinx sets them with the quotation marks of print.
+TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=nodes.Text, literal=lambda text: nodes.literal("", text))
