@@ -61,13 +61,10 @@ def read(node: nodes.Element) -> Set:
     return tex.strip(), isinstance(node, nodes.math_block)
 
 
-def formulas_of(document: nodes.document) -> Iterable[Set]:
-    return map(read, document.findall(lambda node: isinstance(node, nodes.math | nodes.math_block | Formula)))
-
-
 @on("doctree-read")
 def keep_formulas(app: Sphinx, document: nodes.document) -> None:
-    app.env.metadata[app.env.docname]["formulas"] = list(formulas_of(document))
+    found = document.findall(lambda node: isinstance(node, nodes.math | nodes.math_block | Formula))
+    app.env.metadata[app.env.docname]["formulas"] = [*map(read, found)]
 
 
 @on("env-updated", priority=100)
