@@ -19,6 +19,9 @@ PAGE_WIDTH = 928 / CSS_PIXELS_PER_INCH  # inches; the column and the margin besi
 # What a colour means is the same everywhere. Okabe and Ito's set, safe for colour-blind readers.
 ROLE = {"numeric": "#D55E00", "symbolic": "#0072B2", "difference": "#CC79A7", "reference": "#009E73"}
 
+# Of a difference's error by what makes it; none but one is a role's, that of differences.
+OF_TERMS = ("#56b4e9", "#e69f00", "#f0e442", "#cc79a7", "#ffffff")
+
 MODES = {
     "light": ROLE
     | {"bound": "#000000", "paper": "#fcfbf8", "surface": "#f4f2ec", "ink": "#1d1c1a", "muted": "#66625a",

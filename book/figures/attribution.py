@@ -4,6 +4,7 @@ from functools import cache, partial
 
 import numpy as np
 
+from book.drawing.palette import OF_TERMS
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, decades, palette, panels, pixel_axes, pixel_text, plot
 from book.figures.chapter_scene import enlarged
@@ -11,8 +12,7 @@ from proofs.formulas.step_bounds import TERMS
 from renderer import Scene, render
 from verify.stability import attribution
 
-# Okabe and Ito's, none of them one of the book's four roles but that of differences, for what a difference cannot do.
-COLOURS = dict(zip(TERMS, ("#56B4E9", "#E69F00", "#F0E442", "#CC79A7", "#FFFFFF"), strict=True))
+COLOURS = dict(zip(TERMS, OF_TERMS, strict=True))
 STEPS = (3e-2, 1e-6, 1e-8)
 SIDE, ZOOM = 88, 3
 SWEEP = np.logspace(-0.5, -13, 26)
@@ -21,7 +21,7 @@ KEYS = [name.replace(" ", "_").replace("-", "_") for name in TERMS]
 
 def _picture(kinds):
     """Return the kinds as colours, black off A and where there is no error."""
-    table = np.array([[int(c[i : i + 2], 16) for i in (1, 3, 5)] for c in COLOURS.values()], np.uint8)
+    table = np.array([list(bytes.fromhex(colour[1:])) for colour in OF_TERMS], np.uint8)
     return enlarged(np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0)), ZOOM)
 
 
