@@ -45,21 +45,13 @@ class Cell:
 
 @cache
 def cells() -> tuple[Cell, ...]:
-    """Return the laboratory's Cells. Raises ValueError unless they are numbered from 1."""
-    started: list[tuple[int, str, list[Part]]] = []
-    for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
-        if piece.cell_type == "code":
-            started[-1][2].append(Part(piece.source, True))
-            continue
-        text, *headed = HEADING.split(piece.source)  # number, title and text of each heading
-        if started and text.strip():
-            started[-1][2].append(Part(text.strip()))
-        for number, title, text in zip(*[iter(headed)] * 3, strict=True):
-            started.append((int(number), title, [Part(text.strip())] if text.strip() else []))
-    numbers = [number for number, _, _ in started]
-    if numbers != list(range(1, len(started) + 1)):
-        raise ValueError(f"cells {numbers} of {PAGE.name} are not allowed: 1, 2, 3, …")
-    return tuple(Cell(number, title, tuple(parts)) for number, title, parts in started)
+    """Return the laboratory's Cells."""
+    _, *headed = HEADING.split(PAGE.read_text(encoding="utf-8"))  # number, title and text of each
+    parts = [
+        tuple(Part(piece.source.strip(), piece.cell_type == "code") for piece in read_myst_markdown_notebook(text).cells)
+        for text in headed[2::3]
+    ]
+    return tuple(map(Cell, map(int, headed[::3]), headed[1::3], parts))
 
 
 def number(text: str) -> str:
