@@ -123,14 +123,11 @@ def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str = "",
     (x0, y0) is the triangle's left corner, `decades` its width; `text` stands by the rise: without one, |slope|.
     """
     x1, y1 = x0 * 10.0**decades, y0 * 10.0 ** (slope * decades)
-    colour = palette()["muted"]
+    curve(ax, [x0, x1, x1, x0], [y0, y0, y1, y0], "muted", linewidth=0.8, solid_joinstyle="miter")
     text = text or f"{abs(slope):g}".replace("0.5", "½")
-    ax.plot([x0, x1, x1, x0], [y0, y0, y1, y0], color=colour, linewidth=0.8, solid_joinstyle="miter")
-    label(ax, (x1, (y0 * y1) ** 0.5), text, colour, (4, 0), va="center")
-    below = slope > 0
-    label(
-        ax, ((x0 * x1) ** 0.5, y0), "1", colour, (0, -3 if below else 3), ha="center", va="top" if below else "bottom"
-    )
+    label(ax, (x1, (y0 * y1) ** 0.5), text, "muted", (4, 0), va="center")
+    down, va = (-3, "top") if slope > 0 else (3, "bottom")
+    label(ax, ((x0 * x1) ** 0.5, y0), "1", "muted", (0, down), ha="center", va=va)
 
 
 def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None:

@@ -48,7 +48,7 @@ def cells() -> tuple[Cell, ...]:
     """Return the laboratory's Cells."""
     _, *headed = HEADING.split(PAGE.read_text(encoding="utf-8"))  # number, title and text of each
     parts = [
-        tuple(Part(piece.source.strip(), piece.cell_type == "code") for piece in read_myst_markdown_notebook(text).cells)
+        tuple(Part(cell.source.strip(), cell.cell_type == "code") for cell in read_myst_markdown_notebook(text).cells)
         for text in headed[2::3]
     ]
     return tuple(map(Cell, map(int, headed[::3]), headed[1::3], parts))
