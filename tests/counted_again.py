@@ -11,7 +11,7 @@ import numpy as np
 
 from book.assembly.results import load_result
 from book.drawing.data import read_data
-from book.figures import certified_bounds, pole
+from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval, distance_on_a, rounded_up
 from renderer.scene.raster import Raster
@@ -73,7 +73,7 @@ COUNTED = {
     "eps_table.pixels_a": lambda: np.count_nonzero((picture().chambers & 3) == 1),
     "frontier_wall.points": lambda: np.transpose(wall.sample()).shape[0],
     "own_fields.side": lambda: len(kept("own_fields")["crater_log10_bound"]),
-    "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(pole.AZIMUTHS),
+    "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(crease.AZIMUTHS),
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),

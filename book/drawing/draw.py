@@ -15,7 +15,7 @@ from book.drawing.registry import FIGURES, Registered
 
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
-LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds", "accuracy_maps", "attribution")
+LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds", "error_maps")
 Waiting = tuple[Registered, dict[str, str], str]
 """A figure to be drawn, the hashes of its sources, and the reason."""
 
