@@ -10,7 +10,7 @@ from math import lcm
 import numpy as np
 
 from book.assembly.results import load_result
-from book.drawing.data import read_data
+from book.drawing.save import read_data
 from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval, distance_on_a, rounded_up

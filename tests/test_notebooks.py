@@ -23,8 +23,7 @@ from book.assembly.results import look_up
 from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER, repeated
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import BOOK, PAGE, cells, plain
-from book.notebooks.notebook import notebooks, text_of
+from book.notebooks.laboratory import BOOK, PAGE, cells, notebooks, plain, text_of
 from book.notebooks.printed import FUNCTIONS, SCENE, function, refreshed
 from renderer import kernels, render
 from renderer.generate.kernels import function_of

@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 
 from book.assembly import stamps
 from book.drawing import draw, keys, save
-from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
+from book.drawing.save import MOST_BYTES, data_file, read_data
 from tests.processes import python
 
 NARROW = ("verify/stability/maps.py", "renderer/picture/facts.py")  # what only some figures may reach
@@ -91,7 +91,7 @@ def drawn(hashes_of_figures, stamped, monkeypatch):
 @pytest.mark.parametrize(
     "name",
     ["verify/stability/maps.py", "renderer/picture/facts.py", "renderer/machines/traced.py", "book/drawing/style.py",
-     "book/drawing/data.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
+     "book/drawing/save.py", "proofs/formulas/symbols.py", "verify/results/work_precision.json", "requirements.lock",
      "book/drawing/matplotlibrc"],
 )  # fmt: skip
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(name, hashes_of_figures, drawn, monkeypatch, capsys):

@@ -17,7 +17,7 @@ import book.__main__ as command_line
 from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
-from book.releases import archive, command, compare, record, same_bytes, tolerances
+from book.releases import archive, command, compare, record, same_bytes
 from book.releases import notes as release_notes
 
 GRADES = {
@@ -192,11 +192,11 @@ def test_numbers_that_moved(old, new, tolerance, kind, how):
 
 
 def test_tolerances_are_exact_for_counts_narrow_for_floats_and_wide_for_times():
-    assert tolerances.tolerance("eps_table.flips", 0) == 0
-    assert tolerances.tolerance("u_curve.slope", 2.0) == 1e-9
-    assert tolerances.tolerance("bench:frames.algebraic_256_2_ms", 2.5) == 0.25
-    assert tolerances.tolerance("bench:frames.a_alone_central_to_algebraic_verdict", "met") == 0
-    assert tolerances.tolerance("work_precision.date", "2026-11-21") == tolerances.ANY
+    assert record.tolerance("eps_table.flips", 0) == 0
+    assert record.tolerance("u_curve.slope", 2.0) == 1e-9
+    assert record.tolerance("bench:frames.algebraic_256_2_ms", 2.5) == 0.25
+    assert record.tolerance("bench:frames.a_alone_central_to_algebraic_verdict", "met") == 0
+    assert record.tolerance("work_precision.date", "2026-11-21") == record.ANY
 
 
 @pytest.mark.parametrize(("good", "bad", "message"), [("so", " ", "needs a why"), ("0.5", "-1", "≥ 0")])
@@ -204,15 +204,15 @@ def test_every_rule_has_a_reason_and_a_tolerance(tmp_path, good, bad, message):
     path, rule = tmp_path / "rules.toml", 'floats = 1e-9\n[[rule]]\nnumbers = ["a.*"]\nwithin = 0.5\nwhy = "so"\n'
     path.write_text(rule.replace(good, bad))
     with pytest.raises(ValueError, match=message):
-        tolerances.rules(path)
+        record.rules(path)
 
 
 def test_every_rule_speaks_of_a_number_that_the_last_release_or_the_next_has(site):
     releases = (archive.read(archive.versions()[-1]), record.make())
     names = [name for release in releases for name in command.all_numbers(release)]
-    for rule in tolerances.rules()["rule"]:
+    for rule in record.rules()["rule"]:
         for pattern in rule["numbers"]:
-            assert any(tolerances.fnmatchcase(name, pattern) for name in names), pattern
+            assert any(record.fnmatchcase(name, pattern) for name in names), pattern
 
 
 @pytest.mark.parametrize(

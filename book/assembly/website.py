@@ -28,7 +28,7 @@ def execution_cache() -> Path:
 
     Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """
-    how = [BOOK / "drawing" / "matplotlibrc", BOOK / "extension" / "assets.py"]  # how cells draw, and how they run
+    how = [BOOK / "drawing" / "matplotlibrc", BOOK / "extension" / "pages.py"]  # how cells draw, and how they run
     files = [*report.packages(), *how, stamps.LOCK_FILE]
     return CACHES / stamps.key(stamps.hashes(files))
 

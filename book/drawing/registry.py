@@ -8,7 +8,7 @@
 
 A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
 `book.drawing.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
-`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
+`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/save.py`).
 Both may be nested: {"sine": {"rms": 0.1}} is the number sine_rms. A number that is an `Interval` is kept with its ends,
 rms_lower and rms_upper, and a page prints what is certain of it. `shown` are the frames with bounds whose colours one
 sees: the line of provenance says what is certain of them.

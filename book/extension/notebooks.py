@@ -21,8 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 from book.assembly import stamps
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import PAGE, cells
-from book.notebooks.notebook import notebooks, text_of
+from book.notebooks.laboratory import PAGE, cells, notebooks, text_of
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/([\w.-]+/[\w.-]+?)(?:\.git)?/?")
