@@ -117,7 +117,7 @@ def gradient_time_against_error(record: dict) -> Drawing:
     return Drawing(fig, data={"method": list(best), "ns": times, "error": errors})
 
 
-LABEL = ("processor", "python", "date", "commit")
+LABEL = ("python", "date", "commit")
 
 
 def _counts(record) -> Drawing:

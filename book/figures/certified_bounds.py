@@ -129,12 +129,7 @@ def own_u_curves() -> Drawing:
         curve(ax, STEPS, found.bound, "bound")
         decades(ax, 3, 3, xlabel="step ε", title=f"{name}, $h_{along.name}$", ylim=(1e-16, 1e3))
         best = found.bound.argmin()
-        numbers[name] = {
-            "best_eps": STEPS[best],
-            "bound": float(rounded_up(found.bound[best], 2)),
-            "least": found.error[found.error > 0].min(),
-            "median_share": np.median(found.error / found.bound),
-        }
+        numbers[name] = {"best_eps": STEPS[best], "bound": float(rounded_up(found.bound[best], 2))}
         data |= {f"{name}_error": found.error, f"{name}_bound": found.bound}
     axes[0].set_ylabel("error of the slope")
     return Drawing(fig, numbers, data)

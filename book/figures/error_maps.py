@@ -79,7 +79,7 @@ def attribution_pictures() -> Drawing:
     """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
     fig = panels([_coloured(kinds) for kinds in _kinds().values()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
     _legend(fig)
-    numbers = {"side": SMALL}
+    numbers = {}
     for eps, kinds in _kinds().items():
         on_a = kinds[kinds > -2]
         numbers["pixels"] = len(on_a)
