@@ -6,8 +6,8 @@
         ...
         return Drawing(fig, numbers={"rms_1e-3": 0.0121}, data={"step": steps, "rms": curve})
 
-A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
-`book.drawing.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
+A picture is a Matplotlib figure (in the colours of `book.drawing.palette`, which the dark page has its own of), or a
+uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
 `data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/save.py`).
 Both may be nested: {"sine": {"rms": 0.1}} is the number sine_rms. A number that is an `Interval` is kept with its ends,
 rms_lower and rms_upper, and a page prints what is certain of it. `shown` are the frames with bounds whose colours one

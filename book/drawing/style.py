@@ -1,11 +1,12 @@
-"""How a picture of the book looks: the two widths, the colours of the current mode, labels in place of legends.
+"""How a picture of the book looks: the two widths, the light page's colours, labels in place of legends.
 
     from book.drawing.style import curve, decades, plot, slope_triangle
     fig, ax = plot(width="text", height=3.6)
     curve(ax, steps, errors, "numeric", "central difference", marker="o")
     decades(ax, 2, 2, xlabel="step ε", ylabel="error")
 
-A drawing is made once for the light page and once for the dark one. A `role` is a name of `palette()`, or a colour.
+A drawing is made for the light page; `for_dark` gives it the other's colours. A `role` is a name of the palette, or a
+colour.
 `panels` shows the renderer's own pixels, never resampled, with their titles as type; `canvas` is a figure of so many
 CSS pixels, on which `pixel_axes`, `pixel_picture` and `pixel_text` place by pixels from its upper left corner.
 """
@@ -23,7 +24,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullLocator
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, drawing_for, palette, readable
+from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
 from renderer.picture.views import add_colour_bar
 
 # Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
@@ -51,13 +52,12 @@ SIDES = {  # where a label stands beside its point: its offset in points, its al
 
 
 @contextmanager
-def styled(mode: str = "light") -> Iterator[None]:
-    """Matplotlib's settings for a mode, all from the book's own file and palette whatever the reader's own are."""
-    with drawing_for(mode), matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
-        colours = palette()
+def styled() -> Iterator[None]:
+    """Matplotlib's settings, all from the book's own file and palette whatever the reader's own are."""
+    with matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
         for role, names in COLOURED.items():
-            matplotlib.rcParams.update(dict.fromkeys(names, colours[role]))
-        matplotlib.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=[colours[role] for role in ROLE])
+            matplotlib.rcParams.update(dict.fromkeys(names, colour_of(role)))
+        matplotlib.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=[*ROLE.values()])
         yield
 
 
@@ -70,14 +70,9 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
     return fig, fig.subplots(**subplots)
 
 
-def colour_of(role: str) -> str:
-    """The palette's colour for a role in the current mode; any other colour is itself."""
-    return palette().get(role, role)
-
-
 def bound_style() -> dict[str, object]:
     """How a bound is drawn: dashed, black (light grey on the dark page)."""
-    return {"color": palette()["bound"], "linestyle": (0, (5, 3)), "linewidth": 1.3}
+    return {"color": colour_of("bound"), "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 
 def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
@@ -98,7 +93,7 @@ def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o") ->
 
 def label(ax: Axes, at: tuple[float, float], text: str, role: str, aside: tuple[float, float], **look: Any) -> None:
     """Write text some points aside of a place, in a colour that can be read on the page; it may leave the axes."""
-    ax.annotate(text, at, xytext=aside, textcoords="offset points", color=readable(colour_of(role)),
+    ax.annotate(text, at, xytext=aside, textcoords="offset points", color=readable(role),
                 annotation_clip=False, **look)  # fmt: skip
 
 

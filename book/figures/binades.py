@@ -36,7 +36,6 @@ def drawn(step: float) -> Frame:
     return render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
 
 
-@cache
 def shares(step: float) -> dict[str, dict[str, float]]:
     """Return the shares of A where h_u, h_v and both are 0: by theorem binades, and as the frame counts them."""
     frame = numeric("sine", SIZE, step)

@@ -1,7 +1,5 @@
 """Five stills of one sphere: the chapter's normal, its sign, its scale, its metric mended, and the surface moved."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
@@ -36,7 +34,6 @@ def _put(picture, points, colours):
     picture[rows[order], columns[order]] = colours[order]
 
 
-@cache
 def _stills():
     """Return the five pictures, (HIGH, SIDE, 4): transparent where there is nothing."""
     u, v = np.meshgrid((np.arange(DENSE) + 0.5) / DENSE, (np.arange(DENSE // 2) + 0.5) / (DENSE // 2))

@@ -1,7 +1,5 @@
 """Certified bounds beside true errors: of small pictures, pixels by what is hard about them, fields of one's own."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
@@ -18,20 +16,13 @@ SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -9
 
 
-@cache
-def _errors():
-    """Return how far each colour of the small picture is from 256-bit balls, rounded up: (SIDE, SIDE, 3)."""
-    frame = symbolic(size=SIDE)
-    places = ((column, row) for row in range(SIDE) for column in range(SIDE))
-    errors = [[float(off.upper()) for off in errors_of(frame, *p, truth_of(frame, *p))] for p in places]
-    return np.reshape(errors, (SIDE, SIDE, 3))
-
-
 @figure
 def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
-    frame, errors = symbolic(size=SIDE), _errors()
-    bounds = frame.bounds
+    frame = symbolic(size=SIDE)
+    places = ((column, row) for row in range(SIDE) for column in range(SIDE))
+    off = [[float(each.upper()) for each in errors_of(frame, *place, truth_of(frame, *place))] for place in places]
+    bounds, errors = frame.bounds, np.reshape(off, (SIDE, SIDE, 3))  # rounded up, from 256-bit balls
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")
     fine = symbolic(size=SIZE * FINE)
@@ -53,18 +44,12 @@ def certified_bounds() -> Drawing:
 EACH = 15
 
 
-@cache
-def _pixels():
-    pixels = checked_pixels(SCENES, each=EACH)
-    if wrong := problems(pixels):
-        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
-    return pixels
-
-
 @figure
 def reference_pixels() -> Drawing:
     """The largest channel error of pixels of each kind against 256-bit balls, and the bounds of their frames."""
-    pixels = _pixels()
+    pixels = checked_pixels(SCENES, each=EACH)
+    if wrong := problems(pixels):
+        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
     kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
     fig, ax = plot(height=3.8)
     decided = [p for p in pixels if not p.undecided]
@@ -93,7 +78,6 @@ POINT = {"u": 0.81, "v": 0.23}
 STEPS = np.logspace(-1, -12, 177)
 
 
-@cache
 def scene_of(name: str) -> Scene:
     """Return the chapter's scene with one of the three fields."""
     return Scene(field=HeightField(name, parse_expression(TEXTS[name])))

@@ -1,7 +1,5 @@
 """The difference where no field is smooth: at a crease, over all of them (the √ε law of ridges), and at the pole."""
 
-from functools import cache
-
 import numpy as np
 from sympy import cos, sin, sqrt
 
@@ -70,17 +68,11 @@ STEPS = np.logspace(-2, -8, 25)
 FITTED = STEPS < 2e-3
 
 
-@cache
-def _curves():
-    frame = symbolic()
-    law = {name: np.array([quadrature(name, float(step)) for step in STEPS]) for name in SLOPES}
-    return law, np.array([on_the_raster("h_u", float(step), frame) for step in STEPS])
-
-
 @figure
 def ridge_law() -> Drawing:
     """RMS error of the central difference of ridges against ε: over the chart, the theorem's law, and on the raster."""
-    law, raster = _curves()
+    law = {name: np.array([quadrature(name, float(step)) for step in STEPS]) for name in SLOPES}
+    raster = np.array([on_the_raster("h_u", float(step), symbolic()) for step in STEPS])
     fig, ax = plot(height=3.9)
     for name, marker, side, times in (("h_u", "o", "above", 2), ("h_v", "s", "below", 0.5)):
         curve(ax, STEPS, predicted(name, STEPS)[0], "bound")
@@ -100,16 +92,11 @@ def ridge_law() -> Drawing:
     return Drawing(fig, numbers, data)
 
 
-@cache
-def _clamped():
-    return {field: orders.clamped_errors(field) for field in orders.FIELDS}
-
-
 @figure("clamped_order")
 def clamped_order_figure() -> Drawing:
     """The error of the difference clamped at the pole, v = ε/2: the chapter's fields, and one that is not odd."""
     fig, ax = plot(height=3.4)
-    steps, errors = orders.STEPS, _clamped()
+    steps, errors = orders.STEPS, {field: orders.clamped_errors(field) for field in orders.FIELDS}
     for field, text, marker, role in (
         ("sine", "sine, ridges", "o", "symbolic"),
         ("ridges", "", "x", "symbolic"),

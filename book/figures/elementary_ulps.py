@@ -1,7 +1,5 @@
 """Our elementary functions: the certified error of each piece of the range, and measured errors beneath it."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
@@ -22,7 +20,6 @@ PANELS = {
 SEED, EACH = 8, 3
 
 
-@cache
 def _samples(name):
     """Return {"ends" of the pieces, "certified" ulps of each, arguments "at" which was measured, "error" in ulps}."""
     rng, (*_, first, last) = np.random.default_rng(SEED), PANELS[name]

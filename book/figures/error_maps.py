@@ -1,7 +1,5 @@
 """Maps of errors: the seed's form beside ours, as Herbie draws them, and which term of a difference's is largest."""
 
-from functools import cache, partial
-
 import numpy as np
 
 from book.drawing.palette import OF_TERMS
@@ -17,7 +15,6 @@ LOW, HIGH = 0, 8
 OFF = 0x80  # the grey of what is not on A
 TITLES = {"seed": "the seed's form", "ours": "ours"}
 SIDE, REACH, ZOOM = 128, 1e-3, 2
-_chart, _image = cache(maps.over_the_chart), cache(maps.over_the_image)
 
 
 def _picture(units):
@@ -37,19 +34,19 @@ def _drawing(errors, **numbers) -> Drawing:
 @figure
 def accuracy_chart() -> Drawing:
     """The error of h_u over the chart, relative to h_u itself, in units of 2^-53: the seed's form and ours."""
-    return _drawing(_chart(side=SIDE), side=SIDE)
+    return _drawing(maps.over_the_chart(side=SIDE), side=SIDE)
 
 
 @figure
 def accuracy_image() -> Drawing:
     """The error of g over sphere A, in units of 2^-53 π k: the seed's form and ours."""
-    return _drawing(_image(size=SIDE, reach=1.0))
+    return _drawing(maps.over_the_image(size=SIDE, reach=1.0))
 
 
 @figure
 def accuracy_pole() -> Drawing:
     """The same about the pole, enlarged a thousand times."""
-    return _drawing(_image(size=SIDE, reach=REACH), reach=REACH)
+    return _drawing(maps.over_the_image(size=SIDE, reach=REACH), reach=REACH)
 
 
 COLOURS = dict(zip(TERMS, OF_TERMS, strict=True))
@@ -65,27 +62,20 @@ def _coloured(kinds):
     return enlarged(np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0)), TIMES)
 
 
-_frame = cache(partial(render, Scene(), SMALL, SMALL))
-
-
-@cache
-def _kinds():
-    """Return {step: the largest term's number at each pixel}."""
-    return {f"{eps:.0e}": attribution.over_the_image(_frame(), eps) for eps in STEPS}
-
-
 @figure("attribution")
 def attribution_pictures() -> Drawing:
     """The largest of the error's terms at each pixel of sphere A, at three steps, with a legend."""
-    fig = panels([_coloured(kinds) for kinds in _kinds().values()], [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
-    _legend(fig)
-    numbers = {}
-    for eps, kinds in _kinds().items():
+    frame, numbers, data = render(Scene(), SMALL, SMALL), {}, {"kinds": list(COLOURS)}
+    for eps in STEPS:
+        data[f"kinds_{eps:.0e}"] = kinds = attribution.over_the_image(frame, eps)
         on_a = kinds[kinds > -2]
         numbers["pixels"] = len(on_a)
-        numbers |= {f"{key}_{eps}": share for key, share in zip(KEYS, attribution.shares(on_a).values(), strict=True)}
-    data = {f"kinds_{eps}": kinds for eps, kinds in _kinds().items()}
-    return Drawing(fig, numbers, {"kinds": list(COLOURS)} | data)
+        shares = zip(KEYS, attribution.shares(on_a).values(), strict=True)
+        numbers |= {f"{key}_{eps:.0e}": share for key, share in shares}
+    pictures = [_coloured(data[f"kinds_{eps:.0e}"]) for eps in STEPS]
+    fig = panels(pictures, [f"ε = {eps:g}" for eps in STEPS], foot=TITLE + GAP)
+    _legend(fig)
+    return Drawing(fig, numbers, data)
 
 
 def _legend(fig):
@@ -102,15 +92,10 @@ def _legend(fig):
         pixel_text(fig, left + 22, top + 23, name, va="center")
 
 
-@cache
-def _shares():
-    return attribution.shares_by_step(_frame(), SWEEP)
-
-
 @figure
 def attribution_shares() -> Drawing:
     """Over random pixels of A, the share of each dominant term against the step."""
-    shares = _shares()
+    shares = attribution.shares_by_step(render(Scene(), SMALL, SMALL), SWEEP)
     fig, ax = plot(height=3.6)
     parts = ax.stackplot(SWEEP, *shares.values(), colors=COLOURS.values(), linewidth=0.6, edgecolor=colour_of("paper"))
     decades(ax, 2, None, xlim=(SWEEP[0], SWEEP[-1]), ylim=(0, 1), xlabel="step ε", ylabel="share of A's pixels")
@@ -118,6 +103,6 @@ def attribution_shares() -> Drawing:
     for part, hatch in zip(parts, ("", "", "////", "....", ""), strict=True):
         part.set_hatch(hatch)
     for name, (x, y) in zip(TERMS, ((3e-4, 0.5), (1e-9, 0.4), (3e-10, 0.93), (6e-2, 0.82)), strict=False):
-        ax.text(x, y, name, ha="center", va="center", color="#1d1c1a", backgroundcolor=COLOURS[name])
+        ax.text(x, y, name, ha="center", va="center", color="#1d1c1b", backgroundcolor=COLOURS[name])
     most = {f"{key}_most": values.max() for key, values in zip(KEYS, shares.values(), strict=True)}
     return Drawing(fig, most | {"points": attribution.POINTS, "steps": len(SWEEP)}, {"step": SWEEP, **shares})

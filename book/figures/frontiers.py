@@ -1,7 +1,5 @@
 """The displaced surface that a bump is not: normals, lights that leak, and what displacement moves."""
 
-from functools import cache
-
 import matplotlib
 import numpy as np
 
@@ -34,7 +32,6 @@ def _order(values):
     return fitted_slope(BETAS[SMALLEST], values[SMALLEST])
 
 
-@cache
 def _angles(side):
     """Return {step: its map of angles}, the steps by short names."""
     maps = fiction.angle_maps(symbolic(size=side))
@@ -67,15 +64,12 @@ def frontier_angles() -> Drawing:
     return Drawing(fig, {"beta": SCENE.beta} | angles, _angles(side))
 
 
-_silhouette = cache(lambda: fiction.silhouette_remainders(BETAS))
-
-
 @figure
 def frontier_silhouette() -> Drawing:
     """How far displacement moves the silhouette against β, and what the first two orders leave over."""
     fig, ax = plot(height=3.9)
-    numbers, data = {"beta": BETAS[-1], "moved": _silhouette()[0][-1]}, {"beta": BETAS}
-    for left, (name, text, role, dash) in zip(_silhouette(), (
+    remainders, data = fiction.silhouette_remainders(BETAS), {"beta": BETAS}
+    for left, (name, text, role, dash) in zip(remainders, (
         ("moved", "displaced − smooth", "ink", SOLID),
         ("less_first_order", "less the first order", "difference", DASHED),
         ("less_second_order", "less the second, too", "difference", DOTTED),
@@ -83,20 +77,18 @@ def frontier_silhouette() -> Drawing:
         curve(ax, BETAS, left, role, text, linestyle=dash)
         data[name] = left
     decades(ax, 1, 2, xlabel="amplitude β", ylabel="radius of the silhouette, in $R$")
-    for order, (left, below) in enumerate(zip(_silhouette(), (6, 6, 20), strict=True)):
+    numbers = {"beta": BETAS[-1], "moved": remainders[0][-1]}
+    for order, (left, below) in enumerate(zip(remainders, (6, 6, 20), strict=True)):
         slope_triangle(ax, 3e-3, np.interp(3e-3, BETAS, left) / below, order + 1, decades=0.4)
         numbers[f"order_{order}"] = _order(left)
     return Drawing(fig, numbers, data)
-
-
-_leaks = cache(fiction.leaks)
 
 
 def _leak_maps(size):
     """Return {light: {what: map of bool}}: where it leaks, and where it is missed."""
     return {
         name: dict(zip(("leaks", "missed"), maps, strict=True))
-        for name, maps in zip(LIGHTS, _leaks(SCENE, size), strict=True)
+        for name, maps in zip(LIGHTS, fiction.leaks(SCENE, size), strict=True)
     }
 
 
@@ -104,7 +96,7 @@ def _leak_maps(size):
 def frontier_leaks() -> Drawing:
     """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
     yellow, blue = (0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)
-    fig = marked_by_light([((miss, blue), (leak, yellow)) for leak, miss in _leaks(SCENE, MARKED * FINE)])
+    fig = marked_by_light([((miss, blue), (leak, yellow)) for leak, miss in fiction.leaks(SCENE, MARKED * FINE)])
     counts = {name: {what: np.sum(flags) for what, flags in maps.items()} for name, maps in _leak_maps(SIDE).items()}
     numbers = {"pixels_a": symbolic().stage.on_a.sum()} | counts
     return Drawing(fig, numbers, _leak_maps(MARKED), (symbolic(size=MARKED * FINE),))
@@ -119,12 +111,6 @@ def blinn_angles() -> Drawing:
     return Drawing(numbers={name: np.median(angles) for name, angles in apart.items()})
 
 
-@cache
-def _shadow(name):
-    return boundaries.shadow_remainders(BETAS, LIGHTS[name])
-
-
-@cache
 def _edges():
     """Return {"smooth" or "displaced": {curve: its x and y}} on the floor, the image plane: outline, shadows' edges."""
     around, curves = np.linspace(-np.pi, np.pi, 721), {}
@@ -137,7 +123,6 @@ def _edges():
     return curves
 
 
-@cache
 def _changed():
     """Return the pixels whose first surface is another than without β: of all for each of ORDERS, and of B at most."""
     plain = boundaries.first_surface(boundaries.SCENE, 0.0, SIDE)
@@ -148,16 +133,16 @@ def _changed():
     return counts[:-1], of_b.max()
 
 
-def _draw_map(ax):
+def _draw_map(ax, edges):
     """Draw the outline and the shadows' edges, smooth in grey and displaced in colour, with their names."""
-    for edge in _edges()["smooth"].values():
+    for edge in edges["smooth"].values():
         curve(ax, *edge.values(), "muted", linewidth=1, linestyle=(0, (4, 3)))
     for name, role, at, text in (
         ("outline", "ink", (0.0, 0.2), "outline"),
         ("shadow_first", "difference", (-0.95, -1.5), "shadow, first light"),
         ("shadow_second", "reference", (1.2, -1.2), "second light"),
     ):
-        curve(ax, *_edges()["displaced"][name].values(), role)
+        curve(ax, *edges["displaced"][name].values(), role)
         label(ax, at, text, role, (0, 0), ha="center")
     title = f"β = {SHOWN}; dashed, without"
     ax.set(aspect="equal", xlim=(-1.6, 1.7), ylim=(-1.55, 1.3), xticks=[], yticks=[], title=title)
@@ -167,18 +152,17 @@ def _draw_map(ax):
 def frontier_boundaries() -> Drawing:
     """The outline and the cast shadows of the displaced surface beside the smooth one's, and their shift against β."""
     fig, (left, right) = plot("page", height=4.2, ncols=2, width_ratios=(1, 1.15))
-    _draw_map(left)
-    changed, of_b = _changed()
+    data, (changed, of_b) = _edges(), _changed()
+    _draw_map(left, data)
     numbers = {"shown": SHOWN, "beta": BETAS[-1], "side": SIDE, "changed": changed[-1], "changed_of_b": of_b,
                "largest_beta": LARGEST, "order_of_order": fitted_slope(ORDERS, changed)}  # fmt: skip
-    data = dict(_edges())
     for name, role in (("first", "difference"), ("second", "reference")):
-        moved, rest = _shadow(name)
+        moved, rest = boundaries.shadow_remainders(BETAS, LIGHTS[name])
         curve(right, BETAS, moved, role)
         curve(right, BETAS, rest, role, linestyle=DASHED)
         data[name] = {"moved": moved, "left": rest}
         numbers[name] = {"order": _order(moved), "left_order": _order(rest), "moved": moved[-1]}
-    for heights, text in zip(_shadow("first"), ("displaced\n− smooth", "less the\nfirst order"), strict=True):
+    for heights, text in zip(data["first"].values(), ("displaced\n− smooth", "less the\nfirst order"), strict=True):
         label_line_end(right, BETAS[-1], heights[-1], text, "ink")
     slope_triangle(right, 3e-3, 8e-4, 1, decades=0.4)
     slope_triangle(right, 6e-3, 5e-5, 2, decades=0.4)

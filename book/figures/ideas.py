@@ -12,7 +12,6 @@ from book.drawing.style import (
     decades,
     dots,
     label,
-    palette,
     pixel_axes,
     pixel_picture,
     pixel_text,
@@ -81,7 +80,7 @@ def slope_is_texture() -> Drawing:
 @figure
 def scene_from_the_side() -> Drawing:
     """The eye, a ray, the spheres, the floor and the lights, in the upright plane through the eye and B's centre."""
-    c, fig, s = palette(), canvas(640, 430), 0.52
+    fig, s, ink = canvas(640, 430), 0.52, colour_of("ink")
     way = np.array(SCENE.ball_center[:2]) / np.hypot(*SCENE.ball_center[:2])
     lines = lines_at(SCENE, *(s * way))
 
@@ -90,8 +89,8 @@ def scene_from_the_side() -> Drawing:
 
     hit, eye = flat([lines[f"point_{axis}"] for axis in "xyz"]), np.array([0, SCENE.eye])
     ax = pixel_axes(fig, 0, 0, 640, 430, xlim=(-3.3, 3.3), ylim=(-0.14, 4.3))
-    ax.axhline(0, color=c["ink"], linewidth=1.2)
-    body = {"facecolor": c["surface"], "edgecolor": c["ink"], "linewidth": 1.2}
+    ax.axhline(0, color=ink, linewidth=1.2)
+    body = {"facecolor": colour_of("surface"), "edgecolor": ink, "linewidth": 1.2}
     ax.add_patch(Wedge((0, 0), SCENE.radius, 0, 180, **body))
     ax.add_patch(Circle(flat(SCENE.ball_center), SCENE.ball_radius, **body))
     curve(ax, *zip(eye, hit, strict=True), "symbolic", linewidth=2.2)
@@ -100,7 +99,7 @@ def scene_from_the_side() -> Drawing:
         towards = flat(SCENE.lights[number].position) - hit
         near, hidden = hit + 1.25 * towards / np.linalg.norm(towards), lines[f"occluded_{number}"] > 0
         colour, dashes, words = ("muted", (0, (3, 3)), f"{words} (hidden)") if hidden else ("ink", "-", words)
-        arrow = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "color": c[colour], "linestyle": dashes}
+        arrow = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "color": colour_of(colour), "linestyle": dashes}
         ax.annotate("", near, hit, arrowprops=arrow)
         label(ax, near, words, "muted", (aside, 2))
     curve(ax, *zip(eye, hit, strict=True), "ink", linestyle="", marker="o", markersize=6)
@@ -111,7 +110,7 @@ def scene_from_the_side() -> Drawing:
         (flat(SCENE.ball_center) - 0.04, "$B$"),
         (hit + (-0.2, 0.08), "$P$"),
     ):
-        ax.text(*at, words, color=c["ink"])
+        ax.text(*at, words, color=ink)
     return Drawing(fig, data={"hit": hit, "ray": [s, 0.0]})
 
 

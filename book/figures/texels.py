@@ -1,7 +1,5 @@
 """A height field of texels, and a map of stored normals: their errors against the texels."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
@@ -18,7 +16,6 @@ CURVES = {  # name: (role, dashes, width)
     "numeric": ("numeric", (0, (5, 3)), 1.4),
     "between": ("difference", SOLID, 1.6),
 }
-_of_heights, _of_normals, _without = cache(wall.errors), cache(normal_map.errors), cache(normal_map.without_a_map)
 
 
 @figure
@@ -30,7 +27,7 @@ def frontier_wall() -> Drawing:
     for ax, field in zip(axes, FIELDS, strict=True):
         numbers[field], data[field] = {}, {}
         for kind, dash in (("bilinear", SOLID), ("cubic", DASHED)):
-            largest, rms = _of_heights(field, kind)
+            largest, rms = wall.errors(field, kind)
             curve(ax, texels, largest, "difference", linestyle=dash, marker="o", markersize=4)
             curve(ax, texels, rms, "muted", linestyle=dash, linewidth=1.2)
             data[field][kind] = {"largest": largest, "rms": rms}
@@ -64,7 +61,7 @@ def map_of_normals() -> Drawing:
     fig, axes = plot(height=4.4, ncols=2, sharey=True)
     numbers, data = {"eps": normal_map.EPS, "at": AT}, {"texels": texels}
     for ax, field in zip(axes, FIELDS, strict=True):
-        errors, without = _of_normals(field), np.full(len(texels), _without(field))
+        errors, without = normal_map.errors(field), np.full(len(texels), normal_map.without_a_map(field))
         for name, (role, dashes, width) in CURVES.items():
             curve(ax, texels, errors[name], role, linestyle=dashes, linewidth=width)
         curve(ax, texels, without, "numeric", linestyle=(0, (1, 2)))

@@ -1,6 +1,6 @@
 """The chapter's pictures: the front page's, numeric beside symbolic and their difference, and the views of a frame."""
 
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 
@@ -115,13 +115,12 @@ def hero_crease() -> Drawing:
 
 SHOWN, MANY = 208, 4
 WAYS = {"one": {}, "lamp": {"lamp": MANY}, "pixel": {"pixel": MANY}}
-_stacked = cache(partial(stacking.stacked, SCENE, side=SHOWN))
 
 
 @figure("stacking")
 def stacked_pictures() -> Drawing:
     """One light and one sample a pixel; a lamp and many samples; and how far the pipelines are apart in the second."""
-    plain, mean = _stacked(), _stacked(MANY, MANY)
+    plain, mean = (stacking.stacked(SCENE, many, many, SHOWN) for many in (1, MANY))
     pictures = [to_bytes(plain.picture), to_bytes(mean.picture), difference_logarithmic(mean.difference, LOW, HIGH)]
     titles = ("one point, one sample", "a lamp, many samples", "numeric − symbolic")
     found = {

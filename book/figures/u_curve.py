@@ -66,7 +66,6 @@ PLACES = {"plain": ((50, 4e-7), (2, 6e-8)), "trick": ((2, 1.2e-7), (60, 5e-10))}
 """{steps: where their labels stand, in both plots}"""
 
 
-@cache
 def _best(representable):
     """Return (proved, measured), each the steps and the floors of all wave numbers."""
     proved, seen = (np.array([best(k, representable) for k in WAVE_NUMBERS]).T for best in (predicted, measured))
