@@ -31,7 +31,7 @@ from book.extension.listings import listing_address
 from book.extension.numbers import mark, typeset
 from book.extension.theorems import Here
 from book.ledger.check import refutes, standing, tests_in
-from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Evidence, Ledger, LedgerClaim, relation
+from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Ledger, LedgerClaim, relation
 from renderer.picture.differences import Interval
 
 PAGE = "findings"
@@ -94,17 +94,17 @@ class Entries(Here):
     def title(self, page: str) -> str:
         return page_title(stamps.ROOT / "book", page)
 
-    def number(self, piece: Evidence) -> Nodes:
-        """A number with its link, and what the claim has in its place where that is something else."""
-        value, (figure, _, key) = self.run.number(piece.name), piece.name.partition(".")
+    def value(self, name: str) -> Nodes:
+        """A number as it is set in type."""
+        value = self.run.number(name)
         large = not isinstance(value, Interval) and abs(value) >= 1000
         spec = (",.0f" if isinstance(value, float) else ",") if large else None
-        told = [nodes.Text(", where the claim has "), *in_signs(piece.claimed)] if refutes(piece, self.run) else []
-        place = self.place(figure, WORDS.get(piece.name) or re.sub("_+", " ", key))
-        return [place, nodes.Text(" = "), *typeset(value, spec), *mark(Path(self.env.srcdir), figure), *told]
+        return [*typeset(value, spec), *mark(Path(self.env.srcdir), name.partition(".")[0])]
 
-    def place(self, figure: str, text: str) -> nodes.Node:
+    def place(self, name: str) -> nodes.Node:
         """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
+        figure, _, key = name.partition(".")
+        text = WORDS.get(name) or re.sub("_+", " ", key)
         if figure.startswith(BENCHMARK_PREFIX):
             return link(text, self.page("benchmark"))
         if page := figure_pages(Path(self.env.srcdir)).get(figure):
@@ -120,13 +120,13 @@ class Entries(Here):
 def in_signs(text: str) -> Nodes:
     """A relation as it is set in type: = 0, ≥ 2, 0.45 to 0.65."""
     asked = relation(text)
-    numbers = [
+    first, *second = (
         typeset(int(n) if n.is_integer() and abs(n) < 1e6 else n, None if n.is_integer() else ".4g")
         for n in asked.numbers
-    ]
-    if asked.sign == "in":
-        return [*numbers[0], nodes.Text(" to "), *numbers[1]]
-    return [nodes.Text({"==": "", "!=": "not ", "<=": "≤ ", ">=": "≥ "}.get(asked.sign, f"{asked.sign} ")), *numbers[0]]
+    )
+    if second:
+        return [*first, nodes.Text(" to "), *second[0]]
+    return [nodes.Text({"==": "", "!=": "not ", "<=": "≤ ", ">=": "≥ "}.get(asked.sign, f"{asked.sign} ")), *first]
 
 
 @cache
@@ -178,4 +178,4 @@ def claim_link(here: SphinxRole) -> Nodes:
     return [link(claim.verdict, f"{Here(here.env).page(PAGE)}#claim-{claim.id}")]
 
 
-TEMPLATES.globals.update(FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)
+TEMPLATES.globals.update(in_signs=in_signs, FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)

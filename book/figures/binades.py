@@ -1,6 +1,5 @@
 """The bump that dies by binades: steps so small that float64 no longer takes them."""
 
-from functools import cache
 from itertools import product
 
 import numpy as np
@@ -10,7 +9,6 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import SCENE, SIZE, numeric, place
 from renderer import Scene, central, render
-from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
 from verify.accuracy.binades import dies
 
@@ -28,12 +26,6 @@ NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h
 }
 HALO = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
 LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
-
-
-@cache
-def drawn(step: float) -> Frame:
-    """Return the frame of sphere A with sine, by central differences of a step, with its bounds."""
-    return render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
 
 
 def shares(step: float) -> dict[str, dict[str, float]]:
@@ -57,10 +49,11 @@ def _edges(frame, step):
 @figure
 def binades() -> Drawing:
     """Sphere A with sine at six steps from 1e-16 to 1e-18, where binade after binade of u and v loses its slope."""
-    side, edges = CROP[2], {}
+    side, frames, edges, found = CROP[2], [], {}, {}
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
-        x, y, frame = left * (side + GAP), top * (TITLE + side + GAP), drawn(step)
+        x, y = left * (side + GAP), top * (TITLE + side + GAP)
+        frame = render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
         digits, power = (name := f"{step:.0e}").split("e-")
         ax = pixel_picture(fig, x, y + TITLE, image_view(frame))
         edges[name] = _edges(frame, step)
@@ -70,5 +63,6 @@ def binades() -> Drawing:
             (column,), (row,) = place(frame, *np.array(at)[:, None])
             ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
-    found = {f"{step:.0e}": shares(step) for step in STEPS}
-    return Drawing(fig, {"side": SIZE} | found, edges, tuple(map(drawn, STEPS)))
+        frames.append(frame)
+        found[name] = shares(step)
+    return Drawing(fig, {"side": SIZE} | found, edges, frames)
