@@ -35,7 +35,6 @@ from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line
-from proofs.engine.theorem import Theorem
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -56,19 +55,6 @@ def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
     path, line = module_and_line(id)
     source = f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}"
     return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
-
-
-def behind(theorem: Theorem, entry: dict, variants: str) -> str:
-    """What a card's second fold holds, in words."""
-    parts = [
-        ("edges", entry.get("side_conditions")),
-        (variants, entry.get("mutants")),
-        ("Coq's word", entry["formal"]),
-        ("what it rests on", True),
-    ]
-    held = [words for words, there in parts if there]
-    said = " and ".join(filter(None, [", ".join(held[:-1]), held[-1]]))
-    return said[0].upper() + said[1:]
 
 
 def coq(name: str, statement: str) -> Markup:
@@ -137,7 +123,7 @@ def all_theorems(here: SphinxDirective) -> Nodes:
 
 
 TEMPLATES.globals.update(
-    {each.__name__: each for each in (axioms, behind, beside, certificate, coq, count, evidence_line, killed, kind)},
+    {each.__name__: each for each in (axioms, beside, certificate, coq, count, evidence_line, killed, kind)},
     BEFORE=BEFORE,
     DOWNLOADS=DOWNLOADS,
     GRADES=GRADES,

@@ -1,7 +1,7 @@
 """What the book knows of the theorems: the checked objects, their last run, and which page places which."""
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -112,10 +112,6 @@ class Here:
     def name(self, id: str) -> str:
         """What a link to a theorem says."""
         return f"{self.label(id)} ({self.proofs.theorems[id].title})"
-
-    def ordered(self, ids: Collection[str]) -> list[str]:
-        """Theorems in the order of their numbers."""
-        return [id for id in self.proofs.places if id in ids]
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
