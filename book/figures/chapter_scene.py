@@ -29,9 +29,9 @@ def symbolic(field: str = "ridges", size: int = SIZE) -> Frame:
 
 
 @cache
-def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS) -> Frame:
-    """Return the central-difference frame of a field on the chapter's scene, with its bounds."""
-    return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage, bounds=True)
+def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS, bounds: bool = False) -> Frame:
+    """Return the central-difference frame of a field on the chapter's scene."""
+    return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage, bounds=bounds)
 
 
 def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

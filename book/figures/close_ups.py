@@ -42,7 +42,7 @@ def three_of(scene: Scene, crop: tuple[int, int, int, int]) -> Drawing:
 def differences_of_sine(steps: Iterable[float], low: int = LOW) -> Drawing:
     """Draw the difference of the pipelines' pictures of sine at each step, from 10^low on."""
     right = symbolic("sine", SMALL)
-    frames = [numeric("sine", SMALL, eps) for eps in steps]
+    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
     pictures = [difference_logarithmic(frame.rgb - right.rgb, low, HIGH) for frame in frames]
     return Drawing(panels(pictures, [*map(step_name, steps)], (low, HIGH)), shown=(*frames, right))
 

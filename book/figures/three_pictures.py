@@ -21,7 +21,7 @@ TITLES = ("numeric", "symbolic", "difference")
 
 def _frames(field, size):
     """Return the frames of both pipelines, with their bounds."""
-    return numeric(field, size), symbolic(field, size)
+    return numeric(field, size, bounds=True), symbolic(field, size)
 
 
 def _shown(field):
