@@ -11,57 +11,50 @@ from collections.abc import Callable, Sequence
 
 from filelock import FileLock
 
-from book.assembly import check, report, stamps, website
-from book.drawing import keys
+from book.assembly import report, stamps, website
 from book.editions import files
 from verify import evidence
 from verify.records import RECORDS
 
+VERBS = {  # those of BUILDING build the site; what RELEASES need is made first
+    "build": "theorems, figures and the site, then say where the book is (the default)",
+    "figures": "draw the figures that changed",
+    "watch": "after that, build an edited page as soon as it is saved, and show it",
+    "single": "after that, the chapter as one HTML file that can be mailed",
+    "pdf": "after that, the chapter as a PDF, printed by the installed Chromium",
+    "release-notes": "what moved since the last release; fails if left unsaid",
+    "release": "write releases/VERSION.json and its pictures, if nothing was left unsaid",
+    "same-bytes": "build from a clean clone in another folder and compare every byte",
+}
 EDITIONS = {
     "single": ("Joining the pages in one file", files.SINGLE, files.single_file),
     "pdf": ("Printing the chapter", files.PDF, files.printed),
 }
-BUILDING = ("all", "build", "watch", *EDITIONS)
-RELEASES = ("release-notes", "release", "same-bytes")  # what they need is made first
+BUILDING = ("build", "watch", "same-bytes", *EDITIONS)
 
 
 def figures(ids: Sequence[str] = (), force: bool = False) -> None:
-    if not ids and not force and keys.nothing_changed():
-        print("  all up to date")
-        return
     from book.drawing.draw import draw
 
-    before = keys.all_sources()
     draw(ids, force)
-    if not ids:
-        keys.remember(before)
 
 
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
-    top.add_argument("--all", action="store_true", help="build every page anew, not only those whose prose changed")
     verbs = top.add_subparsers(dest="verb", metavar="VERB")
-    verbs.add_parser("all", help="theorems, figures and the site, then say where the book is (the default)")
-    verbs.add_parser("check", help="run the whole checker, pytest verify, if anything that it reaches changed")
-    drawing = verbs.add_parser("figures", help="draw the figures that changed")
-    drawing.add_argument("ids", nargs="*", metavar="ID", help="only these figures")
-    drawing.add_argument("--force", action="store_true", help="draw them even if nothing changed")
-    drawing.add_argument("--list", action="store_true", help="list the figures and what each draws")
-    verbs.add_parser("build", help="theorems, figures, then the site if anything changed")
-    watching = verbs.add_parser("watch", help="after that, build an edited page as soon as it is saved, and show it")
-    watching.add_argument("--port", type=int, default=8000, metavar="N", help="where it is shown (default: 8000)")
-    verbs.add_parser("single", help="after that, the chapter as one HTML file that can be mailed")
-    verbs.add_parser("pdf", help="after that, the chapter as a PDF, printed by the installed Chromium")
-    comparing = verbs.add_parser("release-notes", help="what moved since the last release; fails if left unsaid")
-    comparing.add_argument("--against", metavar="VERSION", help="compare with this release instead of the last")
-    verbs.add_parser("release", help="write releases/VERSION.json and its pictures, if nothing was left unsaid")
-    verbs.add_parser("same-bytes", help="build from a clean clone in another folder and compare every byte")
+    made = {verb: verbs.add_parser(verb, help=words) for verb, words in VERBS.items()}
+    made["figures"].add_argument("ids", nargs="*", metavar="ID", help="only these figures")
+    made["figures"].add_argument("--force", action="store_true", help="draw them even if nothing changed")
+    made["figures"].add_argument("--list", action="store_true", help="list the figures and what each draws")
+    made["watch"].add_argument("--port", type=int, default=8000, metavar="N", help="where it is shown (default: 8000)")
+    against = "compare with this release instead of the last"
+    made["release-notes"].add_argument("--against", metavar="VERSION", help=against)
     return top
 
 
 def stage(name: str, work: Callable[[], None]) -> None:
     """Do a stage of the work and say how long it took."""
-    print(f"{name}", flush=True)
+    print(name, flush=True)
     start = time.perf_counter()
     work()
     print(f"  {time.perf_counter() - start:.1f} s", flush=True)
@@ -76,7 +69,7 @@ def require_evidence() -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    verb = options.verb or "all"
+    verb = options.verb or "build"
     if verb == "figures" and options.list:
         from book.drawing.draw import all_figures
 
@@ -88,19 +81,17 @@ def run(options: argparse.Namespace) -> int:
     stamps.STAMPS.mkdir(exist_ok=True)
     # Two builds at once would write the same files: the second waits, and then finds its work done.
     with FileLock(stamps.STAMPS / "lock"):
-        if verb == "check":
-            stage("Checking everything", check.run)
         if verb == "figures":
             stage("Drawing figures", lambda: figures(options.ids, options.force))
-        if verb in (*BUILDING, *RELEASES):
-            stage("Checking the theorems", report.make)
-            stage("Drawing figures", figures)
-        if verb in (*BUILDING, "same-bytes"):
-            stage("Building the site", lambda: website.build(options.all or verb == "same-bytes"))
+            return 0
+        stage("Checking the theorems", report.make)
+        stage("Drawing figures", figures)
+        if verb in BUILDING:
+            stage("Building the site", website.build)
         if verb in EDITIONS:
             words, place, content = EDITIONS[verb]
             stage(words, lambda: files.make(verb, place, content))
-        if verb in RELEASES:
+        if verb not in BUILDING or verb == "same-bytes":
             from book.releases import command, same_bytes
 
             if verb == "release-notes":
@@ -110,7 +101,7 @@ def run(options: argparse.Namespace) -> int:
         from book.assembly.watch import watch
 
         watch(options.port)
-    elif verb in BUILDING:
+    else:
         place = EDITIONS[verb][1] if verb in EDITIONS else website.INDEX
         print(f"The book is at {place.relative_to(stamps.ROOT)}: open {place.as_uri()}")
     return 0

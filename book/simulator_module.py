@@ -13,6 +13,7 @@ from itertools import product
 import numpy as np
 from matplotlib import colormaps
 
+from book.drawing.palette import OF_TERMS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
@@ -51,7 +52,7 @@ OVER_POINTS = (
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
 )
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
-TERM_COLOURS = ("#000000", "#56b4e9", "#e69f00", "#f0e442", "#cc79a7", "#ffffff")  # none, then TERMS: as in the book
+TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
 
 def _scenes():
@@ -77,13 +78,12 @@ def _colours(rows):
 
 def _tables():
     """Return what a painter reads, by name: cells of numbers, and where each level begins; palettes."""
-    bytes_of = [[int(colour[n : n + 2], 16) for n in (1, 3, 5)] for colour in TERM_COLOURS]
     return {
         "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0].tolist()},
         "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
-        "terms": _colours(bytes_of),
+        "terms": _colours([list(bytes.fromhex(colour[1:])) for colour in TERM_COLOURS]),
         "levels": _colours(
             [[level, 1, 0] for level in range(256)]
         ),  # for the page to colour; a difference of 0 has no 1

@@ -10,8 +10,8 @@ from math import lcm
 import numpy as np
 
 from book.assembly.results import load_result
-from book.drawing.data import read_data
-from book.figures import own_fields, pole
+from book.drawing.save import read_data
+from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval, distance_on_a, rounded_up
 from renderer.scene.raster import Raster
@@ -69,7 +69,7 @@ COUNTED = {
     "eps_table.pixels": lambda: picture().open.size,
     "eps_table.pixels_a": lambda: np.count_nonzero((picture().chambers & 3) == 1),
     "frontier_wall.points": lambda: np.transpose(wall.sample()).shape[0],
-    "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(pole.AZIMUTHS),
+    "pole.points": lambda: len(kept("pole")["sin_phi"]) * len(crease.AZIMUTHS),
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),
@@ -111,7 +111,7 @@ COUNTED |= {f"stability_{page}.{name}_points": _of_a_sweep(name) for page in STA
 
 def _bound(name):
     def largest(side):
-        scene = own_fields.scene_of(name) if name in own_fields.TEXTS else Scene(field=name)
+        scene = certified_bounds.scene_of(name) if name in certified_bounds.TEXTS else Scene(field=name)
         return float(rounded_up(render(scene, side, side, bounds=True).bounds.max(), 2))
 
     return largest
@@ -133,7 +133,7 @@ OVER_A_RASTER = {
         strict.image_error(Scene(), side, exact(form)) for form in ("algebraic", "general")
     ),
     **{f"certified_bounds.{name}_bound": _bound(name) for name in ("sine", "ridges", "rings")},
-    **{f"own_fields.{name}_bound": _bound(name) for name in own_fields.TEXTS},
+    **{f"own_fields.{name}_bound": _bound(name) for name in certified_bounds.TEXTS},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
     "image_error.sine_largest_to": lambda side: _apart(side, _least_eps(), "sine").outward()[1],
     "three_pictures.largest": lambda side: _apart(side, 1e-2),

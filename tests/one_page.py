@@ -8,7 +8,7 @@ from unittest.mock import patch
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
-from book.extension import assets
+from book.extension import pages
 
 SETTINGS = {
     "extensions": ["myst_parser", "book.extension"],
@@ -24,7 +24,7 @@ def build(folder: Path, text: str) -> tuple[str, str]:
     """Build a page of this text in `folder`, and leave nothing registered behind; its HTML, and the warnings."""
     (folder / "index.md").write_text(f"# Page\n\n{text}\n", encoding="utf-8")
     out, warnings = folder / "_build", StringIO()
-    with docutils_namespace(), patch.dict(assets.PROGRAMS, clear=True):  # what the simulator runs takes long to compile
+    with docutils_namespace(), patch.dict(pages.PROGRAMS, clear=True):  # what the simulator runs takes long to compile
         Sphinx(folder, None, out, out / "doctrees", "html", SETTINGS, None, warnings, freshenv=True).build()
     return (out / "index.html").read_text(encoding="utf-8"), warnings.getvalue()
 

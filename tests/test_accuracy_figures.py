@@ -2,16 +2,16 @@
 
 import pytest
 
-from book.figures import certified_bounds, elementary_ulps, u_curve_apart
+from book.figures import certified_bounds, elementary_ulps, u_curve
 from verify.accuracy.certified_ulps import PIECES
 from verify.accuracy.differences import bounds
 
 HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in PIECES["cospi"]()]
 CASES = (
-    (u_curve_apart, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
-     u_curve_apart.below, (u_curve_apart.STEEP,), "steep"),
+    (u_curve, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
+     u_curve.below, (u_curve.STEEP,), "steep"),
     (elementary_ulps, {"PIECES": {"cospi": lambda: HALVED}}, elementary_ulps._samples, ("cospi",), "certified is"),
-    (certified_bounds, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, certified_bounds._pixels, (),
+    (certified_bounds, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, certified_bounds.reference_pixels, (),
      "off by more than their bound"),
 )  # fmt: skip
 
@@ -20,7 +20,7 @@ CASES = (
 def test_a_figure_with_an_escape_is_not_drawn(module, changes, drawn, arguments, message, monkeypatch):
     for name, value in changes.items():
         monkeypatch.setattr(module, name, value)
-    drawn.cache_clear()
+    u_curve.below.cache_clear()
     with pytest.raises(ValueError, match=message):
         drawn(*arguments)
-    drawn.cache_clear()
+    u_curve.below.cache_clear()

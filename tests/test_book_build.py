@@ -6,36 +6,31 @@ import subprocess
 import pytest
 
 import book.__main__ as command_line
-from book.assembly import check, report, stamps, watch, website
-from book.extension import assets
-from book.releases.same_bytes import files_of
+from book.assembly import report, stamps, watch, website
+from book.extension import pages
 
 pytestmark = pytest.mark.filterwarnings("ignore:'BaseCommand' is deprecated")  # Jupyter Book's
 
 
-def test_checks_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
+def test_theorems_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
     commands = []
 
     def run(command, **options):
         commands.append(command[3])
-        if len(commands) > 2:
+        if len(commands) > 1:
             raise subprocess.CalledProcessError(1, command)
         report.REPORT.touch()
 
     monkeypatch.setattr(subprocess, "run", run)
     monkeypatch.setattr(report, "REPORT", stamped / "proofs.json")
-    monkeypatch.setattr(check, "checked_files", lambda: [stamps.LOCK_FILE])
-    for work in (check.run, check.run, report.make):  # the whole run writes the theorems' report, too
-        work()
-    assert commands == ["verify"]
+    monkeypatch.setattr(report, "reported_hashes", lambda: {"a": "1"})
+    for _ in range(2):
+        report.make()
+    assert commands == ["verify/test_theorems.py"]
     report.REPORT.unlink()
-    for work in (report.make, report.make, check.run):
-        work()
-    assert commands == ["verify", "verify/test_theorems.py"]
-    monkeypatch.setattr(check, "checked_files", lambda: [])
-    for count in (3, 4):
+    for count in (2, 3):
         with pytest.raises(subprocess.CalledProcessError):
-            check.run()
+            report.make()
         assert len(commands) == count
 
 
@@ -59,7 +54,7 @@ def small_book(stamped, monkeypatch):
         monkeypatch.setattr(website, name, value)
     monkeypatch.setattr(website, "site_hashes", lambda: {f"book/{p.name}": p.read_text() for p in folder.glob("*.md")})
     monkeypatch.setattr(website, "execution_cache", lambda: stamped / "caches" / "now")
-    monkeypatch.setattr(assets, "PROGRAMS", {})
+    monkeypatch.setattr(pages, "PROGRAMS", {})
 
     def run(command, **options):
         from jupyter_book.cli.main import main
@@ -76,20 +71,6 @@ def times(html):
     return [(html / name).stat().st_mtime_ns for name in ("index.html", "api.html")]
 
 
-def test_an_edited_page_is_built_alone_and_the_site_has_the_bytes_of_a_whole_build(small_book):
-    website.build()
-    html, page = website.WORK / "_build" / "html", small_book / "s1.md"
-    before = times(html)
-    page.write_text(page.read_text().replace("An aardvark", "Two zebras"))
-    website.build()
-    edited = {name: path.read_bytes() for name, path in files_of(website.SITE).items()}
-    assert b"Two zebras" in edited["s1.html"] and b"aardvark" not in edited["searchindex.js"]
-    assert stamps.read("pages")["edited"] and before[1] == times(html)[1]
-    website.build(whole=True)
-    assert not stamps.read("pages")["edited"] and before[1] != times(html)[1]
-    assert {name: path.read_bytes() for name, path in files_of(website.SITE).items()} == edited
-
-
 def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(small_book):
     html = small_book / "watched" / "html"
     with watch.builder(small_book, html.parent) as build:
@@ -102,19 +83,10 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(small_book):
     assert before[1] == times(html)[1]
 
 
-def test_what_other_pages_see_of_a_page_builds_them_all(small_book):
-    before, page = website.foundation(website.site_hashes()), small_book / "s1.md"
-    text = page.read_text()
-    for old, new in (("An aardvark", "Two"), ("# Bumps", "# Hills"), ("s1)=", "s2)="), ("Blinn", "Peer")):
-        page.write_text(text.replace(old, new))
-        assert (website.foundation(website.site_hashes()) == before) == (new == "Two")
-
-
 def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):
     website.SITE.mkdir(parents=True)
     website.INDEX.write_text("old")
-    for name in ("site", "pages"):
-        stamps.write(name, {"a": "0"})
+    stamps.write("site", {"a": "0"})
 
     def half_written(folder, cache):
         (folder / "_build" / "html").mkdir(parents=True)
@@ -124,7 +96,7 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(small_book, monkeypatch):
     with pytest.raises(subprocess.CalledProcessError):
         website.build()
     assert website.INDEX.read_text() == "old"
-    assert stamps.read("site") is None and stamps.read("pages") is None
+    assert stamps.read("site") is None
 
 
 def test_unknown_figure_is_a_usage_error(stamped, capsys):

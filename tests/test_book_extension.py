@@ -8,7 +8,7 @@ from docutils import nodes
 from jupyter_cache.executors import utils
 from nbformat.v4 import new_code_cell, new_notebook
 
-from book.extension import assets
+from book.extension import pages
 from book.extension.numbers import typeset
 from renderer.picture.differences import Interval
 from tests import one_page
@@ -110,6 +110,6 @@ def test_typesetting(value, spec, expected):
 def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):
     parts = "for part in ('a:', '\\n\\n  b\\n'):\n    print(part, end='', flush=True)\n    time.sleep(0.5)"
     notebook = new_notebook(cells=[new_code_cell(f"import time\n{parts}")])
-    assets.join_streams(None)
+    pages.join_streams(None)
     utils.single_nb_execution(notebook, tmp_path, timeout=60, allow_errors=False)
     assert [output.text for output in notebook.cells[0].outputs] == ["a:\n\n  b\n"]

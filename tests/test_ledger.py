@@ -11,10 +11,8 @@ from sphinx.errors import ExtensionError
 import book.ledger
 from book.extension.ledger import require_ledger
 from book.ledger import BadLedger, load
-from book.ledger.check import Run, faults_in
-from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS
-from book.ledger.relations import relation
-from book.ledger.run import last_run, node_exists
+from book.ledger.check import Run, faults_in, last_run, node_exists
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, relation
 from renderer.picture.differences import Interval
 from tests.processes import python
 from verify.sources import ROOT
@@ -111,8 +109,6 @@ REFUSED = {
         ("Blinn1978", "Blinn1979", "falls: evidence Blinn1979: source: the bibliography has no such key"),
         ('where = "s3"', 'where = "s33"', "flips: where: 's33' is no page"),
         ("seed:cell3", "seed:cell9", "falls: where: 'cell9' is no place of the seed"),
-        ("{number}`sweep.slope|.2f`", "{number}`sweep.slop|.2f`", "falls: merit: sweep.slop: no such number"),
-        ("like the root", "by {theorem-ref}`nothing`", "falls: so: unknown theorem 'nothing'"),
     ],
     "a verdict that its evidence contradicts": [
         ('verdict = "false"', HOLDS, "falls: verdict: 'holds', but descent, sweep.slope refutes it"),

@@ -15,10 +15,9 @@ import yaml
 
 from book.assembly.results import look_up
 from book.editions.pages import parsed
-from book.extension.notebooks import FOLDER, addresses
+from book.extension.notebooks import FOLDER, GITHUB
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import BOOK, PAGE, cells, plain
-from book.notebooks.notebook import notebooks
+from book.notebooks.laboratory import BOOK, PAGE, cells, notebooks, plain
 from book.notebooks.printed import SCENE, refreshed
 from renderer import Scene, render
 from tests import one_page
@@ -208,7 +207,7 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, said, tmp_path):
 
 def test_colab_and_binder_are_offered_where_a_repository_is_configured(tmp_path):
     for url in ("", "https://example.org/a/b", "https://github.com/a"):
-        assert addresses({"repository": {"url": url, "branch": "pages"}}, "cell3") == {}
+        assert not GITHUB.fullmatch(url)
     (tmp_path / "_config.yml").write_text("repository: {url: 'https://github.com/a/b.git', branch: pages}\n")
     html, _ = one_page.build(tmp_path, ":::{notebook} cell3\n:::")
     (paragraph,) = parsed(html).select("p.notebook-links")

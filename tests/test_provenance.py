@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 
 from book.assembly import stamps
 from book.drawing import draw, keys, save
-from book.drawing.data import MOST_BYTES, data_file, read_data
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
+from book.drawing.save import MOST_BYTES, data_file, read_data
 from tests.folders import contents
 from tests.processes import python
 
@@ -38,16 +38,16 @@ def hashes_of_figures() -> dict[str, dict[str, str]]:
     return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
 
 
-def test_a_key_has_what_python_imports_and_what_is_read_and_the_quick_look_misses_nothing(hashes_of_figures):
+def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_figures):
     printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
-    imported, seen = dict(map(json.loads, printed.splitlines())), keys.all_sources().keys()
+    imported = dict(map(json.loads, printed.splitlines()))
     for id, entry in all_figures().items():
         own = keys.source_file(entry)
-        paths = {*filter(None, map(keys.source_of, map(Path, imported[own.stem])))}
-        assert own in paths and len(paths) > 3
-        named = {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.data}
-        named |= {path.relative_to(stamps.ROOT).as_posix() for path in paths}
-        assert named <= hashes_of_figures[id].keys() <= seen, id
+        names = [Path(file).relative_to(stamps.ROOT).as_posix() for file in imported[own.stem]]
+        ours = {name for name in names if name.startswith(stamps.PACKAGES)}
+        assert own.relative_to(stamps.ROOT).as_posix() in ours and len(ours) > 3
+        ours |= {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.reads}
+        assert ours <= hashes_of_figures[id].keys(), id
 
 
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures, stamped, monkeypatch, capsys):
@@ -97,21 +97,6 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
     assert one == two and len(one) > 2
 
 
-def test_file_that_is_read_and_not_in_the_key_is_an_error():
-    path = stamps.ROOT / "verify" / "results" / "work_precision.json"
-
-    def careless() -> Drawing:
-        """Reads what it does not declare."""
-        return Drawing(numbers={"bytes": len(path.read_text())})
-
-    entry, figures = Registered("careless", careless), all_figures()
-    with keys.files_read() as seen:
-        save.draw_files(entry)
-    keys.require(entry, seen, keys.figure_hashes(figures["work_precision"]))
-    with pytest.raises(ValueError, match=r"'careless' read verify/results/work_precision.json.*data="):
-        keys.require(entry, seen, keys.figure_hashes(figures["hero"]))
-
-
 def line(heights) -> Figure:
     fig = Figure()
     fig.subplots().plot(range(len(heights)), heights)
@@ -133,7 +118,6 @@ def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
         ({"a": np.arange(5)}, "draws a curve that is not in its data: 0.5"),
         ({"a": [None]}, "'a' is object"),
         ({"a": 1.0}, r"'a' is float64 of shape \(\)"),
-        ({"picture_1": [1.0]}, "data name 'picture_1'"),
         ({"a": np.random.default_rng(0).random(MOST_BYTES // 8)}, "at most"),
     ):
         with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):

@@ -9,7 +9,6 @@ from book.assembly import stamps
 from verify import formal
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
-REMEDY = "python -m book check makes it"
 
 
 class NoReport(ValueError):
@@ -25,25 +24,12 @@ def reported_hashes() -> dict[str, str]:
     return stamps.hashes([*packages(), stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
 
 
-def digest() -> str:
-    """The hash of the report as it lies there, or "none"."""
-    return hashlib.sha256(REPORT.read_bytes()).hexdigest() if REPORT.is_file() else "none"
-
-
 def _stamp(sources):
-    return {"sources": stamps.key(sources), "report": digest()}
+    return {"sources": stamps.key(sources), "report": hashlib.sha256(REPORT.read_bytes()).hexdigest()}
 
 
 def remember(before: dict[str, str]) -> None:
     stamps.write("report", _stamp(before) | {"Coq": formal.accepted_here()})
-
-
-def run(tests: str) -> None:
-    """Run tests of the checker, which write the report, and note from which sources it was made."""
-    before = reported_hashes()
-    stamps.remove("report")
-    subprocess.run([sys.executable, "-m", "pytest", tests, "-q", "-n", "2"], cwd=stamps.ROOT, check=True)
-    remember(before)
 
 
 def is_fresh() -> bool:
@@ -52,19 +38,21 @@ def is_fresh() -> bool:
 
 
 def make() -> None:
-    """Run the theorems, and nothing else of the checker, unless their report is fresh, and says if Coq was asked."""
+    """Run the theorems, which writes their report, unless it is fresh, and says if Coq was asked."""
     if is_fresh() and (stamps.read("report") or {})["Coq"] == formal.accepted_here():
         print("  the report of the proofs is up to date")
-    else:
-        run("verify/test_theorems.py")
+        return
+    before = reported_hashes()
+    stamps.remove("report")
+    command = [sys.executable, "-m", "pytest", "verify/test_theorems.py", "-q", "-n", "2"]
+    subprocess.run(command, cwd=stamps.ROOT, check=True)
+    remember(before)
 
 
 def load() -> dict[str, dict]:
     """The report's entries, {id: entry}; raises NoReport if it is missing or stale."""
-    if not REPORT.is_file():
-        raise NoReport(f"there is no report of the proofs; {REMEDY}")
     if not is_fresh():
-        raise NoReport(f"the report of the proofs is stale: proofs/, renderer/ or verify/ changed since; {REMEDY}")
+        raise NoReport("there is no report of the proofs, or it is stale: python -m book makes it")
     return {entry["id"]: entry for entry in stamps.table_in(REPORT)["theorems"]}
 
 

@@ -47,7 +47,7 @@ def watch(port: int) -> None:
         logging.getLogger(name).setLevel(logging.WARNING)
     os.environ.update(website.environment(website.execution_cache()) | {"BOOK_WATCHED": "yes"})  # see scripts.py
     shutil.rmtree(FOLDER, ignore_errors=True)
-    shutil.copytree(website.WORK / "_build", FOLDER)
+    shutil.copytree(website.SITE, FOLDER / "html")  # whose sources have their pages
     with builder(website.BOOK, FOLDER) as build:
         build()
         print(f"The book is at http://localhost:{port}; Ctrl-C ends this", flush=True)

@@ -3,9 +3,7 @@
 `python -m book.drawing.palette` writes `book/static/palette.css`; a test fails when the file is out of date.
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
+import re
 from pathlib import Path
 
 from matplotlib.colors import to_hex, to_rgb
@@ -19,38 +17,37 @@ PAGE_WIDTH = 928 / CSS_PIXELS_PER_INCH  # inches; the column and the margin besi
 # What a colour means is the same everywhere. Okabe and Ito's set, safe for colour-blind readers.
 ROLE = {"numeric": "#D55E00", "symbolic": "#0072B2", "difference": "#CC79A7", "reference": "#009E73"}
 
-MODES = {
+# Of a difference's error by what makes it; none but one is a role's, that of differences.
+OF_TERMS = ("#56b4e9", "#e69f00", "#f0e442", "#cc79a7", "#ffffff")
+
+MODES = {  # the light page's black is not Matplotlib's own, which a drawing has on either page
     "light": ROLE
-    | {"bound": "#000000", "paper": "#fcfbf8", "surface": "#f4f2ec", "ink": "#1d1c1a", "muted": "#66625a",
+    | {"bound": "#010101", "paper": "#fcfbf8", "surface": "#f4f2ec", "ink": "#1d1c1a", "muted": "#66625a",
        "grid": "#e3dfd6", "rule": "#cfcabf"},
     "dark": ROLE
     | {"bound": "#c9c6bf", "paper": "#17181a", "surface": "#202225", "ink": "#e4e1da", "muted": "#a29e95",
        "grid": "#33363a", "rule": "#46494e"},
 }  # fmt: skip
 
-_mode: ContextVar[str] = ContextVar("mode", default="light")
+
+def colour_of(role: str, mode: str = "light") -> str:
+    """The palette's colour for a role; any other colour is itself."""
+    return MODES[mode].get(role, role)
 
 
-def palette() -> dict[str, str]:
-    """The colours of the current mode: the four roles, bound, paper, surface, ink, muted, grid, rule."""
-    return dict(MODES[_mode.get()])
+def readable(role: str, mode: str = "light", on: str = "paper") -> str:
+    """A role's colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
+    colour, ink, below = (colour_of(each, mode) for each in (role, "ink", on))
+    mixed = (_mix(colour, ink, step / 100) for step in range(101))
+    return next((each for each in mixed if contrast(each, below) >= LEAST_CONTRAST), ink)
 
 
-@contextmanager
-def drawing_for(mode: str) -> Iterator[None]:
-    """A context in which `palette()` gives the colours of the "light" or the "dark" page."""
-    token = _mode.set(mode)
-    try:
-        yield
-    finally:
-        _mode.reset(token)
-
-
-def readable(colour: str, against: str | None = None) -> str:
-    """The colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
-    colours = palette()
-    mixed = (_mix(colour, colours["ink"], step / 100) for step in range(101))
-    return next((c for c in mixed if contrast(c, against or colours["paper"]) >= LEAST_CONTRAST), colours["ink"])
+def for_dark(svg: str) -> str:
+    """A drawing in the light page's colours, in those of the dark one; text so that it can be read there."""
+    text = {readable(role): readable(role, "dark") for role in MODES["light"]}
+    rest = {colour.lower(): colour_of(role, "dark").lower() for role, colour in MODES["light"].items()}
+    svg = re.sub('(?<=<g style="fill: )#[0-9a-f]{6}', lambda match: text.get(match[0], match[0]), svg)
+    return re.sub("#[0-9a-f]{6}", lambda match: rest.get(match[0], match[0]), svg)
 
 
 def _mix(colour: str, other: str, share: float) -> str:
@@ -70,12 +67,10 @@ def contrast(one: str, other: str) -> float:
     return (brighter + 0.05) / (darker + 0.05)
 
 
-def _declarations(name: str) -> str:
-    with drawing_for(name):
-        colours = palette()
-        lines = [f"  --{role}: {value};" for role, value in colours.items()]
-        # Text in a role's colour must stay readable on the page and on its slightly darker surfaces.
-        lines += [f"  --{role}-text: {readable(colours[role], against=colours['surface'])};" for role in ROLE]
+def _declarations(mode: str) -> str:
+    lines = [f"  --{role}: {colour};" for role, colour in MODES[mode].items()]
+    # Text in a role's colour must stay readable on the page and on its slightly darker surfaces.
+    lines += [f"  --{role}-text: {readable(role, mode, on='surface')};" for role in ROLE]
     return "\n".join(lines)
 
 

@@ -6,16 +6,15 @@
         ...
         return Drawing(fig, numbers={"rms_1e-3": 0.0121}, data={"step": steps, "rms": curve})
 
-A picture is a Matplotlib figure (drawn twice, for the light page and the dark one: take colours from
-`book.drawing.style.palette()`), or a uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
-`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/data.py`).
+A picture is a Matplotlib figure (in the colours of `book.drawing.palette`, which the dark page has its own of), or a
+uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
+`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/save.py`).
 Both may be nested: {"sine": {"rms": 0.1}} is the number sine_rms. A number that is an `Interval` is kept with its ends,
 rms_lower and rms_upper, and a page prints what is certain of it. `shown` are the frames with bounds whose colours one
 sees: the line of provenance says what is certain of them.
 """
 
 import math
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -24,8 +23,7 @@ import numpy as np
 
 from renderer.picture.differences import Interval, rounded_up
 from renderer.picture.frame import Frame
-
-DATA_FOLDERS = ("proofs/", "renderer/", "verify/", "book/", "tests/data/")  # those that are hashed
+from verify.records import RECORDS, read
 
 
 @dataclass(frozen=True)
@@ -40,63 +38,63 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Registered:
-    """A figure's id, the function that draws it, and files that it reads (paths from the root)."""
+    """A figure's id, the function that draws it, and the record that this is given, if any."""
 
     id: str
-    draw: Callable[[], Drawing]
-    data: tuple[str, ...] = ()
+    draw: Callable[..., Drawing]
+    record: str | None = None
+
+    @property
+    def reads(self) -> list[str]:
+        """The files that it is drawn from beside code, by path from the root."""
+        return [RECORDS[self.record].path] if self.record else []
+
+    def drawn(self) -> Drawing:
+        return self.draw(read(self.record)) if self.record else self.draw()
 
 
 FIGURES: dict[str, Registered] = {}
 
 
-def figure(id: str | Callable[[], Drawing], data: tuple[str, ...] | list[str] = ()) -> Callable:
+def figure(id: str | Callable[[], Drawing] | None = None, record: str | None = None) -> Callable:
     """Register the decorated function under its own name or, as @figure("id"), under an id.
 
-    `data`: files that it reads, by path from the root.
+    `record`: the name of a record of `verify`, which the function is given; it reads no other file.
     """
     if callable(id):
-        return figure(id.__name__)(id)
-    if not re.fullmatch(r"[a-z0-9_]+", id):
-        raise ValueError(f"figure id {id!r}: an id is made of a-z, 0-9 and _")
-    if any(not name.startswith(DATA_FOLDERS) for name in data):
-        raise ValueError(f"figure {id!r}: its data must lie in one of {', '.join(DATA_FOLDERS)}")
+        return figure()(id)
 
-    def register(draw: Callable[[], Drawing]) -> Callable[[], Drawing]:
-        if id in FIGURES:
-            other = FIGURES[id].draw
-            raise ValueError(f"figure id {id!r} is taken by {other.__module__}.{other.__qualname__}")
-        if not (draw.__doc__ or "").strip():
-            raise ValueError(f"figure {id!r}: its function needs a docstring that says what it draws")
-        FIGURES[id] = Registered(id, draw, tuple(data))
+    def register(draw: Callable[..., Drawing]) -> Callable[..., Drawing]:
+        name = id or draw.__name__
+        if name in FIGURES:
+            other = FIGURES[name].draw
+            raise ValueError(f"figure id {name!r} is taken by {other.__module__}.{other.__qualname__}")
+        if not draw.__doc__:
+            raise ValueError(f"figure {name!r}: its function needs a docstring that says what it draws")
+        FIGURES[name] = Registered(name, draw, record)
         return draw
 
     return register
 
 
 def flat(values: Mapping[str, Any], front: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield (name, value) of a mapping, the names of nested ones joined by _."""
+    """Yield (name, value) of a mapping, the names of nested ones joined by _, an Interval with its ends."""
     for name, value in values.items():
         if isinstance(value, Mapping):
             yield from flat(value, f"{front}{name}_")
+        elif isinstance(value, Interval):
+            ends = {f"{name}_lower": value.lower, f"{name}_upper": value.upper}
+            yield from flat({name: value.value} | ends, front)
         else:
             yield f"{front}{name}", value
 
 
 def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str | bool]:
     """The numbers as plain Python values; an error names the figure and the key."""
-    plain: dict[str, int | float | str | bool] = {}
-    for key, value in flat(numbers):
-        if isinstance(value, Interval):
-            ends = {f"{key}_lower": value.lower, f"{key}_upper": value.upper}
-            plain |= plain_numbers(id, {key: value.value} | ends)
-            continue
-        if not re.fullmatch(r"[^\s|`]+", key):
-            raise ValueError(f"figure {id!r}: number key {key!r} must be a string without blanks, | and `")
-        value = value.item() if isinstance(value, np.generic | np.ndarray) and np.ndim(value) == 0 else value
+    plain = {key: value.tolist() if hasattr(value, "tolist") else value for key, value in flat(numbers)}
+    for key, value in plain.items():
         if not isinstance(value, bool | int | float | str) or (isinstance(value, float) and not math.isfinite(value)):
             raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number, a str or a bool")
-        plain[key] = value
     return plain
 
 
@@ -107,9 +105,6 @@ def certified(shown: Sequence[Frame]) -> dict[str, float | int] | None:
     """
     if not shown:
         return None
-    limited = [(frame.bounds.max(axis=2) < 1.0) & ~frame.open for frame in shown]
-    within = max(float(frame.bounds[flags].max()) for frame, flags in zip(shown, limited, strict=True))
-    return {
-        "within": float(rounded_up(within, 2)),
-        "undecided": int(sum(np.count_nonzero(~flags) for flags in limited)),
-    }
+    bounds = np.concatenate([np.maximum(frame.bounds.max(axis=2), frame.open).ravel() for frame in shown])
+    limited = bounds[bounds < 1.0]
+    return {"within": float(rounded_up(limited.max(), 2)), "undecided": bounds.size - limited.size}

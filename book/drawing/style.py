@@ -1,13 +1,14 @@
-"""How a picture of the book looks: the two widths, the colours of the current mode, labels in place of legends.
+"""How a picture of the book looks: the two widths, the light page's colours, labels in place of legends.
 
     from book.drawing.style import curve, decades, plot, slope_triangle
     fig, ax = plot(width="text", height=3.6)
     curve(ax, steps, errors, "numeric", "central difference", marker="o")
     decades(ax, 2, 2, xlabel="step ε", ylabel="error")
 
-A drawing is made once for the light page and once for the dark one. A `role` is a name of `palette()`, or a colour.
+A drawing is made for the light page; `for_dark` gives it the other's colours. A `role` is a name of the palette, or a
+colour.
 `panels` shows the renderer's own pixels, never resampled, with their titles as type; `canvas` is a figure of so many
-CSS pixels, on which `pixel_axes` and `pixel_text` place by pixels from its upper left corner.
+CSS pixels, on which `pixel_axes`, `pixel_picture` and `pixel_text` place by pixels from its upper left corner.
 """
 
 from collections.abc import Iterator, Sequence
@@ -23,7 +24,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullLocator
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, drawing_for, palette, readable
+from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
 from renderer.picture.views import add_colour_bar
 
 # Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
@@ -51,13 +52,12 @@ SIDES = {  # where a label stands beside its point: its offset in points, its al
 
 
 @contextmanager
-def styled(mode: str = "light") -> Iterator[None]:
-    """Matplotlib's settings for a mode, all from the book's own file and palette whatever the reader's own are."""
-    with drawing_for(mode), matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
-        colours = palette()
+def styled() -> Iterator[None]:
+    """Matplotlib's settings, all from the book's own file and palette whatever the reader's own are."""
+    with matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
         for role, names in COLOURED.items():
-            matplotlib.rcParams.update(dict.fromkeys(names, colours[role]))
-        matplotlib.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=[colours[role] for role in ROLE])
+            matplotlib.rcParams.update(dict.fromkeys(names, colour_of(role)))
+        matplotlib.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=[*ROLE.values()])
         yield
 
 
@@ -70,14 +70,9 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
     return fig, fig.subplots(**subplots)
 
 
-def colour_of(role: str) -> str:
-    """The palette's colour for a role in the current mode; any other colour is itself."""
-    return palette().get(role, role)
-
-
 def bound_style() -> dict[str, object]:
     """How a bound is drawn: dashed, black (light grey on the dark page)."""
-    return {"color": palette()["bound"], "linestyle": (0, (5, 3)), "linewidth": 1.3}
+    return {"color": colour_of("bound"), "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 
 def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
@@ -98,7 +93,7 @@ def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o") ->
 
 def label(ax: Axes, at: tuple[float, float], text: str, role: str, aside: tuple[float, float], **look: Any) -> None:
     """Write text some points aside of a place, in a colour that can be read on the page; it may leave the axes."""
-    ax.annotate(text, at, xytext=aside, textcoords="offset points", color=readable(colour_of(role)),
+    ax.annotate(text, at, xytext=aside, textcoords="offset points", color=readable(role),
                 annotation_clip=False, **look)  # fmt: skip
 
 
@@ -123,14 +118,11 @@ def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str = "",
     (x0, y0) is the triangle's left corner, `decades` its width; `text` stands by the rise: without one, |slope|.
     """
     x1, y1 = x0 * 10.0**decades, y0 * 10.0 ** (slope * decades)
-    colour = palette()["muted"]
+    curve(ax, [x0, x1, x1, x0], [y0, y0, y1, y0], "muted", linewidth=0.8, solid_joinstyle="miter")
     text = text or f"{abs(slope):g}".replace("0.5", "½")
-    ax.plot([x0, x1, x1, x0], [y0, y0, y1, y0], color=colour, linewidth=0.8, solid_joinstyle="miter")
-    label(ax, (x1, (y0 * y1) ** 0.5), text, colour, (4, 0), va="center")
-    below = slope > 0
-    label(
-        ax, ((x0 * x1) ** 0.5, y0), "1", colour, (0, -3 if below else 3), ha="center", va="top" if below else "bottom"
-    )
+    label(ax, (x1, (y0 * y1) ** 0.5), text, "muted", (4, 0), va="center")
+    down, va = (-3, "top") if slope > 0 else (3, "bottom")
+    label(ax, ((x0 * x1) ** 0.5, y0), "1", "muted", (0, down), ha="center", va=va)
 
 
 def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None:
@@ -168,6 +160,13 @@ def pixel_axes(fig: Figure, left: float, top: float, wide: float, high: float, *
     return ax
 
 
+def pixel_picture(fig: Figure, left: float, top: float, picture: np.ndarray) -> Axes:
+    """Show a picture, one of its pixels a CSS pixel, so many of them from the figure's upper left corner."""
+    ax = pixel_axes(fig, left, top, *picture.shape[1::-1])
+    ax.imshow(picture, interpolation="none", aspect="auto")
+    return ax
+
+
 def pixel_text(fig: Figure, left: float, top: float, text: str, role: str = "ink", va: str = "baseline") -> None:
     """Write text whose baseline begins so many CSS pixels from the figure's upper left corner."""
     x, y, *_ = _box(fig, left, top, 0, 0)
@@ -189,11 +188,10 @@ def panels(
     fig.pictures = tuple(images)  # kept beside the figure, with its data
     left = 0
     for index, image in enumerate(images):
-        high, wide = image.shape[:2]
-        pixel_axes(fig, left, top, wide, high).imshow(image, interpolation="none", aspect="auto")
+        pixel_picture(fig, left, top, image)
         if titles:
             pixel_text(fig, left, 15, titles[index])
-        left += wide + GAP
+        left += image.shape[1] + GAP
     if bar:
         add_colour_bar(fig, _box(fig, left, top, BAR, tallest), bar, bar_label)
     return fig

@@ -8,9 +8,8 @@ from bs4.dammit import EntitySubstitution
 from bs4.formatter import HTMLFormatter
 
 from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
-from book.editions.listings import make_small
 from book.editions.names import Names, ids_of, relink, rename
-from book.editions.pages import SHELL, BrokenSite, Page, parsed, read_pages, target
+from book.editions.pages import SHELL, BrokenSite, Page, make_small, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent

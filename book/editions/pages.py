@@ -2,7 +2,7 @@
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
@@ -91,3 +91,21 @@ def read_pages(site: Path, shell: BeautifulSoup) -> list[Page]:
             pages[name] = read_page(site, name)
             waiting.extend(linked(pages[name]))
     return list(pages.values())
+
+
+def make_small(page: Page, links: Collection[str]) -> None:
+    """Make a listing small: without colours, its numbers in a column of their own.
+
+    Lines that one of the file's `#id` links leads to keep their ids.
+    """
+    pre = page.article.find("pre")
+    for part in pre.find_all(True):
+        if f"#{part.get('id')}" in links:
+            part.attrs = {"id": part["id"], "class": "line"}
+        elif part.name == "a" or "linenos" in part.get("class", ()):
+            part.decompose()
+        else:
+            part.unwrap()
+    count = pre.get_text().rstrip("\n").count("\n") + 1
+    numbers = "\n".join(str(n + 1) for n in range(count))
+    pre.insert_before(parsed(f'<div class="numbers" aria-hidden="true">{numbers}</div>').div)

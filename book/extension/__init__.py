@@ -1,13 +1,13 @@
 """The chapter's own Sphinx extension.
 
 `{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
-`{idea} ID`                a figure that a hand can move (ideas.py)
+`{idea} ID`                a figure that a hand can move (worked.py)
 `{worked-pixel} ID`        one of them, with every line of a pixel under it (worked.py)
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
-`{all-theorems}` …         every theorem by section, and what the grades mean (claims.py)
-`{check-all}`              what checks every certificate in the reader's browser (claims.py, checker.py)
+`{all-theorems}` …         every theorem by section, and what the grades mean (cards.py)
+`{check-all}`              what checks every certificate in the reader's browser (cards.py, checker.py)
 `{dependency-graph}`       what rests on what (dependencies.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
 `{seed}`                   the page that the chapter came as, with its verdicts (seed.py)
@@ -15,13 +15,12 @@
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
-a cell's output            joined before it is merged (assets.py)
-an edited page             builds no other (page_cache.py)
-screen readers             lists and tables that they understand (accessibility.py)
+a cell's output            joined before it is merged (pages.py)
+screen readers             lists and tables that they understand (scripts.py)
 a sentence found           shown by the search, with its section (search.py)
-formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py, font.py)
+formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py)
 the theme                  its style sheets without what no page uses (styles.py), what a page may load (scripts.py)
-the simulator              compiled into the site (assets.py)
+the simulator              compiled into the site (pages.py)
 """
 
 from sphinx.application import Sphinx

@@ -1,29 +1,40 @@
-"""The directive that prints a theorem from its checked object, and the role that refers to one.
+"""Theorems on pages, printed from their checked objects: cards, references, the list of all, what grades mean.
 
 :::{theorem} kink_loci
 Words that stand for the statement, which is then folded away with its proof. Without them the statement stands.
 :::
 
 {theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; `kink_loci|short` gives "Theorem 3"
+
+:::{all-theorems}     every theorem, by section
+:::
+:::{grades}           the legend of the badges, with the number of theorems that have each; `:asked:` adds who was asked
+:::
+:::{argued-clauses}   the words that no claim says, each with its reason
+:::
+:::{check-all}        a button that checks every certificate in the reader's browser
+:::
 """
 
 import re
+from collections import Counter
 from collections.abc import Sequence
+from pathlib import Path
 from textwrap import indent
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.assembly import stamps
-from book.extension import checker
-from book.extension.elements import TEMPLATES, Filled, directive, filled, role
+from book.assembly import report, stamps
+from book.assembly.contents import page_files, page_title
+from book.extension.checker import check_all, check_here
+from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled, role, section
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
-from book.extension.points import point
-from book.extension.printed_claims import rows
-from book.extension.theorems import GRADES, WORDS, Here, certificate, kind, module_and_line, script
-from proofs.engine.theorem import Theorem
+from book.extension.printed_claims import point, rows
+from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -33,45 +44,17 @@ KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
 
 @directive("theorem", arguments=1, content=True)
-def theorem_card(here: SphinxDirective) -> list[nodes.Node]:
+def theorem_card(here: SphinxDirective) -> Nodes:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    if (page := book.proofs.places[id]) != here.env.docname:
-        raise ValueError(f"{id!r} is placed on {page}, not here")
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
     return [card(book, id, brief), *messages]
 
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
     path, line = module_and_line(id)
-    downloads = {"certificate": f"{DOWNLOADS}/{id}.json"} if certificate(id) else {}
-    downloads |= {"stand-alone script": f"{DOWNLOADS}/{id}.py"} if script(id) else {}
-    return filled(
-        "card",
-        id=id,
-        book=book,
-        brief=list(brief),
-        theorem=book.proofs.theorems[id],
-        entry=book.proofs.entries[id],
-        check_here=checker.check_here(book, id),
-        source=f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}",
-        downloads=downloads,
-        partly=formal.PARTLY.get(id),
-        word=WORDS.get(kind(book.proofs.entries[id]["shown"])),
-    )
-
-
-def behind(theorem: Theorem, entry: dict, variants: str) -> str:
-    """What a card's second fold holds, in words."""
-    parts = [
-        ("edges", entry.get("side_conditions")),
-        (variants, entry.get("mutants")),
-        ("Coq's word", entry["formal"]),
-        ("what it rests on", True),
-    ]
-    held = [words for words, there in parts if there]
-    said = " and ".join(filter(None, [", ".join(held[:-1]), held[-1]]))
-    return said[0].upper() + said[1:]
+    source = f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}"
+    return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
 
 
 def coq(name: str, statement: str) -> Markup:
@@ -100,13 +83,53 @@ def link(text: str, target: str) -> nodes.reference:
 
 
 @role("theorem-ref")
-def theorem_reference(here: SphinxRole) -> list[nodes.Node]:
+def theorem_reference(here: SphinxRole) -> Nodes:
     id, _, style = here.text.partition("|")
     book = Here(here.env)
     book.proofs.reached(id)
     return [link(book.label(id) if style == "short" else book.name(id), book.card(id))]
 
 
-TEMPLATES.globals.update(GRADES=GRADES, axioms=axioms, coq=coq, count=count, evidence_line=evidence_line, beside=beside)
-TEMPLATES.globals.update(BEFORE=BEFORE, OPEN=OPEN, behind=behind)
-TEMPLATES.globals.update(killed=killed, kind=kind, point=point, rows=rows)
+@directive("grades", asked=directives.flag)
+def grades_legend(here: SphinxDirective) -> Nodes:
+    counts = Counter(kind(entry["shown"]) for entry in Here(here.env).proofs.entries.values())
+    asked = report.asked() if "asked" in here.options else {}
+    return [filled("grades", id="" if asked else LEGEND[1], counts=counts, asked=asked)]
+
+
+@directive("check-all")
+def check_all_here(here: SphinxDirective) -> Nodes:
+    return [check_all(Here(here.env).proofs)]
+
+
+@directive("argued-clauses")
+def argued_clauses(here: SphinxDirective) -> Nodes:
+    book = Here(here.env)
+    found = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
+    return [filled("argued_clauses", book=book, found=found)]
+
+
+@directive("all-theorems")
+def all_theorems(here: SphinxDirective) -> Nodes:
+    book, source, parts = Here(here.env), Path(here.env.srcdir), []
+    order, places = list(GRADES), book.proofs.places
+    for page in (page for page in page_files(source) if page in places.values()):
+        ids = [id for id in places if places[id] == page]
+        ids.sort(key=lambda id: order.index(kind(book.proofs.entries[id]["shown"])))
+        parts.append(section(page_title(source, page), f"theorems-{page}", filled("claim_list", book=book, ids=ids)))
+    if unplaced := [id for id in places if places[id] == CLAIMS_PAGE]:
+        parts.append(section("On no other page", "on-no-other-page", *(card(book, id) for id in unplaced)))
+    return parts
+
+
+TEMPLATES.globals.update(
+    {each.__name__: each for each in (axioms, beside, certificate, coq, count, evidence_line, killed, kind)},
+    BEFORE=BEFORE,
+    DOWNLOADS=DOWNLOADS,
+    GRADES=GRADES,
+    OPEN=OPEN,
+    PARTLY=formal.PARTLY,
+    WORDS=WORDS,
+    point=point,
+    rows=rows,
+)

@@ -6,18 +6,16 @@ import unicodedata
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
-from typing import Any
 
+from docutils import nodes
 from sympy import Symbol, latex
 
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
-from book.extension.points import TEX
+from book.extension.printed_claims import TEX
 from book.extension.theorems import Here, Proofs, certificate, kind
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
-NO_SCRIPT = "To check it here takes JavaScript. The stand-alone script below takes Python, and nothing else."
-NO_SCRIPT_ALL = "To check them here takes JavaScript. `python -m proofs.check` takes Python, and nothing else."
 WITHOUT = {
     "measured": "No certificate to check here: this was measured, and the command below measures it again.",
     "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
@@ -36,15 +34,16 @@ def check_here(book: Here, id: str) -> Filled | str:
     claims = stored(path)
     names = {name: spelling(name) for name in sorted(names_of(claims))}
     shown = [step["of"] for case in statements_of(claims) for step in case.get("steps", ()) if step["step"] == "show"]
-    limits = {"trusted": book.page("trusted"), "given": given(book.proofs, id), "nothing_left": not all(shown)}
-    return place({"theorem": id, "claims": claims, "names": names}, NO_SCRIPT, theorem=id, **limits)
+    data = packed({"theorem": id, "claims": claims, "names": names})
+    return filled("checker", theorem=id, book=book, data=data, given=given(book, id), nothing_left=not all(shown))
 
 
 def check_all(proofs: Proofs) -> Filled:
     """The place of the button that checks everything, with all certificates."""
     paths = [(id, certificate(id)) for id in proofs.places]
-    data = [{"theorem": id, "claims": stored(path)} for id, path in paths if path]
-    return place(data, NO_SCRIPT_ALL)
+    return filled(
+        "checker", theorem="", data=packed([{"theorem": id, "claims": stored(path)} for id, path in paths if path])
+    )
 
 
 def stored(path: Path) -> list[dict]:
@@ -55,19 +54,18 @@ def stored(path: Path) -> list[dict]:
     return claims
 
 
-def place(data: dict | list, no_script: str, **values: Any) -> Filled:
-    """Its data, compressed JSON, in an element; what a reader without JavaScript is told; the template's values."""
+def packed(data: dict | list) -> nodes.raw:
+    """Data in an element, compressed JSON; whole, so that the search takes none of it for words."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
-    script = raw(f'<script type="application/gzip">{base64_gzip(text.encode())}</script>')
-    return filled("checker", script=script, no_script=no_script, **values)
+    return raw(f'<script type="application/gzip">{base64_gzip(text.encode())}</script>')
 
 
-def given(proofs: Proofs, id: str) -> list[str]:
+def given(book: Here, id: str) -> list[str]:
     """What the theorem's statements take as given from elsewhere, in words."""
-    claims = proofs.theorems[id].claims
+    claims = book.proofs.theorems[id].claims
     borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
-    own = [f"{proofs.label(other)} ({proofs.theorems[other].title}), which has its own card" for other in borrowed]
+    own = [f"{book.name(other)}, which has its own card" for other in borrowed]
     return own + [f"a lemma from {source}" for source in cited]
 
 

@@ -10,14 +10,13 @@ drawing is text, laid out here; its colours are the style sheet's, and so is the
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy.utilities.iterables import connected_components
 
-from book.extension.elements import Filled, directive, filled
+from book.extension.elements import Filled, Nodes, directive, filled
 from book.extension.theorems import Here
 
-WIDTH, MARKS, ROW, LINE, TOP, ARC = 500, 112, 30, 17, 20, 100
+WIDTH, MARKS, ROW, LINE, TOP = 500, 112, 30, 17, 20
 TEXT_COLUMNS = 38
 
 
@@ -44,26 +43,15 @@ def drawing(book: Here) -> Filled:
     proofs = book.proofs
     uses = {id: theorem.uses for id, theorem in proofs.theorems.items()}
     table, y = {}, TOP
-    for id in rows(uses):
+    for number, id in enumerate(rows(uses)):
         lines = textwrap.wrap(f"{proofs.label(id)} {proofs.theorems[id].title}", TEXT_COLUMNS, break_on_hyphens=False)
         near = sorted({id, *uses[id], *proofs.users(id)})
-        table[id] = {"y": y, "lines": lines, "near": near, "grade": proofs.entries[id]["shown"]}
+        grade = proofs.entries[id]["shown"]
+        table[id] = {"number": number, "y": y, "lines": lines, "near": near, "grade": grade, "uses": uses[id]}
         y += ROW + LINE * (len(lines) - 1)
-    order = list(table)
-    arcs = [
-        {
-            "id": id,
-            "other": other,
-            "low": table[id]["y"],
-            "high": table[other]["y"],
-            "wide": min(ARC, 16 + 5 * (order.index(id) - order.index(other))),  # the further apart, the wider
-        }
-        for id in order
-        for other in uses[id]
-    ]
-    return filled("graph", book=book, rows=table, arcs=arcs, width=WIDTH, height=y, x=MARKS, line_height=LINE)
+    return filled("graph", book=book, rows=table, width=WIDTH, height=y, x=MARKS, line_height=LINE)
 
 
 @directive("dependency-graph")
-def dependency_graph(here: SphinxDirective) -> list[nodes.Node]:
+def dependency_graph(here: SphinxDirective) -> Nodes:
     return [drawing(Here(here.env))]

@@ -18,9 +18,10 @@ from markupsafe import Markup
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
+Nodes = list[nodes.Node]
 SUBSCRIPT = re.compile(r"(?<=\b[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?!\w)")
 PLACE = re.compile("(\0\\d+\0)")
-_waiting: dict[str, list[nodes.Node]] = {}
+_waiting: dict[str, Nodes] = {}
 _numbers = count()
 DIRECTIVES: dict[str, type[SphinxDirective]] = {}
 ROLES: dict[str, SphinxRole] = {}
@@ -53,12 +54,11 @@ class Formula(nodes.General, nodes.Inline, nodes.Element):
 
 def _hold(value):
     """What Jinja prints for a value: for nodes, a place that is theirs."""
-    if isinstance(value, nodes.Node):
-        value = [value]
-    if not isinstance(value, list) or not value:
-        return "" if value == [] else value
+    found = [value] if isinstance(value, nodes.Node) else value
+    if not isinstance(found, list):
+        return value
     place = f"\0{next(_numbers)}\0"
-    _waiting[place] = value
+    _waiting[place] = found
     return Markup(place)
 
 
@@ -75,7 +75,7 @@ def filled(template: str, **values: Any) -> Filled:
     """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
     parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
     # A piece ends with its tag: the search would take words for one that have nothing else between them.
-    pieces = [_waiting.pop(part, None) or map(raw, re.findall(r"[^>]+>?|>", part)) for part in parts if part]
+    pieces = [_waiting.pop(part) if part in _waiting else map(raw, re.findall("[^>]+>?|>", part)) for part in parts]
     return Filled("", "", *chain.from_iterable(pieces))
 
 
@@ -88,7 +88,7 @@ def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] =
     return nodes.section("", nodes.title("", title), *children, ids=[id], names=[], classes=list(classes))
 
 
-def typeset(text: str) -> list[nodes.Node]:
+def typeset(text: str) -> Nodes:
     """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
 
     Raises ValueError for a formula that does not end, or is empty.
@@ -100,25 +100,16 @@ def typeset(text: str) -> list[nodes.Node]:
     return [*chain.from_iterable(found)]
 
 
-def _plain(text: str) -> list[nodes.Node]:
+def _plain(text: str) -> Nodes:
     pieces = SUBSCRIPT.split(text)  # words, a letter's index, words, …
     found = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
     return [node for node in found if node.astext()]
 
 
-def prose(text: str) -> nodes.Text:
-    """Words as Sphinx sets them, with the quotation marks of print."""
-    return nodes.Text(text)
-
-
-def literal(text: str) -> nodes.literal:
-    return nodes.literal("", text)
-
-
 def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
     """Make a function of the directive its nodes; the ValueError of what is not there fails the build."""
 
-    def register(nodes_of: Callable[[SphinxDirective], list[nodes.Node]]) -> Callable:
+    def register(nodes_of: Callable[[SphinxDirective], Nodes]) -> Callable:
         def run(self):
             try:
                 return nodes_of(self)
@@ -135,7 +126,7 @@ def directive(name: str, arguments: int = 0, content: bool = False, **options: C
 def role(name: str) -> Callable:
     """Make a function of the role its nodes; the ValueError of what is not there fails the build."""
 
-    def register(nodes_of: Callable[[SphinxRole], list[nodes.Node]]) -> Callable:
+    def register(nodes_of: Callable[[SphinxRole], Nodes]) -> Callable:
         def run(self):
             try:
                 return nodes_of(self), []
@@ -165,4 +156,5 @@ def on_page(handler: Callable[[Page], None], priority: int = 500) -> Callable:
     return on("html-page-context", priority)(hear)
 
 
-TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=prose, literal=literal)
+# Words of prose are nodes: Sphinx sets them with the quotation marks of print.
+TEMPLATES.globals.update(typeset=typeset, raw=raw, prose=nodes.Text, literal=lambda text: nodes.literal("", text))

@@ -14,38 +14,19 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 `:class:` adds CSS classes; `:plain:` leaves out the provenance line.
 """
 
-import html
+import shutil
 from pathlib import Path
-from urllib.parse import quote
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
-from sphinx.writers.html5 import HTML5Translator
 
 from book.assembly.results import load_result, remark
-from book.extension.elements import directive, filled
-from book.extension.numbers import typeset
-
-
-class PixelImage(nodes.image):
-    """An image that states its size in CSS pixels, so that nothing moves when it arrives."""
-
-
-def visit_pixel_image(translator: HTML5Translator, node: PixelImage) -> None:
-    """Write the `<img>`: Sphinx's own would lose the proportions on a narrow screen and link to itself."""
-    builder = translator.builder
-    source = f"{builder.imgpath}/{quote(builder.images[node['uri']])}"
-    alt, classes = html.escape(node["alt"], quote=True), " ".join(node["classes"])
-    size = f'width="{node["css_width"]}" height="{node["css_height"]}"'
-    parts = f' data-panels="{" ".join(map(str, node["panels"]))}"' if node["panels"] else ""
-    translator.body.append(f'<img src="{source}" alt="{alt}" class="{classes}" {size}{parts} loading="lazy" />\n')
-    raise nodes.SkipNode
-
+from book.extension.elements import TEMPLATES, Nodes, directive, filled
 
 OPTIONS = {
-    "alt": directives.unchanged,
+    "alt": directives.unchanged_required,
     "width": lambda argument: directives.choice(argument, ("text", "page")),
     "zoom": directives.positive_int,
     "panels": directives.positive_int_list,
@@ -56,47 +37,46 @@ OPTIONS = {
 
 
 @directive("chapter-figure", arguments=1, content=True, **OPTIONS)
-def chapter_figure(here: SphinxDirective) -> list[nodes.Node]:
+def chapter_figure(here: SphinxDirective) -> Nodes:
     """A drawn figure with its caption, its label and where it comes from."""
-    id = here.arguments[0]
-    if not here.options.get("alt", "").strip():
+    id, options, book = here.arguments[0], here.options, Path(here.env.srcdir)
+    if not options.get("alt"):
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
-    book = Path(here.env.srcdir)
-    description = load_result(book, id)
-    if description["kind"] == "numbers":
-        raise ValueError(f"{id!r} has numbers but no picture")
-    width = here.options.get("width", "text")
-    figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *here.options.get("class", [])])
+    description, width = load_result(book, id), options.get("width", "text")
+    figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *options.get("class", [])])
     here.set_source_info(figure)
-    images = _images(here.options, id, description)
-    if "wiper" in here.options:
-        other, _, alt = here.options["wiper"].partition(", ")
-        images += _images({**here.options, "alt": alt}, other, load_result(book, other))
-        figure += filled("wiper", images=images)
-    else:
-        figure += nodes.container("", *images, classes=["pixels"])
+    panels, pictures = options.get("panels", []), _pictures(here, id, options["alt"])
+    if panels and sum(panels) != pictures[0]["width"]:
+        raise ValueError(f"{id!r}: the panels are {sum(panels)} pixels wide, the picture {pictures[0]['width']}")
+    if "wiper" in options:
+        other, _, alt = options["wiper"].partition(", ")
+        pictures += _pictures(here, other, alt)
+    figure += filled("pictures", pictures=pictures, panels=panels, wiper="wiper" in options)
     if here.content:
         _add_caption(here, figure, id)
-    if "plain" not in here.options:
-        figure += nodes.legend("", provenance(id, description))
+    if "plain" not in options:
+        figure += nodes.legend("", filled("provenance", **{"certified": None, "id": id} | description))
     if said := remark(book, id):
         figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
     return [figure]
 
 
-def _images(options: dict, id: str, description: dict) -> list[nodes.image]:
-    width, height = (size * options.get("zoom", 1) for size in description["size"])
-    panels = options.get("panels", [])
-    if panels and sum(panels) != width:
-        raise ValueError(f"{id!r}: the panels are {sum(panels)} pixels wide, the picture {width}")
-    common = {"alt": " ".join(options["alt"].split()), "css_width": width, "css_height": height, "panels": panels}
+def _pictures(here: SphinxDirective, id: str, alt: str) -> list[dict]:
+    """What is said of the pictures of a figure, for the light page and the dark one, which the site then has."""
+    source, description = Path(here.env.srcdir, "_generated"), load_result(Path(here.env.srcdir), id)
+    width, height = (size * here.options.get("zoom", 1) for size in description["size"])
+    plot = "plot exact" if description.get("exact") else "plot"
+    looks = {".svg": f"{plot} only-light", ".dark.svg": f"{plot} only-dark"}
     if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
-        return [PixelImage("", uri=f"/_generated/{id}.png", classes=["render", "dark-light"], **common)]
-    kind = ["plot", "exact"] if description.get("exact") else ["plot"]
-    return [
-        PixelImage("", uri=f"/_generated/{id}.svg", classes=[*kind, "only-light"], **common),
-        PixelImage("", uri=f"/_generated/{id}.dark.svg", classes=[*kind, "only-dark"], **common),
-    ]
+        looks = {".png": "render dark-light"}
+    common, folder = (
+        {"alt": " ".join(alt.split()), "width": width, "height": height},
+        Path(here.env.app.outdir, "_images"),
+    )
+    folder.mkdir(parents=True, exist_ok=True)
+    for suffix in looks:
+        shutil.copy(source / f"{id}{suffix}", folder)
+    return [{"name": f"{id}{suffix}", "classes": look} | common for suffix, look in looks.items()]
 
 
 def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> None:
@@ -113,33 +93,11 @@ def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> None:
     here.state.document.note_explicit_target(figure, figure)
 
 
-def provenance(id: str, description: dict) -> nodes.paragraph:
-    """The small line under a caption: source · data · numbers · its command · the hash it was drawn from."""
-    source = "/" + description["source"].removeprefix("book/")
-    links = [("source", source, f"{description['source']}, {description['function']}()")]
-    links += [("data", f"/_generated/{description['data']}", f"{description['data']}, what the picture shows")]
-    links += [("numbers", f"/_generated/{id}.json", f"{id}.json, what the text cites")]
-    line = nodes.paragraph("", classes=["provenance"])
-    for link in links:
-        line += [file_link(*link), nodes.Text(" · ")]
-    line += [nodes.literal("", f"python -m book figures {id}")]
-    line += [nodes.Text(" · drawn from "), nodes.literal("", description["key"])]
-    line += _certified(description.get("certified"))
-    return line
-
-
-def _certified(found: dict | None) -> list[nodes.Node]:
-    """What is certain of the colours of the very frames that a picture shows; nothing where it shows none."""
-    if found is None:
-        return []
-    within = typeset(found["within"], ".1e")
-    text = " of its own formula in exact arithmetic (rounding alone), certified"
-    text += f", but for {found['undecided']:,} pixels that rounding leaves undecided" if found["undecided"] else ""
-    return [nodes.Text(" · every colour within "), *within, nodes.Text(text)]
-
-
 def file_link(text: str, target: str, title: str) -> addnodes.download_reference:
     """A link to a file of the book, which the site then has."""
     link = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=title)
     link += nodes.inline("", text)
     return link
+
+
+TEMPLATES.globals.update(file_link=file_link)

@@ -10,8 +10,10 @@
 {merit}`pitfall_crease`        a claim's figure of merit;   {claim}`pitfall_crease` a link to its entry
 """
 
+import re
 from collections import Counter
-from pathlib import Path
+from functools import cache
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from docutils import nodes
@@ -19,15 +21,18 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book import ledger
 from book.assembly import stamps
-from book.assembly.contents import page_title
+from book.assembly.contents import page_title, placed
+from book.assembly.results import BENCHMARK_PREFIX
 from book.extension.cards import link
-from book.extension.elements import TEMPLATES, directive, filled, on, role, section
-from book.extension.ledger_evidence import number_nodes, test_address
+from book.extension.elements import TEMPLATES, Nodes, directive, filled, on, role, section
+from book.extension.figures import file_link
+from book.extension.listings import listing_address
+from book.extension.numbers import mark, typeset
 from book.extension.theorems import Here
-from book.ledger.check import faults_in, refutes
-from book.ledger.entries import FINDINGS, VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim
+from book.ledger.check import refutes, standing, tests_in
+from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Ledger, LedgerClaim, relation
+from renderer.picture.differences import Interval
 
 PAGE = "findings"
 
@@ -55,12 +60,7 @@ LOOKS = dict(zip(VERDICTS, _LOOKS, strict=True))
 def ledger_of(app: Sphinx) -> Ledger:
     """The build's ledger, held against the last run when first asked for; raises BadLedger or NoReport."""
     if not hasattr(app, "chapter_ledger"):
-        from book.ledger import run  # it imports this package's results
-
-        found, app.chapter_run = ledger.load(), run.last_run()
-        if wrong := faults_in(found, app.chapter_run):
-            raise BadLedger(wrong)
-        app.chapter_ledger = found
+        app.chapter_ledger, app.chapter_run = standing()
     return app.chapter_ledger
 
 
@@ -82,7 +82,7 @@ class Entries(Here):
         self.ledger = ledger_of(self.env.app)
         self.run, self._directive = self.env.app.chapter_run, directive
 
-    def inline(self, text: str) -> list[nodes.Node]:
+    def inline(self, text: str) -> Nodes:
         """A text of an entry, MyST, as nodes."""
         found, messages = self._directive.state.inline_text(text, self._directive.lineno)
         return [*found, *messages]
@@ -94,8 +94,22 @@ class Entries(Here):
     def title(self, page: str) -> str:
         return page_title(stamps.ROOT / "book", page)
 
-    def number(self, piece: Evidence) -> list[nodes.Node]:
-        return number_nodes(self, piece)
+    def value(self, name: str) -> Nodes:
+        """A number as it is set in type."""
+        value = self.run.number(name)
+        large = not isinstance(value, Interval) and abs(value) >= 1000
+        spec = (",.0f" if isinstance(value, float) else ",") if large else None
+        return [*typeset(value, spec), *mark(Path(self.env.srcdir), name.partition(".")[0])]
+
+    def place(self, name: str) -> nodes.Node:
+        """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
+        figure, _, key = name.partition(".")
+        text = WORDS.get(name) or re.sub("_+", " ", key)
+        if figure.startswith(BENCHMARK_PREFIX):
+            return link(text, self.page("benchmark"))
+        if page := figure_pages(Path(self.env.srcdir)).get(figure):
+            return link(text, f"{self.page(page)}#fig-{figure}")
+        return file_link(text, f"/_generated/{figure}.json", f"{figure}.json")
 
     def first_with(self) -> dict[str, LedgerClaim]:
         """Finding → the claim that has its anchor: the one whose verdict is the hardest."""
@@ -103,19 +117,43 @@ class Entries(Here):
         return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}
 
 
+def in_signs(text: str) -> Nodes:
+    """A relation as it is set in type: = 0, ≥ 2, 0.45 to 0.65."""
+    asked = relation(text)
+    first, *second = (
+        typeset(int(n) if n.is_integer() and abs(n) < 1e6 else n, None if n.is_integer() else ".4g")
+        for n in asked.numbers
+    )
+    if second:
+        return [*first, nodes.Text(" to "), *second[0]]
+    return [nodes.Text({"==": "", "!=": "not ", "<=": "≤ ", ">=": "≥ "}.get(asked.sign, f"{asked.sign} ")), *first]
+
+
+@cache
+def figure_pages(book: Path) -> dict[str, str]:
+    """The page on which each figure is placed."""
+    return dict(placed(book, "chapter-figure"))
+
+
+def test_address(node: str) -> str:
+    """The address of a test, "file.py::name", on the page of its file."""
+    file, _, name = node.partition("::")
+    return f"{listing_address(PurePosixPath(file))}#L-{tests_in(stamps.ROOT / file)[name.partition('[')[0]]}"
+
+
 @directive("ledger-verdicts")
-def verdicts(here: SphinxDirective) -> list[nodes.Node]:
+def verdicts(here: SphinxDirective) -> Nodes:
     counts = Counter(claim.verdict for claim in ledger_of(here.env.app).claims)
     return [filled("verdicts", counts=counts)]
 
 
 @directive("ledger-findings")
-def finding_index(here: SphinxDirective) -> list[nodes.Node]:
+def finding_index(here: SphinxDirective) -> Nodes:
     return [filled("finding_index")]
 
 
 @directive("ledger-entries")
-def ledger_entries(here: SphinxDirective) -> list[nodes.Node]:
+def ledger_entries(here: SphinxDirective) -> Nodes:
     book = Entries(here)
     claims, first, parts = book.ledger.sorted_by_place(), book.first_with(), []
     for verdict, look in LOOKS.items():
@@ -126,7 +164,7 @@ def ledger_entries(here: SphinxDirective) -> list[nodes.Node]:
 
 
 @role("merit")
-def merit(here: SphinxRole) -> list[nodes.Node]:
+def merit(here: SphinxRole) -> Nodes:
     claim = ledger_of(here.env.app).get(here.text)
     if not claim.merit:
         raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
@@ -135,9 +173,9 @@ def merit(here: SphinxRole) -> list[nodes.Node]:
 
 
 @role("claim")
-def claim_link(here: SphinxRole) -> list[nodes.Node]:
+def claim_link(here: SphinxRole) -> Nodes:
     claim = ledger_of(here.env.app).get(here.text)
     return [link(claim.verdict, f"{Here(here.env).page(PAGE)}#claim-{claim.id}")]
 
 
-TEMPLATES.globals.update(FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)
+TEMPLATES.globals.update(in_signs=in_signs, FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)

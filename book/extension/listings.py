@@ -12,7 +12,7 @@
 """
 
 import ast
-import html
+import inspect
 import shutil
 from functools import cache
 from pathlib import Path, PurePosixPath
@@ -24,17 +24,15 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.assembly import report, stamps
-from book.extension.elements import directive, on, role
-from book.extension.theorems import certificate, proofs_of, script
+from book.extension.elements import Nodes, directive, on, role
+from book.extension.theorems import certificate, proofs_of
+from proofs.engine.standalone import standalone_script
+from renderer import kernels
 
 DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
-FOLDERS = ("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py")
 LISTED = (
-    *FOLDERS,
-    "renderer/shader/shader.py",
-    "renderer/machines/*.py",
-    "renderer/generate/*.py",
-    "tests/test_work.py",
+    *("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py"),
+    *("renderer/shader/shader.py", "renderer/machines/*.py", "renderer/generate/*.py", "tests/test_work.py"),
 )
 
 
@@ -46,14 +44,6 @@ def listing_address(path: PurePosixPath) -> str:
 @cache
 def listed() -> list[Path]:
     return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
-
-
-def numbered(app: Sphinx, path: Path) -> str:
-    """A source as HTML: lines with numbers, each with its own id."""
-    text = path.read_text(encoding="utf-8")
-    listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
-    name = html.escape(path.relative_to(stamps.ROOT).as_posix())
-    return f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
 
 
 @on("html-collect-pages")
@@ -75,9 +65,12 @@ def write_pages(app: Sphinx) -> tuple:
 
 
 def write_listings(app: Sphinx, paths: list[Path]) -> None:
+    """Write sources as pages: lines with numbers, each with its own id."""
     for path in paths:
-        name = path.relative_to(stamps.ROOT).as_posix()
-        context = {"title": name, "body": numbered(app, path), "parents": [], "html_theme_option": {}}
+        name, text = path.relative_to(stamps.ROOT).as_posix(), path.read_text(encoding="utf-8")
+        listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
+        body = f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
+        context = {"title": name, "body": body, "parents": [], "html_theme_option": {}}
         app.builder.handle_page(f"source/{name}", context, "page.html")
 
 
@@ -96,8 +89,7 @@ def write_downloads(app: Sphinx) -> None:
     for id in proofs_of(app).theorems:
         if path := certificate(id):
             shutil.copyfile(path, folder / f"{id}.json")
-        if text := script(id):
-            (folder / f"{id}.py").write_text(text, encoding="utf-8")
+            (folder / f"{id}.py").write_text(standalone_script(id), encoding="utf-8")
 
 
 def source_file(name: str) -> Path:
@@ -109,13 +101,13 @@ def source_file(name: str) -> Path:
 
 
 @role("source-lines")
-def source_lines(here: SphinxRole) -> list[nodes.Node]:
+def source_lines(here: SphinxRole) -> Nodes:
     lines = source_file(here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
 @role("source-link")
-def source_link(here: SphinxRole) -> list[nodes.Node]:
+def source_link(here: SphinxRole) -> Nodes:
     if source_file(here.text) not in listed():
         raise ValueError(f"the file {here.text} has no page")
     target = listing_address(PurePosixPath(here.text))
@@ -123,7 +115,7 @@ def source_link(here: SphinxRole) -> list[nodes.Node]:
 
 
 @directive("docstring", arguments=1)
-def docstring(here: SphinxDirective) -> list[nodes.Node]:
+def docstring(here: SphinxDirective) -> Nodes:
     text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
     return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
 
@@ -133,17 +125,16 @@ def printed(name: str, wanted: list[str]) -> str:
 
     Raises ValueError on a function or a name that is not there.
     """
-    text = source_file(KERNELS).read_text(encoding="utf-8")
-    functions = {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
-    if name not in functions:
+    if name not in vars(kernels):
         raise ValueError(f"{KERNELS} has no function {name!r}")
-    lines = {ast.unparse(line).split(" = ")[0]: ast.get_source_segment(text, line) for line in functions[name].body}
+    body = [line.strip() for line in inspect.getsource(getattr(kernels, name)).splitlines()]
+    lines = {line.partition(" = ")[0]: line for line in body if " = " in line}
     if missing := [each for each in wanted if each not in lines]:
         raise ValueError(f"{name!r} defines no {', '.join(missing)}; it defines {', '.join(lines)}")
     return "\n".join([f"# {KERNELS}, {name}", *(lines[each] for each in wanted)])
 
 
 @directive("printed-lines", arguments=1, lines=directives.unchanged_required)
-def printed_lines(here: SphinxDirective) -> list[nodes.Node]:
+def printed_lines(here: SphinxDirective) -> Nodes:
     text = printed(here.arguments[0], here.options["lines"].split())
     return [nodes.literal_block(text, text, language="python", classes=["printed-lines"])]

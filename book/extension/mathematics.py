@@ -1,26 +1,35 @@
-"""Formulas as MathML, typeset by the packaged MathJax when the book is built: no page loads it.
+"""Formulas as MathML, typeset by the packaged MathJax when the book is built: no page loads it; and their font.
 
 What runs it is the Node that Playwright's wheel brings, so that a machine needs none of its own. What a formula has
-become is kept with what Sphinx knows of the pages: an edited page typesets its new formulas alone.
+become is kept with what Sphinx knows of the pages: an edited page typesets its new formulas alone. The font is STIX Two
+Math from a package, with no more letters than the formulas have.
 """
 
+import html
 import json
+import re
 import subprocess
+import unicodedata
 from collections.abc import Iterable
 from importlib.resources import as_file, files
+from importlib.util import find_spec
 from pathlib import Path
 from xml.etree import ElementTree
 
 from docutils import nodes
+from fontTools import subset
+from fontTools.ttLib import TTFont
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 from sphinx.writers.html5 import HTML5Translator
 
 from book.extension.elements import TEMPLATES, Formula, on
-from book.extension.font import write_font
 from book.extension.presentation import compact
 
+ITALIC = [0x210E, *range(0x1D434, 0x1D468), *range(0x1D6E2, 0x1D71C)]  # where Unicode keeps the slanted letters
+# What fraktur, hints for screens of a low resolution and the rest would be for no formula has.
+OPTIONS = {"layout_features": ["ssty", "math", "dtls", "flac", "ccmp"], "hinting": False, "flavor": "woff"}
 Set = tuple[str, bool]  # a formula in TeX, and whether it is displayed
 
 
@@ -52,13 +61,10 @@ def read(node: nodes.Element) -> Set:
     return tex.strip(), isinstance(node, nodes.math_block)
 
 
-def formulas_of(document: nodes.document) -> Iterable[Set]:
-    return map(read, document.findall(lambda node: isinstance(node, nodes.math | nodes.math_block | Formula)))
-
-
 @on("doctree-read")
 def keep_formulas(app: Sphinx, document: nodes.document) -> None:
-    app.env.metadata[app.env.docname]["formulas"] = list(formulas_of(document))
+    found = document.findall(lambda node: isinstance(node, nodes.math | nodes.math_block | Formula))
+    app.env.metadata[app.env.docname]["formulas"] = [*map(read, found)]
 
 
 @on("env-updated", priority=100)
@@ -82,6 +88,38 @@ def write(translator: HTML5Translator, node: nodes.Element) -> None:
 @on("config-inited", priority=100)
 def use_mathml(app: Sphinx, config: Config) -> None:
     config.html_math_renderer = "mathml"
+
+
+def write_font(formulas: Iterable[str], place: Path) -> None:
+    """Write the font for formulas as MathML, in which a letter that stands alone is slanted."""
+    letters = {"√"} | set(html.unescape(re.sub(r"<annotation.*?</annotation>|<[^>]+>", "", "".join(formulas))))
+    plain = {unicodedata.normalize("NFKC", letter) for letter in letters}
+    slanted = {code for code in ITALIC if unicodedata.normalize("NFKC", chr(code)) in plain}
+    options = subset.Options(**OPTIONS)
+    options.drop_tables.append("GPOS")
+    (package,) = find_spec("ziamath").submodule_search_locations
+    font = subset.load_font(Path(package, "fonts", "STIXTwoMath-Regular.ttf"), options)
+    narrow_roots(font)
+    subsetter = subset.Subsetter(options)
+    subsetter.populate(unicodes=[ord(letter) for letter in letters] + [*slanted])
+    subsetter.subset(font)
+    place.parent.mkdir(parents=True, exist_ok=True)
+    subset.save_font(font, place, options)
+
+
+def narrow_roots(font: TTFont) -> None:
+    """Make the signs of tall roots as narrow as that of a low one: Chromium keeps the widest's room beside each."""
+    root = font.getBestCmap()[ord("√")]
+    table, widths = font["MATH"].table.MathVariants, font["hmtx"]
+    tall = table.VertGlyphConstruction[table.VertGlyphCoverage.glyphs.index(root)]
+    parts = [part.glyph for part in tall.GlyphAssembly.PartRecords]
+    for name in {variant.VariantGlyph for variant in tall.MathGlyphVariantRecord} | {*parts}:
+        share = widths[root][0] / widths[name][0]
+        glyph = font["glyf"][name]
+        glyph.coordinates.scale((share, 1))
+        glyph.coordinates.toInt()
+        glyph.recalcBounds(font["glyf"])
+        widths[name] = (widths[root][0], glyph.xMin)
 
 
 TEMPLATES.globals.update(formula=lambda tex: Formula(tex=tex))

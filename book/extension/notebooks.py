@@ -12,20 +12,19 @@ import re
 from collections.abc import Iterable
 from functools import partial
 from itertools import groupby
-from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
 import yaml
-from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
-from book.extension.elements import Page, directive, filled, on_page
+from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.notebooks import WHOLE
+from book.notebooks.laboratory import PAGE, cells, notebooks, text_of
 
 FOLDER = "_downloads/notebooks"
-GITHUB = re.compile(r"https://github\.com/(?P<repository>[\w.-]+/[\w.-]+?)(?:\.git)?/?")
+GITHUB = re.compile(r"https://github\.com/([\w.-]+/[\w.-]+?)(?:\.git)?/?")
 PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\\\n]*[^\\\s]", re.MULTILINE)  # what the cells import
 CODE = (
     'cell_input docutils container">\n<div class="highlight-ipython3 notranslate">'
@@ -37,42 +36,30 @@ DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
 FEWEST = 3  # lines that are worth a fold
 
 
-def addresses(settings: dict, name: str) -> dict[str, str]:
-    """Where a notebook is opened: {service: address}, empty where `_config.yml` names no repository of GitHub's."""
-    url, branch = settings["repository"]["url"], settings["repository"]["branch"]
-    if match := GITHUB.fullmatch(url):
-        repository, path = match["repository"], f"{FOLDER}/{name}.ipynb"
-        return {
-            "Colab": f"https://colab.research.google.com/github/{repository}/blob/{branch}/{path}",
-            "Binder": f"https://mybinder.org/v2/gh/{repository}/{branch}?urlpath=lab/tree/{path}",
-        }
-    return {}
-
-
 @directive("notebook", arguments=1)
-def notebook_links(here: SphinxDirective) -> list[nodes.Node]:
-    from book.notebooks.laboratory import cells  # which imports this package
-    from book.notebooks.notebook import notebooks, text_of
-
+def notebook_links(here: SphinxDirective) -> Nodes:
     name = here.arguments[0]
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-    config = Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8")
-    words = "notebook of all cells" if name == WHOLE else "notebook"
-    services = addresses(yaml.safe_load(config), name)
-    text = base64.b64encode(text_of(notebooks()[name]).encode()).decode()
-    address = f"data:application/x-ipynb+json;base64,{text}"  # it is saved from a disk too, where a file is shown
-    link = {"address": address, "file": f"{name}.ipynb", "words": words, "title": titles[name], "services": services}
+    config = yaml.safe_load(Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8"))["repository"]
+    match, text = GITHUB.fullmatch(config["url"]), base64.b64encode(text_of(notebooks()[name]).encode()).decode()
+    link = {
+        "name": name,
+        "title": titles[name],
+        "words": "notebook of all cells" if name == WHOLE else "notebook",
+        "address": f"data:application/x-ipynb+json;base64,{text}",  # it is saved from a disk too, where a file is shown
+        "repository": match and match[1],
+        "branch": config["branch"],
+        "folder": FOLDER,
+    }
     return [filled("notebook_links", **link)]
 
 
 @partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
     """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
-    from book.notebooks.notebook import notebooks, text_of
-
-    if not _has_cells(page):
+    if page.name != PAGE.stem:
         return
     out = Path(page.app.outdir)
     for name, notebook in notebooks().items():
@@ -86,9 +73,7 @@ def offer_notebooks(page: Page) -> None:
 @on_page
 def fold_what_repeats(page: Page) -> None:
     """Fold the lines that a cell shares with earlier ones, and mark those that are new in it."""
-    from book.notebooks.laboratory import PAGE, cells
-
-    if page.name == PAGE.stem and _has_cells(page):
+    if page.name == PAGE.stem:
         runs = iter(repeated([part.text for cell in cells() for part in cell.parts if part.is_code]))
         page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(runs)), page.context["body"])
 
@@ -106,14 +91,12 @@ def repeated(sources: Iterable[str]) -> list[list[Run]]:
     known: set[str] = set()
     found = []
     for source in sources:
-        paragraphs = PARAGRAPH.findall(source)
-        marked = [(paragraph.strip() in known, paragraph) for paragraph in paragraphs]
-        known |= {paragraph.strip() for paragraph in paragraphs}
-        of_source = []
-        for repeats, some in groupby(marked, itemgetter(0)):
-            text = "".join(paragraph for _, paragraph in some)
-            of_source.append(Run(len(text.splitlines()), repeats, DEFINED.findall(text)))
-        found.append(of_source)
+        paragraphs, runs = PARAGRAPH.findall(source), []
+        for repeats, some in groupby(paragraphs, lambda paragraph: paragraph.strip() in known):
+            text = "".join(some)
+            runs.append(Run(len(text.splitlines()), repeats, DEFINED.findall(text)))
+        known.update(map(str.strip, paragraphs))
+        found.append(runs)
     return found
 
 
@@ -129,8 +112,3 @@ def _folded(code: str, runs: list[Run]) -> str:
         folds = run.repeats and run.lines >= FEWEST
         pieces.append(f"<details>{summary}{piece}</details>" if folds else f'<span class="new-lines">{piece}</span>')
     return "".join(pieces + lines)
-
-
-def _has_cells(page: Page) -> bool:
-    containers = page.doctree.findall(nodes.container) if page.doctree else ()
-    return any(node.get("nb_element") == "cell_code" for node in containers)

@@ -21,14 +21,14 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, remark
-from book.extension.elements import TEMPLATES, directive, on, role
+from book.extension.elements import TEMPLATES, Nodes, directive, on, role
 from renderer.picture.differences import Interval
 
 MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
-def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> list[nodes.Node]:
+def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> Nodes:
     """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
     text = formatted(value, spec)
     if isinstance(value, str):
@@ -36,13 +36,12 @@ def typeset(value: int | float | str | bool | Interval, spec: str | None = None)
     match = E_NOTATION.fullmatch(text)
     if match is None:
         return [nodes.Text(text.replace("-", MINUS))]
-    mantissa = match["mantissa"].replace("-", MINUS)
-    exponent = str(int(match["exponent"])).replace("-", MINUS)
+    mantissa, exponent = (part.replace("-", MINUS) for part in (match["mantissa"], str(int(match["exponent"]))))
     front = mantissa[:-1] + "10" if mantissa in ("1", f"{MINUS}1") else f"{mantissa}{TIMES}10"
     return [nodes.Text(front), nodes.superscript("", exponent)]
 
 
-def mark(book: Path, id: str) -> list[nodes.Node]:
+def mark(book: Path, id: str) -> Nodes:
     """The mark behind a number that was measured before the code changed; nothing behind others."""
     said = remark(book, id)
     return [nodes.abbreviation("", "†", explanation=said, classes=["stale"])] if said else []
@@ -51,39 +50,38 @@ def mark(book: Path, id: str) -> list[nodes.Node]:
 @on("doctree-read")
 def explain_marks(app: Sphinx, document: nodes.document) -> None:
     """At the end of a page, say what its marks mean: one †, two or more, for each commit that was measured."""
-    marks = [node for node in document.findall(nodes.abbreviation) if "stale" in node["classes"]]
-    for number, said in enumerate(dict.fromkeys(node["explanation"] for node in marks), start=1):
-        for node in marks:
-            if node["explanation"] == said:
-                node[:] = [nodes.Text("†" * number)]
-        text = f"{'†' * number} {said[0].upper()}{said[1:]}."
-        document.children[-1].append(nodes.paragraph("", text, classes=["stale"]))
+    marks: dict[str, str] = {}
+    for node in document.findall(nodes.abbreviation):
+        if "stale" in node["classes"]:
+            said = node["explanation"]
+            node[:] = [nodes.Text(marks.setdefault(said, "†" * (len(marks) + 1)))]
+    for said, sign in marks.items():
+        document.children[-1].append(nodes.paragraph("", f"{sign} {said[0].upper()}{said[1:]}.", classes=["stale"]))
 
 
 @role("number")
-def number(here: SphinxRole) -> list[nodes.Node]:
+def number(here: SphinxRole) -> Nodes:
     """One number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     value = look_up(book, id, key)
-    if isinstance(value, str):
-        return [nodes.inline(here.rawtext, "", *typeset(value, spec))]
-    return [nodes.inline(here.rawtext, "", *typeset(value, spec), *mark(book, id), classes=["number"])]
+    words = isinstance(value, str)
+    marked = [] if words else mark(book, id)
+    return [nodes.inline(here.rawtext, "", *typeset(value, spec), *marked, classes=[] if words else ["number"])]
 
 
 @role("spread")
-def spread(here: SphinxRole) -> list[nodes.Node]:
+def spread(here: SphinxRole) -> Nodes:
     """The quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     look_up(book, id, key)
-    kept = load_result(book, id)["numbers"]
-    if f"{key}_low" not in kept:
+    if f"{key}_low" not in load_result(book, id)["numbers"]:
         return []
-    low, high = (typeset(kept[f"{key}_{end}"], spec) for end in ("low", "high"))
+    low, high = (typeset(look_up(book, id, f"{key}_{end}"), spec) for end in ("low", "high"))
     return [nodes.Text(" ("), *low, nodes.Text(" to "), *high, nodes.Text(")")]
 
 
 @directive("benchmark-label", arguments=1)
-def benchmark_label(here: SphinxDirective) -> list[nodes.Node]:
+def benchmark_label(here: SphinxDirective) -> Nodes:
     return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
 
 

@@ -1,17 +1,27 @@
-"""What a page is called, whatever folder it stands in, and its sections' own ids."""
+"""What a page is called, whatever folder it stands in, its sections' own ids, how cells run; and the compiled code."""
 
 import os
+from functools import partial
 from pathlib import Path, PurePosixPath
 
+import nbclient
 import yaml
 from docutils import nodes
+from jupyter_cache.executors import utils
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 from sphinx.project import Project
 from sphinx_external_toc.parsing import parse_toc_data
 
+from book import idea_kernels, loupe_module, simulator_module
 from book.extension.elements import on
+
+PROGRAMS = {
+    "simulator/compiled.js": simulator_module,
+    "simulator/compiled_closer.js": loupe_module,
+    "ideas/compiled.js": idea_kernels,
+}
 
 
 class ByName(Project):
@@ -54,3 +64,25 @@ def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
     """Pages are read in one process, where the laboratory's cells run, and written in two."""
     if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/assembly/website.py, and by no test
         app.parallel = 2
+
+
+@on("builder-inited")
+def write_simulator(app: Sphinx) -> None:
+    """Compile what the simulator and the small interactives run."""
+    for name, module in PROGRAMS.items():
+        place = Path(app.outdir) / "_static" / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(module.source(), encoding="utf-8")
+
+
+@on("config-inited", priority=100)
+def use_execution_cache(app: Sphinx, config: Config) -> None:
+    """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
+    if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
+        config.nb_execution_cache_path = cache
+
+
+@on("builder-inited")
+def join_streams(app: Sphinx) -> None:
+    """A cell's printed text is one message; of several, MyST-NB would end each with a line end, wherever it was cut."""
+    utils.executenb = partial(nbclient.execute, coalesce_streams=True)

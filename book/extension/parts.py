@@ -6,7 +6,7 @@ from importlib import import_module
 from sphinx.application import Sphinx
 
 import book.extension
-from book.extension import elements, figures, mathematics
+from book.extension import elements, mathematics
 
 
 def setup(app: Sphinx) -> dict[str, str | bool]:
@@ -17,7 +17,6 @@ def setup(app: Sphinx) -> dict[str, str | bool]:
     app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
     app.add_node(elements.Formula, html=(mathematics.write, None))
     app.add_html_math_renderer("mathml", (mathematics.write, None), (mathematics.write, None))
-    app.add_node(figures.PixelImage, html=(figures.visit_pixel_image, None))
     for name, made in elements.DIRECTIVES.items():
         app.add_directive(name, made)
     for name, made in elements.ROLES.items():

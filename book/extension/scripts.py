@@ -1,10 +1,15 @@
-"""What a page may do, and which of the theme's scripts and style sheets it loads: those that it has a use for."""
+"""What a page may do and what it loads, and HTML as readers need it where Sphinx writes some that they cannot use."""
 
 import os
+import re
 from functools import partial
 
 from book.extension.elements import Page, on_page
 
+EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
+
+# A formula breaks nowhere inside, but would break between it and its punctuation.
+PUNCTUATED = re.compile(r"[“‘(\[]*<math>(?:(?!</math>).)*</math>(?:[.,;:?!)\]’”]+|[’-]\w+)")
 # What an extension loads on every page, by a part of its name, and what the pages have that need it.
 NEEDED_BY = {
     "clipboard": "highlight",
@@ -58,3 +63,12 @@ def leave_out(page: Page) -> None:
 
     for kind in ("script_files", "css_files"):
         page.context[kind] = list(filter(is_needed, page.context[kind]))
+
+
+@on_page
+def mend(page: Page) -> None:
+    """Make a bibliography a list, leave no heading cell empty, and keep punctuation at its formula."""
+    if body := page.context.get("body"):
+        body = body.replace('role="doc-biblioentry"', 'role="listitem"')
+        body = PUNCTUATED.sub(r'<span class="unbroken">\g<0></span>', body)
+        page.context["body"] = EMPTY_HEADING.sub('<td class="head"></td>', body)

@@ -10,7 +10,7 @@ from docutils import nodes
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
-from book.extension.elements import directive, filled, raw, section
+from book.extension.elements import Nodes, directive, filled, raw, section
 from book.extension.ledger import Entries
 from book.ledger.seed import parts
 
@@ -21,7 +21,7 @@ LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front an
 
 
 @directive("seed")
-def seed(here: SphinxDirective) -> list[nodes.Node]:
+def seed(here: SphinxDirective) -> Nodes:
     """The whole of it, in sections."""
     book = Entries(here)
     claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]

@@ -1,9 +1,8 @@
 """What the book knows of the theorems: the checked objects, their last run, and which page places which."""
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from sphinx.environment import BuildEnvironment
 
 from book.assembly import report, stamps
 from book.assembly.contents import placed
-from proofs.engine.standalone import standalone_script
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.statements import statements
 from verify import formal
@@ -76,18 +74,13 @@ class Proofs:
 
 def load(book: Path) -> Proofs:
     """Everything about the theorems; raises NoReport or ValueError."""
-    theorems, entries = all_theorems(), report.load()
-    if theorems.keys() != entries.keys():
-        odd = ", ".join(sorted(theorems.keys() ^ entries.keys()))
-        raise report.NoReport(f"the report and the theorems differ in: {odd}; {report.REMEDY}")
-    accepted = formal.record()
+    theorems, entries, accepted = all_theorems(), report.load(), formal.record()
     for id, entry in entries.items():
-        entry["formal"] = accepted.get(id)
-        if entry["formal"]:
+        entry["formal"] = said = accepted.get(id)
+        if said:
             printed = statements(theorems[id])
-            entry["formal"] |= {"printed": {name: printed[name] for name in entry["formal"]["claims"]}}
-            entry["formal"]["here"] = report.asked()["Coq"]
-        whole = formal.whole(theorems[id], entry["formal"]) and entry["grade"] in ("proved", "argued", "measured")
+            said |= {"printed": {name: printed[name] for name in said["claims"]}, "here": report.asked()["Coq"]}
+        whole = formal.whole(theorems[id], said) and entry["grade"] in ("proved", "argued", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
     return Proofs(theorems, entries, placements(book, theorems))
 
@@ -107,7 +100,8 @@ class Here:
         self.label, self.users = self.proofs.label, self.proofs.users
 
     def page(self, name: str) -> str:
-        return "" if name == self.env.docname else self.env.app.builder.get_relative_uri(self.env.docname, name)
+        """The address of a page, all of which stand beside each other."""
+        return "" if name == self.env.docname else f"{name}.html"
 
     def card(self, id: str) -> str:
         return f"{self.page(self.proofs.places[id])}#theorem-{id}"
@@ -119,10 +113,6 @@ class Here:
     def name(self, id: str) -> str:
         """What a link to a theorem says."""
         return f"{self.label(id)} ({self.proofs.theorems[id].title})"
-
-    def ordered(self, ids: Collection[str]) -> list[str]:
-        """Theorems in the order of their numbers."""
-        return [id for id in self.proofs.places if id in ids]
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
@@ -139,9 +129,3 @@ def module_and_line(id: str) -> tuple[Path, int]:
 def certificate(id: str) -> Path | None:
     path = stamps.ROOT / "proofs" / "certificates" / f"{id}.json"
     return path if path.is_file() else None
-
-
-@cache
-def script(id: str) -> str | None:
-    """The text of the stand-alone script that re-checks a theorem, if there is one."""
-    return standalone_script(id) if certificate(id) else None

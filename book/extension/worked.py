@@ -1,7 +1,15 @@
-"""The directive `{worked-pixel}`: an {idea} with every line of one pixel, from its place to its colour.
+"""Small interactives: figures that a hand can move, and one with every line of a pixel, from its place to its colour.
 
-The formulas are the program's own (`book.idea_kernels`), the values those of one pixel; the page's script puts in
-their place those of the pixel that the reader picks.
+:::{idea} slope_is_texture
+:alt: what the still picture shows
+:width: page
+
+The caption. Everything is as for {chapter-figure}: the still picture is the figure of that name, and it stays where no
+script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place where one does.
+:::
+
+`{worked-pixel}` is an {idea} with the lines of a pixel. Their formulas are the program's own (`book.idea_kernels`), the
+values those of one pixel; the page's script puts in their place those of the pixel that the reader picks.
 """
 
 import math
@@ -10,17 +18,16 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy import Piecewise, Symbol, latex
 
-from book.extension.elements import directive, filled
-from book.extension.figures import OPTIONS
-from book.extension.ideas import idea
+from book.extension.elements import Nodes, Page, directive, filled, on_page
+from book.extension.figures import OPTIONS, chapter_figure
 from book.idea_kernels import PIXEL, lines_at
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
 
+SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
 SIZE, COLUMN, ROW = 256, 104, 92  # the picture, and the pixel whose values stand on paper
-A = "_on_a"
-EVERY = ("_x", "_y", "_z")
+A, ON_A = "_on_a", ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")  # names of what A alone has
 LINES = (
     ("1. Where: the pixel's point, and the surface there", "", None),
     ("the point of the picture", "x y", None),
@@ -36,21 +43,21 @@ LINES = (
     ("2. The bump: two slopes tilt the normal", "", None),
     ("the slopes", "h_u", ()),
     ("", "h_v", ()),
-    ("tangent vector: x, y, z", "g*_on_a", ()),
-    ("the normal, tilted", "m*_on_a", ()),
+    ("tangent vector: x, y, z", "g_x_on_a g_y_on_a g_z_on_a", ()),
+    ("the normal, tilted", "m_x_on_a m_y_on_a m_z_on_a", ()),
     ("its length", "m_length_on_a", ()),
-    ("the perturbed normal", "bumped*_on_a", ("m_scale_on_a",)),
+    ("the perturbed normal", "bumped_x_on_a bumped_y_on_a bumped_z_on_a", ("m_scale_on_a",)),
     ("3. The light: what the tilted normal catches", "", None),
-    ("towards the first light", "towards*_0", ("to_light_x_0", "light_scale_0")),
+    ("towards the first light", "towards_x_0 towards_y_0 towards_z_0", ("to_light_x_0", "light_scale_0")),
     ("the cosine of the diffuse light", "mu_0", ()),
     ("the cosine of the highlight", "specular_base_0", ()),
     ("1 if it is hidden", "occluded_0", None),
     ("red, with the first light", "lit_red_0", ("diffuse_0", "shine_0", "specular_0")),
     ("the second light's cosine", "mu_1", ()),
     ("1 if it is hidden", "occluded_1", None),
-    ("red, green, blue, clipped", "rgb_*", None),
+    ("red, green, blue, clipped", "rgb_red rgb_green rgb_blue", None),
 )
-"""What is said of a line, its name (* for three of them), what is written out in its formula (None: it has none).
+"""What is said of lines, their names, what is written out in the formula of the first (None: it has none).
 
 Without a name it is the head of a step.
 """
@@ -80,8 +87,8 @@ def formula(name: str, written_out: tuple[str, ...]) -> str:
     lines = {symbol.name: symbol for symbol, _ in PIXEL.definitions}
     found = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
     found = ordinary(found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
-    names = {symbol: tex_of(symbol) for symbol in found.free_symbols | {lines[name]}}
-    return f"{names[lines[name]]} = {latex(found, symbol_names=names)}"
+    shown = latex(found, symbol_names={symbol: tex_of(symbol) for symbol in found.free_symbols})
+    return f"{tex_of(lines[name])} = {shown}"
 
 
 def said(number: float) -> str:
@@ -101,27 +108,40 @@ def values(scene: Scene) -> dict[str, float]:
 
 def worked_lines() -> list[dict]:
     known, rows = values(Scene()), []
-    for words, name, written_out in LINES:
-        if not name:
-            rows.append({"step": words, "formula": [], "names": []})
-            continue
-        names = [name.replace("*", part) for part in (("_red", "_green", "_blue") if name == "rgb_*" else EVERY)]
-        names = [n.replace("__", "_") for n in names] if "*" in name else name.split()
-        shown = [] if written_out is None else [nodes.math("", formula(names[0], written_out))]
-        rows.append({"step": "", "words": words, "formula": shown, "names": names})
-    for row in rows:
-        row["on_a"] = any(name.endswith(A) or name in ON_A for name in row["names"])
-        row["outputs"] = [(name, said(known[name])) for name in row["names"]]
+    for words, line, written_out in LINES:
+        names = line.split()
+        rows.append({
+            "step": "" if names else words,
+            "words": words,
+            "formula": [] if written_out is None else [nodes.math("", formula(names[0], written_out))],
+            "names": names,
+            "on_a": any(name.endswith(A) or name in ON_A for name in names),
+            "outputs": [(name, said(known[name])) for name in names],
+        })  # fmt: skip
     return rows
 
 
-ON_A = ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")
-
-
 @directive("worked-pixel", arguments=1, content=True, **OPTIONS)
-def worked_pixel(here: SphinxDirective) -> list[nodes.Node]:
+def worked_pixel(here: SphinxDirective) -> Nodes:
     """An {idea} with the lines of a pixel under its picture."""
     (figure,) = idea(here)
     figure["classes"].append("idea-worked")
     figure.insert(1, filled("worked", lines=worked_lines()))
     return [figure]
+
+
+@directive("idea", arguments=1, content=True, **OPTIONS)
+def idea(here: SphinxDirective) -> Nodes:
+    """A figure with a script that replaces its picture."""
+    (figure,) = chapter_figure(here)
+    figure["classes"].append("idea")
+    figure["idea"] = here.arguments[0]
+    return [figure]
+
+
+@on_page
+def load_scripts(page: Page) -> None:
+    """Let a page with interactives load what they need, each file once."""
+    figures = page.doctree.findall(nodes.figure) if page.doctree else ()
+    if scripts := [f"ideas/{figure['idea']}.js" for figure in figures if "idea" in figure]:
+        page.load(*SHARED, *scripts, style="ideas/ideas.css")

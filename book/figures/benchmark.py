@@ -1,4 +1,4 @@
-"""What `make bench` measured and kept: time against pixels, and time against error of the gradient alone."""
+"""What was measured and kept: times against pixels and errors by `make bench`, and the counts of long runs."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -6,19 +6,28 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
-from book.drawing.palette import readable
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot, slope_triangle
+from book.drawing.style import (
+    DASHED,
+    DOTTED,
+    SOLID,
+    colour_of,
+    curve,
+    decades,
+    label,
+    label_line_end,
+    plot,
+    slope_triangle,
+)
 from verify.benchmark.work_precision import best_rows
-from verify.records import RECORDS, read
 
 # renderer: (label, role of its colour, dashes, threads of its thick line), the loops last
 RENDERERS = {
-    "algebraic": ("exact, algebraic", "symbolic", (0, ()), 2),
-    "general": ("exact, trigonometric", "symbolic", (0, (5, 2)), 2),
-    "central": ("central differences", "numeric", (0, ()), 2),
-    "numpy": ("NumPy, row tiles", "muted", (0, (5, 2)), 2),
-    "seed_exact": ("the seed's loops, mended", "muted", (0, (1.5, 1.5)), 1),
+    "algebraic": ("exact, algebraic", "symbolic", SOLID, 2),
+    "general": ("exact, trigonometric", "symbolic", DASHED, 2),
+    "central": ("central differences", "numeric", SOLID, 2),
+    "numpy": ("NumPy, row tiles", "muted", DASHED, 2),
+    "seed_exact": ("the seed's loops, mended", "muted", DOTTED, 1),
 }
 LABELS_APART = 10**0.3  # least ratio of the heights of two labels
 # method: (label, role of its colour, ours, its label's offset in points)
@@ -36,44 +45,43 @@ METHODS = {
 }
 
 
-def curve(numbers: Mapping[str, float], renderer: str, threads: int) -> np.ndarray:
+def times_of(numbers: Mapping[str, float], renderer: str, threads: int) -> np.ndarray:
     """Return (pixels, milliseconds) of a renderer, in order of size."""
     matches = [(re.fullmatch(rf"{renderer}_(\d+)_{threads}_ms", key), value) for key, value in numbers.items()]
     return np.array(sorted((int(match[1]) ** 2, value) for match, value in matches if match)).T
 
 
 def label_ends(ax: Axes, ends: Iterable[tuple[float, float, str, str]]) -> None:
-    """Name the lines that end at [(pixels, ms, label, colour)] in a column right of the longest.
+    """Name the lines that end at [(pixels, ms, name, role)] in a column right of the longest.
 
     Thin lines lead there, going on as the lines would.
     """
     column, lowest = max(pixels for pixels, *_ in ends) * 1.6, 0.0
-    for pixels, times, label, colour in sorted(ends, key=lambda end: end[1] / end[0]):
+    for pixels, times, name, role in sorted(ends, key=lambda end: end[1] / end[0]):
         height = max(times * column / pixels, lowest * LABELS_APART)
-        ax.plot([pixels, column], [times, height], color=palette()["rule"], linewidth=0.7, zorder=0)
-        label_line_end(ax, column, height, label, colour)
+        curve(ax, [pixels, column], [times, height], "rule", linewidth=0.7, zorder=0)
+        label_line_end(ax, column, height, name, role)
         lowest = height
 
 
-@figure("time_against_pixels", data=[RECORDS["frames"].path])
-def time_against_pixels() -> Drawing:
+@figure(record="frames")
+def time_against_pixels(record: dict) -> Drawing:
     """Time of the default frame against its pixels, every renderer, with the fitted slope of the algebraic one."""
-    numbers, colours = read("frames")["numbers"], palette()
+    numbers = record["numbers"]
     fig, ax = plot(height=4.6)
     ends, rows = [], []
-    for renderer, (label, role, dashes, threads) in RENDERERS.items():
-        pixels, times = curve(numbers, renderer, threads)
-        for count in (1, 2):
-            rows += [(renderer, count, *point) for point in curve(numbers, renderer, count).T]
-        ax.plot(pixels, times, color=colours[role], linestyle=dashes, marker="o", markersize=3.6)
+    for renderer, (name, role, dashes, threads) in RENDERERS.items():
+        curves = {count: times_of(numbers, renderer, count) for count in (1, 2)}
+        rows += [(renderer, count, *point) for count, times in curves.items() for point in times.T]
+        curve(ax, *curves[threads], role, linestyle=dashes, marker="o", markersize=3.6)
         if threads == 2:
-            ax.plot(*curve(numbers, renderer, 1), color=colours[role], linestyle=dashes, linewidth=0.7)
-        ends.append((pixels[-1], times[-1], label, colours[role]))
+            curve(ax, *curves[1], role, linestyle=dashes, linewidth=0.7)
+        ends.append((*curves[threads][:, -1], name, role))
     decades(ax, xlabel="pixels, $64^2$ to $8192^2$", ylabel="milliseconds a frame")
     label_ends(ax, ends[:-1])
     label_line_end(ax, *ends[-1], side="above")
-    pixels, times = curve(numbers, "algebraic", 2)
-    slope_triangle(ax, 4e5, 0.2 * np.interp(4e5, pixels, times), numbers["exponent_2"], f"{numbers['exponent_2']:.3f}")
+    height, slope = 0.2 * np.interp(4e5, *times_of(numbers, "algebraic", 2)), numbers["exponent_2"]
+    slope_triangle(ax, 4e5, height, slope, f"{slope:.3f}")
     return Drawing(fig, data=dict(zip(("renderer", "threads", "pixels", "ms"), zip(*rows, strict=True), strict=True)))
 
 
@@ -83,20 +91,52 @@ def around(values: Iterable[float]) -> tuple[float, float]:
     return 10.0 ** np.floor(logarithms.min() - 0.15), 10.0 ** np.ceil(logarithms.max() + 0.15)
 
 
-@figure("gradient_time_against_error", data=[RECORDS["work_precision"].path])
-def gradient_time_against_error() -> Drawing:
+@figure(record="work_precision")
+def gradient_time_against_error(record: dict) -> Drawing:
     """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
-    rows, colours = read("work_precision")["gradients"], palette()
-    best = {row["method"]: (row["ns"], row["error"]) for row in best_rows(rows) if row["method"] in METHODS}
+    best = {
+        row["method"]: (row["ns"], row["error"]) for row in best_rows(record["gradients"]) if row["method"] in METHODS
+    }
     fig, ax = plot(height=4.6)
-    decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$")
     for method, at in best.items():
-        label, role, ours, offset = METHODS[method]
-        colour = colours[role]
-        ax.plot(*at, "o", markersize=6, color=colour, markerfacecolor=colour if ours else "none", markeredgewidth=1.4)
-        align = {"ha": "left" if offset[0] > 0 else "right", "va": "center"}
-        ax.annotate(label, at, xytext=offset, textcoords="offset points", color=readable(colour), **align)
+        name, role, ours, aside = METHODS[method]
+        curve(
+            ax,
+            *at,
+            role,
+            linestyle="",
+            marker="o",
+            markersize=6,
+            markerfacecolor=colour_of(role) if ours else "none",
+            markeredgewidth=1.4,
+        )
+        label(ax, at, name, role, aside, ha="left" if aside[0] > 0 else "right", va="center")
     times, errors = zip(*best.values(), strict=True)
-    ax.set_xlim(*around(times))
-    ax.set_ylim(*around(errors))
+    decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$",
+            xlim=around(times), ylim=around(errors))  # fmt: skip
     return Drawing(fig, data={"method": list(best), "ns": times, "error": errors})
+
+
+LABEL = ("python", "date", "commit")
+
+
+def _counts(record) -> Drawing:
+    return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
+
+
+@figure(record="accepted_scenes")
+def accepted_scenes(record: dict) -> Drawing:
+    """The committed long run over random accepted scenes: its counts and its label; numbers only."""
+    return _counts(record)
+
+
+@figure(record="edited_formulas")
+def edited_formulas(record: dict) -> Drawing:
+    """The committed run over edits of the formulas: its counts and its label; numbers only."""
+    return _counts(record)
+
+
+@figure(record="enclosed_pixels")
+def enclosed_pixels(record: dict) -> Drawing:
+    """The committed run over pixels with bounds: its counts and its label; numbers only."""
+    return _counts(record)

@@ -1,16 +1,14 @@
 """The bump that dies by binades: steps so small that float64 no longer takes them."""
 
-from functools import cache
 from itertools import product
 
 import numpy as np
 from matplotlib import patheffects
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import GAP, TITLE, canvas, pixel_axes, pixel_text
+from book.drawing.style import GAP, TITLE, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import SCENE, SIZE, numeric, place
 from renderer import Scene, central, render
-from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
 from verify.accuracy.binades import dies
 
@@ -26,21 +24,15 @@ NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h
     3e-18: {"$h_u = 0$: $^1\\!/_{32}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ ≤ v": (0.77, 0.24)},
     1e-18: {"$h_u = 0$: $^1\\!/_{64}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ ≤ v": (0.77, 0.24)},
 }
+HALO = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
 LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
 
 
-@cache
-def drawn(step: float) -> Frame:
-    """Return the frame of sphere A with sine, by central differences of a step, with its bounds."""
-    return render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
-
-
-@cache
 def shares(step: float) -> dict[str, dict[str, float]]:
     """Return the shares of A where h_u, h_v and both are 0: by theorem binades, and as the frame counts them."""
     frame = numeric("sine", SIZE, step)
-    at = {name: plane[frame.stage.on_a] for name, plane in frame.surface_data.items()}
-    found = {"theorem": (dies(at["u"], step), dies(at["v"], step)), "count": (at["h_u"] == 0, at["h_v"] == 0)}
+    u, v, h_u, h_v = (frame.surface_data[name][frame.stage.on_a] for name in ("u", "v", "h_u", "h_v"))
+    found = {"theorem": (dies(u, step), dies(v, step)), "count": (h_u == 0, h_v == 0)}
     return {by: {"u": u.mean(), "v": v.mean(), "both": (u & v).mean()} for by, (u, v) in found.items()}
 
 
@@ -51,30 +43,26 @@ def _edges(frame, step):
     ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 65)
     lines = [(np.full(2, u), np.array([0.001, 0.999 * RIM])) for u in (*ends, 0.0)]  # straight: A is seen from above
     lines += [(round_a, np.full(65, v)) for v in ends[ends < RIM]]
-    return {str(n): dict(zip("xy", place(frame, *line), strict=True)) for n, line in enumerate(lines)}
-
-
-def _write_names(ax, frame, step):
-    for name, at in NAMES[step].items():
-        (x,), (y,) = place(frame, *np.array(at)[:, None])
-        halo = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
-        ax.text(x, y, name, color="white", ha="center", va="center", fontsize=10, path_effects=halo)
+    return {n: dict(zip("xy", place(frame, *line), strict=True)) for n, line in enumerate(lines)}
 
 
 @figure
 def binades() -> Drawing:
     """Sphere A with sine at six steps from 1e-16 to 1e-18, where binade after binade of u and v loses its slope."""
-    side, edges = CROP[2], {}
+    side, frames, edges, found = CROP[2], [], {}, {}
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
         x, y = left * (side + GAP), top * (TITLE + side + GAP)
-        ax = pixel_axes(fig, x, y + TITLE, side, side)
-        ax.imshow(image_view(drawn(step)), interpolation="none", aspect="auto")
-        edges[f"{step:.0e}"] = _edges(drawn(step), step)
-        for line in edges[f"{step:.0e}"].values():
+        frame = render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
+        digits, power = (name := f"{step:.0e}").split("e-")
+        ax = pixel_picture(fig, x, y + TITLE, image_view(frame))
+        edges[name] = _edges(frame, step)
+        for line in edges[name].values():
             ax.plot(line["x"], line["y"], **LINE)
-        _write_names(ax, drawn(step), step)
-        digits, power = f"{step:.0e}".split("e-")
+        for words, at in NAMES[step].items():
+            (column,), (row,) = place(frame, *np.array(at)[:, None])
+            ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
-    found = {f"{step:.0e}": shares(step) for step in STEPS}
-    return Drawing(fig, {"side": SIZE} | found, edges, tuple(map(drawn, STEPS)))
+        frames.append(frame)
+        found[name] = shares(step)
+    return Drawing(fig, {"side": SIZE} | found, edges, frames)

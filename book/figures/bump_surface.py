@@ -1,11 +1,9 @@
 """Five stills of one sphere: the chapter's normal, its sign, its scale, its metric mended, and the surface moved."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import GAP, canvas, pixel_axes, pixel_text
+from book.drawing.style import GAP, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import FINE, SCENE, averaged
 from book.idea_kernels import angles, surfaces
 from renderer.picture.views import to_bytes
@@ -36,7 +34,6 @@ def _put(picture, points, colours):
     picture[rows[order], columns[order]] = colours[order]
 
 
-@cache
 def _stills():
     """Return the five pictures, (HIGH, SIDE, 4): transparent where there is nothing."""
     u, v = np.meshgrid((np.arange(DENSE) + 0.5) / DENSE, (np.arange(DENSE // 2) + 0.5) / (DENSE // 2))
@@ -70,5 +67,5 @@ def bump_surface() -> Drawing:
         left = number * (SIDE + GAP)
         pixel_text(fig, left + 2, 15, title)
         pixel_text(fig, left + 2, 32, f"{angle:.{int(angle < 20)}f}° off" if angle else "0°: its own normal", "muted")
-        pixel_axes(fig, left, 44, SIDE, HIGH).imshow(still, interpolation="none", aspect="auto")
+        pixel_picture(fig, left, 44, still)
     return Drawing(fig, {"beta": SCENE.beta}, {"angle": angles()})

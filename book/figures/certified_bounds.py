@@ -1,38 +1,33 @@
-"""Certified bounds beside true errors: of every pixel of a small picture, and of pixels by what is hard about them."""
-
-from functools import cache
+"""Certified bounds beside true errors: of small pictures, pixels by what is hard about them, fields of one's own."""
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, dots, label_line_end, panels, plot
-from book.figures.chapter_scene import FIELD_NAMES, SIZE, averaged, certified_numbers, enlarged, symbolic
+from book.drawing.style import curve, decades, dots, label_line_end, panels, plot
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
+from renderer import HeightField, Scene, render, u, v
+from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
-from renderer.picture.views import difference_logarithmic, image_view
+from renderer.picture.views import difference_logarithmic
+from verify.accuracy.any_field import u_curve
 from verify.accuracy.pixels import SCENES, checked_pixels, errors_of, problems, truth_of
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -9
 
 
-@cache
-def _errors():
-    """Return how far each colour of the small picture is from 256-bit balls, rounded up: (SIDE, SIDE, 3)."""
-    frame = symbolic(size=SIDE)
-    places = ((column, row) for row in range(SIDE) for column in range(SIDE))
-    errors = [[float(off.upper()) for off in errors_of(frame, *p, truth_of(frame, *p))] for p in places]
-    return np.reshape(errors, (SIDE, SIDE, 3))
-
-
 @figure
 def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
-    frame, errors = symbolic(size=SIDE), _errors()
-    bounds = frame.bounds
+    frame = symbolic(size=SIDE)
+    places = ((column, row) for row in range(SIDE) for column in range(SIDE))
+    off = [[float(each.upper()) for each in errors_of(frame, *place, truth_of(frame, *place))] for place in places]
+    bounds, errors = frame.bounds, np.reshape(off, (SIDE, SIDE, 3))  # rounded up, from 256-bit balls
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")
+    fine = symbolic(size=SIZE * FINE)
     maps = [enlarged(difference_logarithmic(each, LOW, HIGH), ZOOM) for each in (bounds, errors)]
-    pictures = [averaged(image_view(symbolic(size=SIZE * 3))), *maps]
+    pictures = [smooth(fine), *maps]
     fig = panels(pictures, ("the picture", "its bound", "its error"), (LOW, HIGH), "largest of a channel")
     numbers = {
         "side": SIDE,
@@ -43,24 +38,18 @@ def certified_bounds() -> Drawing:
     }
     numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
     data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
-    return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, symbolic(size=SIZE * 3)))
+    return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, fine))
 
 
 EACH = 15
 
 
-@cache
-def _pixels():
-    pixels = checked_pixels(SCENES, each=EACH)
-    if wrong := problems(pixels):
-        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
-    return pixels
-
-
 @figure
 def reference_pixels() -> Drawing:
     """The largest channel error of pixels of each kind against 256-bit balls, and the bounds of their frames."""
-    pixels = _pixels()
+    pixels = checked_pixels(SCENES, each=EACH)
+    if wrong := problems(pixels):
+        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
     kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
     fig, ax = plot(height=3.8)
     decided = [p for p in pixels if not p.undecided]
@@ -77,4 +66,54 @@ def reference_pixels() -> Drawing:
     numbers["largest_share"] = max(p.error / p.bound for p in decided if p.bound > 0)
     data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "bound")}
     data["undecided"] = [bool(p.undecided) for p in pixels]
+    return Drawing(fig, numbers, data)
+
+
+TEXTS = {
+    "crater": "exp(-150*(v - 1/5)**2) - exp(-60*v**2)/2",
+    "dunes": "v*(1 + sinpi(k_u*u + 4*sinpi(2*v)))**2/2",
+    "hill": "9*v**2*exp(4*(cospi(2*u - 7/4) - 1) - 60*(v - 1/5)**2)",
+}
+POINT = {"u": 0.81, "v": 0.23}
+STEPS = np.logspace(-1, -12, 177)
+
+
+def scene_of(name: str) -> Scene:
+    """Return the chapter's scene with one of the three fields."""
+    return Scene(field=HeightField(name, parse_expression(TEXTS[name])))
+
+
+@figure
+def own_fields() -> Drawing:
+    """Crater, dunes and a hill on sphere A, and the certified bound of each picture."""
+    columns, numbers, frames, data = [], {}, [], {}
+    for name in TEXTS:
+        fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (SIZE * FINE, SIZE))
+        bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
+        columns.append(np.vstack([smooth(fine), bounds]))
+        frames.append(frame)
+        data[f"{name}_log10_bound"] = np.log10(np.maximum(frame.bounds.max(axis=2), 10.0**LOW)).astype(np.float16)
+        numbers[name] = certified_numbers(frame)
+    fig = panels(columns, tuple(TEXTS), (LOW, HIGH), "bound of a channel")
+    return Drawing(fig, numbers | {"side": SIZE}, data, tuple(frames))
+
+
+@figure
+def own_u_curves() -> Drawing:
+    """The error of the central difference of crater, dunes and hill against its step, and the bound on it."""
+    fig, axes = plot("page", 3.3, ncols=len(TEXTS), sharey=True)
+    numbers, data = dict(POINT), {"step": STEPS}
+    for ax, name in zip(axes, TEXTS, strict=True):
+        scene = scene_of(name)
+        along = v if name == "crater" else u  # which is round
+        found = u_curve(scene.field, along, POINT | {"k_u": scene.ku, "k_v": scene.kv}, STEPS)
+        if (found.error > found.bound).any():
+            raise ValueError(f"an error of {name} is above its bound")
+        dots(ax, STEPS, found.error, "numeric", 2.2)
+        curve(ax, STEPS, found.bound, "bound")
+        decades(ax, 3, 3, xlabel="step ε", title=f"{name}, $h_{along.name}$", ylim=(1e-16, 1e3))
+        best = found.bound.argmin()
+        numbers[name] = {"best_eps": STEPS[best], "bound": float(rounded_up(found.bound[best], 2))}
+        data |= {f"{name}_error": found.error, f"{name}_bound": found.bound}
+    axes[0].set_ylabel("error of the slope")
     return Drawing(fig, numbers, data)

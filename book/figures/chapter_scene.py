@@ -60,6 +60,11 @@ def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:
     return np.rint(squares.mean(axis=(1, 3))).astype(np.uint8)
 
 
+def smooth(frame: Frame) -> np.ndarray:
+    """Return the picture of a frame of FINE samples to a side of a pixel."""
+    return averaged(image_view(frame))
+
+
 def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
     """Return a picture whose every pixel is a square of `times` pixels."""
     return picture.repeat(times, axis=0).repeat(times, axis=1)
@@ -70,10 +75,11 @@ def marked_by_light(marks: Sequence) -> Figure:
 
     The flags are those of a raster of FINE times the panels' side.
     """
-    picture = image_view(symbolic("ridges", MARKED * FINE))
+    picture = image_view(symbolic(size=MARKED * FINE))
     pictures = [picture]
     for of_light in marks:
-        pictures.append(picture // 3)
+        dimmed = picture // 3
         for flags, colour in of_light:
-            pictures[-1] = np.where(flags[..., None], np.array(colour, np.uint8), pictures[-1])
+            dimmed[flags] = colour
+        pictures.append(dimmed)
     return panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))

@@ -1,12 +1,9 @@
 """Our elementary functions: the certified error of each piece of the range, and measured errors beneath it."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import bound_style, dots, label_line_end, palette, plot
-from proofs.formulas.certified import CERTIFIED
+from book.drawing.style import bound_style, curve, dots, label_line_end, plot
 from verify.accuracy.certified_ulps import PIECES, at, errors_in_ulps
 from verify.accuracy.pieces import worst
 
@@ -23,7 +20,6 @@ PANELS = {
 SEED, EACH = 8, 3
 
 
-@cache
 def _samples(name):
     """Return {"ends" of the pieces, "certified" ulps of each, arguments "at" which was measured, "error" in ulps}."""
     rng, (*_, first, last) = np.random.default_rng(SEED), PANELS[name]
@@ -44,18 +40,17 @@ def _samples(name):
 def elementary_ulps() -> Drawing:
     """The certified error of our elementary functions over the reduced range, in ulps, and measured errors below it."""
     fig, axes = plot("page", 5.6, nrows=2, ncols=3, sharey=True)
-    data = {name: _samples(name) for name in PANELS}
-    numbers = {name: {"bound": float(bound), "certified": float(worst(PIECES[name]()))}
-               for name, bound in CERTIFIED.items()}  # fmt: skip
-    for ax, (name, (label, along, first, _)) in zip(axes.flat, PANELS.items(), strict=True):
-        errors = data[name]["error"]
-        dots(ax, data[name]["at"], errors, "difference", 1.6)
-        ax.stairs(data[name]["certified"], data[name]["ends"], baseline=None, **bound_style())
-        ax.set(title=label, xlabel=along, xlim=(0 if first == LEAST else data[name]["ends"][0], None))
-        numbers[name] |= {"largest": errors.max(), "samples": len(errors)}
+    numbers, data = {}, {}
+    for ax, (name, (title, along, first, _)) in zip(axes.flat, PANELS.items(), strict=True):
+        data[name] = found = _samples(name)
+        dots(ax, found["at"], found["error"], "difference", 1.6)
+        ax.stairs(found["certified"], found["ends"], baseline=None, **bound_style())
+        ax.set(title=title, xlabel=along, xlim=(0 if first == LEAST else found["ends"][0], None))
+        certified = float(worst(PIECES[name]()))
+        numbers[name] = {"certified": certified, "largest": found["error"].max(), "samples": len(found["error"])}
     for ax in axes[:, 0]:
         ax.set(ylim=(0, 3), ylabel="error, ulps")
     label_line_end(axes[0, 0], 0.165, 1.35, "certified", "bound", "above")
-    axes[0, 0].plot(0.145, 2.2, color=palette()["difference"], marker="o", markersize=3)
+    curve(axes[0, 0], 0.145, 2.2, "difference", marker="o", markersize=3)
     label_line_end(axes[0, 0], 0.145, 2.2, "measured", "difference")
     return Drawing(fig, numbers, data)

@@ -20,27 +20,21 @@ SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone
 
 @cache
 def _curves(field):
-    """Return the largest and the RMS difference on A at every step: [Interval] each."""
+    """Return {"largest", "rms": the difference on A at every step}, Intervals."""
     reference = symbolic(field)
     frames = (render(Scene(field=field), SIZE, SIZE, central(float(eps)), stage=reference.stage) for eps in STEPS)
-    return list(zip(*(distance_on_a(frame, reference) for frame in frames), strict=True))
+    pairs = zip(*(distance_on_a(frame, reference) for frame in frames), strict=True)
+    return dict(zip(("largest", "rms"), pairs, strict=True))
 
 
 def _values(intervals):
     return np.array([each.value for each in intervals])
 
 
-def _floor(intervals):
-    """Return between which numbers the least over all steps lies, and the step where it was computed."""
-    least = Interval(*(min(getattr(each, end) for each in intervals) for end in ("value", "lower", "upper")))
-    return dict(zip(("from", "to"), least.outward(), strict=True)) | {"eps": STEPS[_values(intervals).argmin()]}
-
-
 @figure
 def eps_sweep() -> Drawing:
     """RMS difference on A against ε for the three fields, 256 × 256."""
-    steps, curves = STEPS[:SHOWN], {field: _curves(field)[1][:SHOWN] for field in FIELD_NAMES}
-    shown = {field: _values(intervals) for field, intervals in curves.items()}
+    steps, shown = STEPS[:SHOWN], {field: _values(_curves(field)["rms"])[:SHOWN] for field in FIELD_NAMES}
     fig, ax = plot(height=4.2)
     for field, side, at, dash in (
         ("sine", "left", 3e-4, DASHED), ("ridges", "above", 1e-4, SOLID), ("rings", "left", 1e-2, DOTTED),
@@ -49,16 +43,14 @@ def eps_sweep() -> Drawing:
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
     slope_triangle(ax, 2e-4, 1e-8, 2)
     slope_triangle(ax, 3e-5, 6e-4, 0.5)
-    numbers = {field: {"best_eps": steps[rms.argmin()]} for field, rms in shown.items()}
-    return Drawing(fig, numbers, {"step": steps, **shown})
+    return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]}, {"step": steps, **shown})
 
 
 @figure
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
-    found = {field: dict(zip(("largest", "rms"), _curves(field), strict=True)) for field in FIELD_NAMES}
-    data = {field: {name: _values(each) for name, each in of_field.items()} for field, of_field in found.items()}
+    data = {field: {name: _values(each) for name, each in _curves(field).items()} for field in FIELD_NAMES}
     for ax, (field, errors) in zip(axes, data.items(), strict=True):
         curve(ax, STEPS, errors["largest"], "difference", linewidth=1.5)
         curve(ax, STEPS, errors["rms"], "difference", linewidth=1.2, linestyle=SHORT)
@@ -66,10 +58,16 @@ def image_error() -> Drawing:
         if not HEIGHT_FIELDS[field].creases:
             slope_triangle(ax, 3e-4, 1e-8, 2)
     axes[0].set_ylabel("error on A")
-    label_line_end(axes[0], STEPS[40], data["sine"]["largest"][40] * 3, "largest", "difference", "above")
-    label_line_end(axes[0], STEPS[40], data["sine"]["rms"][40] / 3, "RMS", "difference", "below")
-    numbers = {field: {name: _floor(each) for name, each in of_field.items()} for field, of_field in found.items()}
-    return Drawing(fig, numbers, {"step": STEPS} | data)
+    sine = data["sine"]
+    label_line_end(axes[0], STEPS[40], sine["largest"][40] * 3, "largest", "difference", "above")
+    label_line_end(axes[0], STEPS[40], sine["rms"][40] / 3, "RMS", "difference", "below")
+    # Between which numbers the least over all steps lies, and the step where it was computed.
+    found = _curves("sine")["largest"]
+    lower, upper = Interval(
+        *(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))
+    ).outward()
+    floor = {"from": lower, "to": upper, "eps": STEPS[sine["largest"].argmin()]}
+    return Drawing(fig, {"sine_largest": floor}, {"step": STEPS} | data)
 
 
 def _interval(row, what):
@@ -80,23 +78,20 @@ def slope_lost(eps: float) -> float:
     """Return the median relative error of h_u of sine over A where the difference has this step."""
     found, right = (frame.surface_data["h_u"] for frame in (numeric("sine", eps=eps), symbolic("sine")))
     on_a = symbolic("sine").stage.on_a & (right != 0)
-    return np.median(np.abs(found / np.where(on_a, right, 1) - 1)[on_a])
+    return np.median(np.abs(found[on_a] / right[on_a] - 1))
 
 
 @figure
 def eps_table() -> Drawing:
     """The ε-table of the default scene, 256 × 256, and the facts beside it; numbers only."""
     scene, rows = Scene(), records(sweep(Scene(), SIZE, SIZE))
-    table = {name: [row[name] for row in rows] for name in rows[0]}
     numbers = {}
     for row in rows:
         eps = f"1e{round(np.log10(row['eps']))}"
         numbers |= {f"{what}_{eps}": row[what] for what in ("flips", "straddling")}
-        for what in ("largest", "rms"):
-            numbers[f"{what}_{eps}"] = _interval(row, what)
+        numbers |= {f"{what}_{eps}": _interval(row, what) for what in ("largest", "rms")}
     frames, flips = flips_everywhere(scene, SIZE, SIZE)
     near, least = pixels_near_the_pole(scene, SIZE, SIZE)
-    fine = symbolic("ridges", 1024).surface_data["v"]
     numbers |= {
         "rms_slope": enclosed_slope(DECADES[1:5], [_interval(row, "rms") for row in rows[1:5]]),
         "frames": frames,
@@ -105,9 +100,9 @@ def eps_table() -> Drawing:
         "flat": flat_difference(scene, SIZE, SIZE),
         "pixels_near_pole": near,
         "least_sine": least,
-        "least_sine_1024": np.nanmin(np.sin(np.pi * fine)),
+        "least_sine_1024": np.nanmin(np.sin(np.pi * symbolic(size=1024).surface_data["v"])),
         "pixels": SIZE * SIZE,
         "pixels_a": symbolic().stage.on_a.sum(),
         "black_times_100": distance_on_a(numeric(eps=1e-8), symbolic())[0].times(100),
     }
-    return Drawing(numbers=numbers, data=table)
+    return Drawing(numbers=numbers, data={name: [row[name] for row in rows] for name in rows[0]})

@@ -1,6 +1,4 @@
-"""Two frontiers, priced: a height field of texels, and the displaced surface that a bump is not."""
-
-from functools import cache
+"""The displaced surface that a bump is not: normals, lights that leak, and what displacement moves."""
 
 import matplotlib
 import numpy as np
@@ -10,58 +8,33 @@ from book.drawing.style import (
     DASHED,
     DOTTED,
     SOLID,
+    colour_of,
     curve,
     decades,
+    label,
     label_line_end,
-    palette,
     panels,
     plot,
     slope_triangle,
 )
 from book.figures.chapter_scene import FINE, MARKED, SCENE, marked_by_light, symbolic
-from verify.accuracy.frontiers import fiction, wall
+from verify.accuracy.frontiers import boundaries, fiction
 from verify.accuracy.orders import fitted_slope
 
-_errors, _silhouette, _leaks = cache(wall.errors), cache(fiction.silhouette_remainders), cache(fiction.leaks)
-
-
-@figure
-def frontier_wall() -> Drawing:
-    """The error of h_u of an interpolated table against the number of texels: two fields, two interpolations."""
-    texels = np.array(wall.TEXELS)
-    fig, axes = plot(height=4.2, ncols=2, sharey=True)
-    numbers, data = {"slope": np.pi * wall.KU, "points": wall.POINTS}, {"texels": texels}
-    for ax, field in zip(axes, ("sine", "ridges"), strict=True):
-        numbers[field], data[field] = {}, {}
-        for kind, dash in (("bilinear", SOLID), ("cubic", DASHED)):
-            largest, rms = _errors(field, kind)
-            curve(ax, texels, largest, "difference", linestyle=dash, marker="o", markersize=4)
-            curve(ax, texels, rms, "muted", linestyle=dash, linewidth=1.2)
-            data[field][kind] = {"largest": largest, "rms": rms}
-            orders = {"order": wall.order(largest), "rms_order": wall.order(rms)}
-            numbers[field][kind] = orders | dict(zip(wall.TEXELS, largest, strict=True))
-            if ax is axes[0]:
-                label_line_end(ax, texels[0], largest[0], kind, "difference", "above")
-        decades(ax, 1, 2, xlim=(20, 1000), title=field, xlabel="texels across")
-    axes[0].set_ylabel("error of $h_u$")
-    third = numbers["slope"] ** 3  # the central difference's error is ε²/6 of it
-    numbers["as_step"] = np.sqrt(6 * numbers["sine"]["bilinear"][513] / third)
-    ridges, rms = _errors("ridges", "bilinear")
-    label_line_end(axes[1], texels[2], ridges[2], "largest", "difference", "above")
-    label_line_end(axes[1], texels[2], rms[2] / 1.5, "RMS", "muted", "below")
-    slope_triangle(axes[0], 120, 1.5e-1, -1, decades=0.5)
-    slope_triangle(axes[0], 60, 3e-4, -3, decades=0.4)
-    slope_triangle(axes[1], 120, 1.5e-1, -0.5, decades=0.5)
-    return Drawing(fig, numbers, data)
-
-
+BETAS, SMALLEST = np.logspace(-3, -1.5, 13), slice(9)  # ... of which orders are fitted to
 MOST = 180  # degrees, the colours' upper end
+SHOWN, LARGEST, SIDE = 0.1, 0.35, 256  # two β, and the raster's side
+ORDERS = np.geomspace(0.01, 0.1, 5)
+LIGHTS = {name: np.array(light.position) for name, light in zip(("first", "second"), SCENE.lights, strict=True)}
 
 
-@cache
+def _order(values):
+    return fitted_slope(BETAS[SMALLEST], values[SMALLEST])
+
+
 def _angles(side):
     """Return {step: its map of angles}, the steps by short names."""
-    maps = fiction.angle_maps(symbolic("ridges", side))
+    maps = fiction.angle_maps(symbolic(size=side))
     return dict(zip(("chapter", "sign", "scale", "metric"), maps.values(), strict=True))
 
 
@@ -86,43 +59,47 @@ def frontier_angles() -> Drawing:
     bar = fig.axes[-1].get_position()
     for angle, place in ((0, "bottom"), (90, "center"), (180, "top")):
         height = bar.y0 + bar.height * angle / MOST
-        fig.text(bar.x0 + 0.38 * bar.width, height, f"{angle}°", va=place, color=palette()["ink"])
-    angles = {key: {"median": np.nanmedian(a), "largest": np.nanmax(a)} for key, a in _angles(256).items()}
-    return Drawing(fig, {"beta": SCENE.beta, "most": MOST} | angles, _angles(side))
+        fig.text(bar.x0 + 0.38 * bar.width, height, f"{angle}°", va=place, color=colour_of("ink"))
+    angles = {key: {"median": np.nanmedian(a), "largest": np.nanmax(a)} for key, a in _angles(SIDE).items()}
+    return Drawing(fig, {"beta": SCENE.beta} | angles, _angles(side))
 
 
 @figure
 def frontier_silhouette() -> Drawing:
     """How far displacement moves the silhouette against β, and what the first two orders leave over."""
-    betas = np.logspace(-3, -1.5, 13)
-    moved, first, second = _silhouette(tuple(betas))
     fig, ax = plot(height=3.9)
-    curve(ax, betas, moved, "ink", "displaced − smooth", linestyle=SOLID)
-    curve(ax, betas, first, "difference", "less the first order", linestyle=DASHED)
-    curve(ax, betas, second, "difference", "less the second, too", linestyle=DOTTED)
+    remainders, data = fiction.silhouette_remainders(BETAS), {"beta": BETAS}
+    for left, (name, text, role, dash) in zip(remainders, (
+        ("moved", "displaced − smooth", "ink", SOLID),
+        ("less_first_order", "less the first order", "difference", DASHED),
+        ("less_second_order", "less the second, too", "difference", DOTTED),
+    ), strict=True):  # fmt: skip
+        curve(ax, BETAS, left, role, text, linestyle=dash)
+        data[name] = left
     decades(ax, 1, 2, xlabel="amplitude β", ylabel="radius of the silhouette, in $R$")
-    numbers = {"beta": betas[-1], "moved": moved[-1], "left": second[-1]}
-    for order, (line, below) in enumerate(((moved, 6), (first, 6), (second, 20))):
-        slope_triangle(ax, 3e-3, np.interp(3e-3, betas, line) / below, order + 1, decades=0.4)
-        numbers[f"order_{order}"] = fitted_slope(betas[:9], line[:9])
-    data = {"beta": betas, "moved": moved, "less_first_order": first, "less_second_order": second}
+    numbers = {"beta": BETAS[-1], "moved": remainders[0][-1]}
+    for order, (left, below) in enumerate(zip(remainders, (6, 6, 20), strict=True)):
+        slope_triangle(ax, 3e-3, np.interp(3e-3, BETAS, left) / below, order + 1, decades=0.4)
+        numbers[f"order_{order}"] = _order(left)
     return Drawing(fig, numbers, data)
 
 
 def _leak_maps(size):
     """Return {light: {what: map of bool}}: where it leaks, and where it is missed."""
-    names = zip(("first", "second"), _leaks(SCENE, size), strict=True)
-    return {name: {"leaks": leak, "missed": miss} for name, (leak, miss) in names}
+    return {
+        name: dict(zip(("leaks", "missed"), maps, strict=True))
+        for name, maps in zip(LIGHTS, fiction.leaks(SCENE, size), strict=True)
+    }
 
 
 @figure
 def frontier_leaks() -> Drawing:
     """Where a light reaches what faces away from it, and where it misses what faces it, for each light."""
     yellow, blue = (0xF0, 0xE4, 0x42), (0x56, 0xB4, 0xE9)
-    fig = marked_by_light([((miss, blue), (leak, yellow)) for leak, miss in _leaks(SCENE, MARKED * FINE)])
-    counts = {name: {what: np.sum(flags) for what, flags in maps.items()} for name, maps in _leak_maps(256).items()}
-    numbers = {"pixels_a": symbolic("ridges", 256).stage.on_a.sum()} | counts
-    return Drawing(fig, numbers, _leak_maps(MARKED), (symbolic("ridges", MARKED * FINE),))
+    fig = marked_by_light([((miss, blue), (leak, yellow)) for leak, miss in fiction.leaks(SCENE, MARKED * FINE)])
+    counts = {name: {what: np.sum(flags) for what, flags in maps.items()} for name, maps in _leak_maps(SIDE).items()}
+    numbers = {"pixels_a": symbolic().stage.on_a.sum()} | counts
+    return Drawing(fig, numbers, _leak_maps(MARKED), (symbolic(size=MARKED * FINE),))
 
 
 @figure
@@ -132,3 +109,62 @@ def blinn_angles() -> Drawing:
     chapter, turned, _, blinn, _ = fiction.normals(SCENE, surface).values()
     apart = {"chapter": fiction.degrees(chapter, blinn), "turned": fiction.degrees(turned, blinn)}
     return Drawing(numbers={name: np.median(angles) for name, angles in apart.items()})
+
+
+def _edges():
+    """Return {"smooth" or "displaced": {curve: its x and y}} on the floor, the image plane: outline, shadows' edges."""
+    around, curves = np.linspace(-np.pi, np.pi, 721), {}
+    for kind, beta in (("smooth", 0.0), ("displaced", SHOWN)):
+        polar = {"outline": (boundaries.outline(boundaries.SCENE, around, beta), around)}
+        for name, light in LIGHTS.items():
+            azimuths = boundaries.away_from(light, 181)
+            polar[f"shadow_{name}"] = boundaries.edge(boundaries.SCENE, light, azimuths, beta), azimuths
+        curves[kind] = {name: {"x": s * np.cos(a), "y": s * np.sin(a)} for name, (s, a) in polar.items()}
+    return curves
+
+
+def _changed():
+    """Return the pixels whose first surface is another than without β: of all for each of ORDERS, and of B at most."""
+    plain = boundaries.first_surface(boundaries.SCENE, 0.0, SIDE)
+    pictures = np.array([boundaries.first_surface(boundaries.SCENE, beta, SIDE) for beta in (*ORDERS, LARGEST)])
+    counts, of_b = (
+        (found != right).sum(axis=(1, 2)) for found, right in ((pictures, plain), (pictures == 2, plain == 2))
+    )
+    return counts[:-1], of_b.max()
+
+
+def _draw_map(ax, edges):
+    """Draw the outline and the shadows' edges, smooth in grey and displaced in colour, with their names."""
+    for edge in edges["smooth"].values():
+        curve(ax, *edge.values(), "muted", linewidth=1, linestyle=(0, (4, 3)))
+    for name, role, at, text in (
+        ("outline", "ink", (0.0, 0.2), "outline"),
+        ("shadow_first", "difference", (-0.95, -1.5), "shadow, first light"),
+        ("shadow_second", "reference", (1.2, -1.2), "second light"),
+    ):
+        curve(ax, *edges["displaced"][name].values(), role)
+        label(ax, at, text, role, (0, 0), ha="center")
+    title = f"β = {SHOWN}; dashed, without"
+    ax.set(aspect="equal", xlim=(-1.6, 1.7), ylim=(-1.55, 1.3), xticks=[], yticks=[], title=title)
+
+
+@figure
+def frontier_boundaries() -> Drawing:
+    """The outline and the cast shadows of the displaced surface beside the smooth one's, and their shift against β."""
+    fig, (left, right) = plot("page", height=4.2, ncols=2, width_ratios=(1, 1.15))
+    data, (changed, of_b) = _edges(), _changed()
+    _draw_map(left, data)
+    numbers = {"shown": SHOWN, "beta": BETAS[-1], "side": SIDE, "changed": changed[-1], "changed_of_b": of_b,
+               "largest_beta": LARGEST, "order_of_order": fitted_slope(ORDERS, changed)}  # fmt: skip
+    for name, role in (("first", "difference"), ("second", "reference")):
+        moved, rest = boundaries.shadow_remainders(BETAS, LIGHTS[name])
+        curve(right, BETAS, moved, role)
+        curve(right, BETAS, rest, role, linestyle=DASHED)
+        data[name] = {"moved": moved, "left": rest}
+        numbers[name] = {"order": _order(moved), "left_order": _order(rest), "moved": moved[-1]}
+    for heights, text in zip(data["first"].values(), ("displaced\n− smooth", "less the\nfirst order"), strict=True):
+        label_line_end(right, BETAS[-1], heights[-1], text, "ink")
+    slope_triangle(right, 3e-3, 8e-4, 1, decades=0.4)
+    slope_triangle(right, 6e-3, 5e-5, 2, decades=0.4)
+    decades(right, 1, 1, xlabel="amplitude β", ylabel="shift of the shadow's edge, in $R$")
+    return Drawing(fig, numbers, data | {"beta": BETAS, "orders": {"beta": ORDERS, "changed": changed}})

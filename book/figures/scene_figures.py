@@ -1,7 +1,5 @@
 """The scene: its chambers, its height fields, where the creases fall, and the shadow that the bump moves."""
 
-from functools import cache
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
@@ -15,6 +13,7 @@ from book.figures.chapter_scene import (
     averaged,
     marked_by_light,
     on_picture,
+    smooth,
     symbolic,
 )
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
@@ -22,7 +21,6 @@ from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import eye, radius, rho_silhouette
 from renderer import Scene, height_at, render
 from renderer.generate.kernels import function_of
-from renderer.picture.views import image_view
 from verify.accuracy.frontiers import fiction
 
 BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
@@ -35,33 +33,33 @@ HIDDEN = {0: ("both lights", 1.0), 4: ("first hidden", 0.74), 8: ("second hidden
 """{bits 2 and 3, the lights that another body hides: (name, how bright the colour is)}"""
 
 
-def _chamber_colour(body, hidden):
-    return np.rint(np.array(BODIES[body][1]) * HIDDEN[hidden][1]).astype(np.uint8)
+def _colour(code):
+    """Return a chamber's colour."""
+    return np.rint(np.array(BODIES[code & 131][1]) * HIDDEN[code & 12][1]).astype(np.uint8)
 
 
 def _chamber_legend(fig, codes, top):
     """Write under the pictures what a colour says: a row for each body, a column for the lights that are hidden."""
     for column, (hidden, (name, _)) in enumerate(HIDDEN.items()):
-        pixel_text(fig, 180 + 180 * column, top, name, "muted")
+        left = 180 + 180 * column
+        pixel_text(fig, left, top, name, "muted")
         for row, (body, (surface, _)) in enumerate(BODIES.items()):
             below = top + 14 + 25 * row
             if column == 0:
                 pixel_text(fig, 4, below + 12, surface)
             if body | hidden in codes:
-                mark = pixel_axes(fig, 180 + 180 * column, below, 90, 16)
-                mark.imshow(_chamber_colour(body, hidden)[None, None], aspect="auto")
+                pixel_axes(fig, left, below, 90, 16).imshow(_colour(body | hidden)[None, None], aspect="auto")
 
 
 @figure
 def chambers() -> Drawing:
     """The default scene, and beside it its chambers, each in a colour of its own, with a legend."""
     side = 450
-    fine, shown = symbolic("ridges", side * FINE), symbolic("ridges", side).chambers
+    fine, shown = symbolic(size=side * FINE), symbolic(size=side).chambers
     codes, colours = np.unique(shown), np.zeros((256, 3), np.uint8)
     for code in codes:
-        colours[code] = _chamber_colour(code & 131, code & 12)
-    pictures = [averaged(image_view(fine)), averaged(colours[fine.chambers])]
-    fig = panels(pictures, ("the picture", "its chambers"), foot=140)
+        colours[code] = _colour(code)
+    fig = panels([smooth(fine), averaged(colours[fine.chambers])], ("the picture", "its chambers"), foot=140)
     _chamber_legend(fig, codes, TITLE + side + 28)
     _, on_a, on_b, on_floor = np.bincount(symbolic().chambers.ravel() & 3)
     pixels = {"a": on_a, "b": on_b, "floor": on_floor}
@@ -122,7 +120,7 @@ def _draw_on_a(ax, frame, distance, angle, **line):
 def kink_loci() -> Drawing:
     """The creases of ridges over the picture: rays from the axis and a circle."""
     frame, fine = render(SCENE, 640, 560), render(SCENE, 640 * FINE, 560 * FINE, bounds=True)
-    fig = panels([averaged(image_view(fine)) // 2 + 40])
+    fig = panels([smooth(fine) // 2 + 40])
     ax = fig.axes[0]
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
@@ -140,7 +138,6 @@ def kink_loci() -> Drawing:
     return Drawing(fig, numbers, data, (fine,))
 
 
-@cache
 def turned(size: int) -> list[np.ndarray]:
     """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
     return [leak | miss for leak, miss in fiction.leaks(SCENE, size)]
@@ -156,4 +153,4 @@ def attached_shadow() -> Drawing:
     shares = {f"{name}_share": count / on_a for name, count in counts.items()}
     numbers = {"beta": SCENE.beta, "pixels_a": on_a, "either_share": (first | second).sum() / on_a}
     maps = dict(zip(counts, turned(MARKED), strict=True))
-    return Drawing(fig, numbers | counts | shares, maps, (symbolic("ridges", MARKED * FINE),))
+    return Drawing(fig, numbers | counts | shares, maps, (symbolic(size=MARKED * FINE),))

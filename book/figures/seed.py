@@ -1,7 +1,7 @@
 """What the seed's cells compute and say of its pictures, done again and looked at; numbers only, for the ledger."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from types import ModuleType
 from unittest.mock import Mock, patch
 
@@ -19,20 +19,19 @@ from renderer.picture.facts import SMOOTH_POINT
 from renderer.picture.views import to_bytes
 from verify.accuracy.orders import enclosed_slope
 from verify.benchmark.baselines import seed_loops
-from verify.records import RECORDS, read
 
 BETA, STEP = 0.35, 1e-7  # the seed's own, in its Cell 5
 PIXEL = (90, 120)  # on sphere A, off every clamp
 FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
 SMALL = 128
-SMALL_STEPS = 10.0 ** -np.arange(8, 17)
+CLIFF = (1e-10, 1e-12, 1e-14)  # steps at which the error of a difference grows again
 
 
-def calls(gradient: Callable, holder: ModuleType, names: Iterable[str], eps: float = 1e-3) -> int:
+def calls(gradient: Callable, holder: ModuleType, *names: str) -> int:
     """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
     counted = {name: Mock(wraps=getattr(holder, name)) for name in names}
     with patch.multiple(holder, **counted):
-        gradient(Scene(), 0.3, 0.4, eps)
+        gradient(Scene(), 0.3, 0.4, 1e-3)
     return sum(function.call_count for function in counted.values())
 
 
@@ -48,10 +47,11 @@ def normal_derivative_errors() -> tuple[float, float]:
     normals, g = samples[:, 0].T, 4 * samples[:, 1].T
     normals = normals / np.linalg.norm(normals, axis=0)
     bump, slope = (function_of(program) for program in (perturbed, normal_by_beta))
-    closed, here = np.array(slope(*normals, *g, BETA)), np.array(bump(*normals, *g, BETA))
-    one_sided = (np.array(bump(*normals, *g, BETA + STEP)) - here) / STEP
-    complex_step = np.array(bump(*normals, *g, BETA + 1e-200j)).imag / 1e-200
-    return np.abs(closed - one_sided).max(), np.abs(closed - complex_step).max()
+    closed, here, there, aside = (
+        np.array(of(*normals, *g, beta))
+        for of, beta in ((slope, BETA), (bump, BETA), (bump, BETA + STEP), (bump, BETA + 1e-200j))
+    )
+    return np.abs(closed - (there - here) / STEP).max(), np.abs(closed - aside.imag / 1e-200).max()
 
 
 def image_slope_ratio() -> float:
@@ -62,39 +62,34 @@ def image_slope_ratio() -> float:
         return (high - low) / (2 * step)
 
     finest = (4 * difference(5e-5) - difference(1e-4)) / 3  # Richardson: fourth order
-    first, second = (abs(difference(step) - finest) for step in (1e-2, 1e-3))
-    return first / second
+    return abs(difference(1e-2) - finest) / abs(difference(1e-3) - finest)
 
 
-@figure("seed_times", data=[RECORDS["frames"].path])
-def seed_times() -> Drawing:
+@figure(record="frames")
+def seed_times(record: dict) -> Drawing:
     """How many times as long the seed's loops take by a central difference as exactly; numbers only."""
-    times = read("frames")["numbers"]
+    times = record["numbers"]
     return Drawing(numbers={"ratio_128": times["seed_central_128_1_ms"] / times["seed_exact_128_1_ms"]})
 
 
-@figure("seed_cells")
+@figure
 def seed_cells() -> Drawing:
     """The seed's cells, done again: counts, checks of derivatives, a chart point, a crease and the cliff."""
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
-    slope = gradient_at(Scene(), *SMOOTH_POINT, exact())[0]
-    gradients = {"central": seed_loops.central_gradient, "exact": seed_loops.exact_gradient}
-    trigonometric = {name: calls(gradient, math, ["sin", "cos"]) for name, gradient in gradients.items()}
-    relative = {}
-    for eps in (1e-8, 1e-10, 1e-12, 1e-14):
-        error = abs(gradient_at(Scene(), *SMOOTH_POINT, central(eps))[0] - slope)
-        relative[f"{eps:.0e}"] = error / abs(slope)
+    ways = {"central": seed_loops.central_gradient, "exact": seed_loops.exact_gradient}
+    central_calls, exact_calls = (calls(way, math, "sin", "cos") for way in ways.values())
+    slope, *others = (gradient_at(Scene(), *SMOOTH_POINT, method)[0] for method in (exact(), *map(central, CLIFF)))
     numbers = {
-        "heights": {name: calls(g, seed_loops, ["height_of_field"]) for name, g in gradients.items()},
-        "trigonometric_ratio": trigonometric["central"] / trigonometric["exact"],
+        "heights": {name: calls(way, seed_loops, "height_of_field") for name, way in ways.items()},
+        "trigonometric_ratio": central_calls / exact_calls,
         "one_sided": one_sided,
         "complex_step": complex_step,
         "u_of_the_normal": u,
         "v_of_the_normal": v,
         "slope_on_crease": abs(seed_loops.exact_gradient(Scene(), 0.125, SMOOTH_POINT[1])[0]),
         "image_slope_ratio": image_slope_ratio(),
-        "cliff": relative,
+        "cliff": {f"{eps:.0e}": abs(other - slope) / abs(slope) for eps, other in zip(CLIFF, others, strict=True)},
     }
     return Drawing(numbers=numbers)
 
@@ -117,11 +112,9 @@ def flat_limits() -> dict[str, float]:
 
 def first_visible_step() -> float:
     """Return the largest step from 1e-8 downwards at which |ΔI| × 100 reaches the first level of a linear canvas."""
-    for eps in SMALL_STEPS:
-        frame = render(Scene(field="sine"), SIZE, SIZE, central(eps), stage=symbolic("sine").stage)
-        if 100 * np.abs(difference_on_a(frame, symbolic("sine"))).max() >= FIRST_LEVEL:
-            return eps
-    raise ValueError("no step of these reaches the first level")
+    frames = ((eps, numeric("sine", eps=eps)) for eps in 10.0 ** -np.arange(8, 17))
+    off = ((eps, np.abs(difference_on_a(frame, symbolic("sine"))).max()) for eps, frame in frames)
+    return next(eps for eps, largest in off if 100 * largest >= FIRST_LEVEL)
 
 
 def clamp_taken(eps: float) -> float:
@@ -134,19 +127,18 @@ def clamp_taken(eps: float) -> float:
 @figure
 def seed_pictures() -> Drawing:
     """The seed's words on its pictures against the pictures: limits, what an eye sees, where the creases part."""
-    on_a = symbolic().stage.on_a
+    right, on_a = symbolic(), symbolic().stage.on_a
     small, large = numeric(eps=1e-3), numeric(eps=1e-2)
-    levels = np.abs(to_bytes(small.rgb).astype(int) - to_bytes(symbolic().rgb))[on_a].max(axis=1)
-    h_u, h_v = symbolic().surface_data["h_u"][on_a], symbolic().surface_data["h_v"][on_a]
+    levels = np.abs(to_bytes(small.rgb).astype(int) - to_bytes(right.rgb))[on_a].max(axis=1)
+    h_u, h_v = (right.surface_data[name][on_a] for name in ("h_u", "h_v"))
     sum_of_slopes, length = np.abs(h_u) + np.abs(h_v), np.hypot(h_u, h_v)
     steps = (1e-2, 1e-3, 1e-4)
     sine = [distance_on_a(numeric("sine", eps=eps), symbolic("sine"))[1] for eps in steps]
-    straddling = large.straddling & on_a
     numbers = {
-        "off_a": np.abs(large.rgb - symbolic().rgb)[~on_a].max(),
+        "off_a": np.abs(large.rgb - right.rgb)[~on_a].max(),
         "levels_changed": np.mean(levels > 0),
         "sum_over_length": np.max(sum_of_slopes[length > 0] / length[length > 0]),
-        "straddled_without_flag": np.mean(~symbolic().kink[straddling]),
+        "straddled_without_flag": np.mean(~right.kink[large.straddling & on_a]),
         "sine_rms_slope": enclosed_slope(steps, sine),
         "first_visible": first_visible_step(),
         "clamp_1e-3": clamp_taken(1e-3),

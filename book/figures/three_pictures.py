@@ -5,11 +5,12 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, certified, figure
-from book.drawing.style import GAP, TITLE, canvas, panels, pixel_axes, pixel_text
-from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, symbolic
-from renderer import central, exact, render
+from book.drawing.style import GAP, TITLE, canvas, panels, pixel_picture, pixel_text
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
+from renderer import Scene, central, exact, render
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view
+from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
+from verify.accuracy import stacking
 
 LOW, HIGH = -8, 0
 SIDE, VIEW_SIDE = 264, 220
@@ -30,7 +31,7 @@ def _shown(field):
 
 def _three(field):
     *fine, one, other = _shown(field)
-    return *(averaged(image_view(frame)) for frame in fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
+    return *map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
 
 
 def _column(pictures):
@@ -90,13 +91,13 @@ def _front(numerically, times=1, crop=None):
 @figure
 def hero() -> Drawing:
     """The default scene by central differences of a step at which the creases glow."""
-    return Drawing(averaged(image_view(_front(True))), {"eps": HERO_EPS}, shown=(_front(True),))
+    return Drawing(smooth(_front(True)), {"eps": HERO_EPS}, shown=(_front(True),))
 
 
 @figure
 def hero_symbolic() -> Drawing:
     """The same scene with the exact derivative."""
-    return Drawing(averaged(image_view(_front(False))), shown=(_front(False),))
+    return Drawing(smooth(_front(False)), shown=(_front(False),))
 
 
 @figure
@@ -108,6 +109,36 @@ def hero_crease() -> Drawing:
     for number, (frame, title) in enumerate(zip(frames, TITLES, strict=False)):
         top = number * (TITLE + high)
         pixel_text(fig, 0, top + 16, title)
-        picture = averaged(image_view(frame))
-        pixel_axes(fig, 0, top + TITLE, wide, high).imshow(picture, interpolation="none", aspect="auto")
-    return Drawing(fig, {"times": ENLARGED}, {"rgb": averaged(image_view(frames[0]))}, frames)
+        pixel_picture(fig, 0, top + TITLE, smooth(frame))
+    return Drawing(fig, {"times": ENLARGED}, {"rgb": smooth(frames[0])}, frames)
+
+
+SHOWN, MANY = 208, 4
+WAYS = {"one": {}, "lamp": {"lamp": MANY}, "pixel": {"pixel": MANY}}
+
+
+@figure("stacking")
+def stacked_pictures() -> Drawing:
+    """One light and one sample a pixel; a lamp and many samples; and how far the pipelines are apart in the second."""
+    plain, mean = (stacking.stacked(SCENE, many, many, SHOWN) for many in (1, MANY))
+    pictures = [to_bytes(plain.picture), to_bytes(mean.picture), difference_logarithmic(mean.difference, LOW, HIGH)]
+    titles = ("one point, one sample", "a lamp, many samples", "numeric − symbolic")
+    found = {
+        f"{field}_{name}": stacking.stacked(Scene(field=field), **samples)
+        for field in ("ridges", "sine")
+        for name, samples in WAYS.items()
+    }
+    apart, mirrored = stacking.mirrors_apart(SCENE)
+    numbers = {
+        "eps": stacking.EPS,
+        "lamp_points": MANY**2,
+        "pixel_points": MANY**2,
+        "half": stacking.HALF,
+        "mirror_apart": apart,
+        "mirrored": mirrored,
+        "largest_share": max(both.of_the_bound for both in found.values()),
+        "flips": sum(both.flips for both in found.values()),
+    }
+    return Drawing(
+        panels(pictures, titles, (LOW, HIGH)), numbers | {name: {"rms": both.rms} for name, both in found.items()}
+    )

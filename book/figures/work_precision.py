@@ -6,17 +6,14 @@ from itertools import groupby
 import numpy as np
 from matplotlib.axes import Axes
 
-from book.drawing.palette import readable
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import decades, label_line_end, palette, plot
+from book.drawing.style import DASHED, DOTTED, SOLID, colour_of, curve, decades, label, label_line_end, plot
 from verify.benchmark import work_precision
 from verify.benchmark.methods.table import CLEAR
 from verify.benchmark.work_precision import Row
-from verify.records import RECORDS, read
 
-RECORD = RECORDS["work_precision"].path
 SMALLEST = 1e-18  # of the drawing: mpmath's further digits stand as a number in the caption
-DIFFERENCES = {"forward": (0, (1.5, 1.5)), "central": (0, ()), "central, 4th order": (0, (5, 2)),
+DIFFERENCES = {"forward": DOTTED, "central": SOLID, "central, 4th order": DASHED,
                "central, 6th order": (0, (8, 2)), "Richardson, 8th order": (0, (5, 2, 1.5, 2))}  # fmt: skip
 """{difference: the dashes of its curve}"""
 
@@ -56,15 +53,15 @@ def columns(rows: Sequence[Row], names: Iterable[str]) -> dict[str, list[float]]
     return {name: [np.nan if row[name] is None else row[name] for row in rows] for name in names}
 
 
-def label_method(ax: Axes, points: np.ndarray, colour: str, text: str, side: str, at: float | None = None) -> None:
+def label_method(ax: Axes, points: np.ndarray, role: str, text: str, side: str, at: float | None = None) -> None:
     """Write a method's name below or above one of its points, or upright along its curve where the error is `at`."""
     if at is None:
         best = points[:, 1].argmax() if side == "above" else points[:, 1].argmin()
-        label_line_end(ax, *points[best], text, colour, side=side)
+        label_line_end(ax, *points[best], text, role, side)
     else:
         away, align = (-3, "right") if side == "left" else (3, "left")
-        ax.annotate(text, (points[0, 0], at), xytext=(away, 0), textcoords="offset points", rotation=90, ha=align,
-                    va="center", color=readable(colour), bbox={"pad": 0.5, "color": palette()["paper"]})  # fmt: skip
+        label(ax, (points[0, 0], at), text, role, (away, 0), rotation=90, ha=align, va="center",
+              bbox={"pad": 0.5, "color": colour_of("paper")})  # fmt: skip
 
 
 def draw_methods(
@@ -77,45 +74,39 @@ def draw_methods(
         points = np.array([(row[cost], row[error]) for row in own])
         role = "symbolic" if first["ours"] else "numeric" if name in DIFFERENCES else "ink"
         marker = "" if name in DIFFERENCES else "o"
-        ax.plot(*points.T, color=palette()[role], linestyle=DIFFERENCES.get(name, "-"), marker=marker)
+        curve(ax, *points.T, role, linestyle=DIFFERENCES.get(name, "-"), marker=marker)
         if name in labels:
-            label_method(ax, points, palette()[role], *labels[name])
+            label_method(ax, points, role, *labels[name])
     times, errors = np.array(sorted((row[cost], row[error]) for row in rows)).T
     corner = errors == np.minimum.accumulate(errors)
     ends = [*times[corner], right], [*errors[corner], errors.min()]
-    ax.step(*ends, where="post", color=palette()["reference"], linewidth=5, alpha=0.3, zorder=0)
+    curve(ax, *ends, "reference", drawstyle="steps-post", linewidth=5, alpha=0.3, zorder=0)
 
 
-def label_numbers() -> dict[str, str | int]:
-    """Return where, when and at which commit it was measured, as numbers of a figure."""
-    label = read("work_precision")["label"]
-    cited = {name: label[name] for name in ("machine", "processor", "python", "date", "commit", "rounds")}
-    return cited | {"absent": len(label["absent"])}
-
-
-@figure("work_precision", data=[RECORD])
-def work_precision_figure() -> Drawing:
+@figure("work_precision", record="work_precision")
+def work_precision_figure(record: dict) -> Drawing:
     """Nanoseconds a gradient against the largest error at 50 digits: every method, a curve over its parameter."""
-    rows = read("work_precision")["gradients"]
+    rows, measured = record["gradients"], record["label"]
     fig, ax = plot("page", height=5.6)
     draw_methods(ax, rows, "ns", "error", GRADIENT_LABELS, 1e6)
     decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
     own = sorted((r for r in rows if r["method"] in CLUSTER), key=lambda r: r["ns"])
     middle = float(np.exp(np.mean([np.log(r["ns"]) for r in own])))
     text = "from the left:\n" + ", ".join(CLUSTER[r["method"]] for r in own)
-    ax.annotate(text, (middle, own[0]["error"]), xytext=(0, -48), textcoords="offset points", ha="center", va="top",
-                color=palette()["ink"], arrowprops={"arrowstyle": "-", "color": palette()["muted"]})  # fmt: skip
-    numbers = work_precision.gradient_numbers(rows) | label_numbers() | dict(zip(("from", "to"), CLEAR, strict=True))
-    numbers["fewest"] = min(row["points"] for row in rows)
-    return Drawing(fig, numbers=numbers, data=columns(rows, ("method", "value", "ns", "error")))
+    label(ax, (middle, own[0]["error"]), text, "ink", (0, -48), ha="center", va="top",
+          arrowprops={"arrowstyle": "-", "color": colour_of("muted")})  # fmt: skip
+    numbers = work_precision.gradient_numbers(rows) | dict(zip(("from", "to"), CLEAR, strict=True))
+    numbers |= {name: measured[name] for name in ("machine", "processor", "python", "date", "commit")}
+    numbers |= {"absent": len(measured["absent"]), "fewest": min(row["points"] for row in rows)}
+    return Drawing(fig, numbers, columns(rows, ("method", "value", "ns", "error")))
 
 
-@figure("work_precision_frames", data=[RECORD])
-def work_precision_frames() -> Drawing:
+@figure(record="work_precision")
+def work_precision_frames(record: dict) -> Drawing:
     """Milliseconds a frame against the image's error at 50 digits: sine by its largest error, ridges by its RMS."""
-    rows = read("work_precision")["frames"]
+    rows = record["frames"]
     fig, axes = plot(height=4.2, ncols=2, sharey=True)
-    numbers = label_numbers() | {"side": read("work_precision")["label"]["side"], "sampled": work_precision.PIXELS}
+    numbers = {"side": record["label"]["side"], "sampled": work_precision.PIXELS}
     shown = (("sine", "largest", "sine: largest"), ("ridges", "rms", "ridges: RMS, creases and all"))
     for ax, (field, error, title) in zip(axes, shown, strict=True):
         chosen = [r for r in rows if r["field"] == field]
@@ -123,9 +114,9 @@ def work_precision_frames() -> Drawing:
         draw_methods(ax, chosen, "ms", error, FRAME_LABELS, 1.15 * longest)
         limits = {"xlim": (0, 1.25 * longest), "ylim": (1e-17, 1e2)}
         decades(ax, None, 2, **limits, title=title, xlabel="time, ms a frame")
-        for best in work_precision.best_rows(chosen, error):
-            key = f"{field}_{work_precision.key_of(best['method'])}"
-            numbers |= {f"{key}_ms": best["ms"], f"{key}_error": best[error]}
-        numbers[f"{field}_beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
+        numbers[field] = {
+            work_precision.key_of(r["method"]): {"error": r[error]} for r in work_precision.best_rows(chosen, error)
+        }
+        numbers[field]["beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
     axes[0].set_ylabel("error of the image on A")
-    return Drawing(fig, numbers=numbers, data=columns(rows, ("field", "method", "value", "ms", "largest", "rms")))
+    return Drawing(fig, numbers, columns(rows, ("field", "method", "value", "ms", "largest", "rms")))

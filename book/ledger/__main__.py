@@ -8,21 +8,16 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from book.assembly.report import NoReport
-from book.ledger.check import faults_in
-from book.ledger.entries import VERDICTS, BadLedger, load
+from book.ledger.check import standing
+from book.ledger.entries import VERDICTS
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """The exit status: 0 when the ledger stands, 1 when it does not."""
     argparse.ArgumentParser(prog="python -m book.ledger", description=__doc__.splitlines()[0]).parse_args(arguments)
-    from book.ledger.run import last_run
-
     try:
-        ledger = load()
-        if faults := faults_in(ledger, last_run()):
-            raise BadLedger(faults)
-    except (BadLedger, NoReport) as error:
+        ledger, _ = standing()
+    except ValueError as error:
         print(f"ledger: {error}", file=sys.stderr)
         return 1
     counts = Counter(claim.verdict for claim in ledger.claims)

@@ -1,14 +1,22 @@
-"""Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim."""
+"""Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim.
 
+What an entry's texts cite is held by the site's build, which prints them.
+"""
+
+import ast
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 from typing import Any
 
-from book.ledger.entries import CONDITIONAL, FINDINGS, NUMBER_ROLE, OUTSIDE, Evidence, Ledger, LedgerClaim
-from book.ledger.relations import relation
+from book.assembly import report, stamps
+from book.assembly.contents import page_files
+from book.assembly.results import look_up, parse
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, BadLedger, Evidence, Ledger, LedgerClaim, load, relation
 
-THEOREM_ROLE = re.compile(r"\{theorem-ref\}`([^`|]+)")
+KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)  # of the bibliography
 
 
 @dataclass(frozen=True)
@@ -24,6 +32,41 @@ class Run:
     sources: frozenset[str]
     number: Callable[[str], Any]
     test: Callable[[str], bool]
+
+
+def last_run() -> Run:
+    """The last run over the sources as they are; raises report.NoReport where there is none."""
+    book, entries = stamps.ROOT / "book", report.load()
+    return Run(
+        grades={id: entry["grade"] for id, entry in entries.items()},
+        expected={id: entry["expected"] for id, entry in entries.items()},
+        pages=frozenset(page_files(book)),
+        sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
+        number=lambda name: look_up(book, *parse(name)[:2]),
+        test=lambda node: node_exists(stamps.ROOT, node),
+    )
+
+
+def node_exists(root: Path, node: str) -> bool:
+    """Whether a test of this node id, "tests/test_x.py::test_y", is there; its parameters are not looked at."""
+    file, _, name = node.partition("::")
+    return name.partition("[")[0] in tests_in(root / file)
+
+
+@cache
+def tests_in(path: Path) -> dict[str, int]:
+    """The tests of a file, and the line where each begins."""
+    body = ast.parse(path.read_text(encoding="utf-8")).body if path.is_file() else ()
+    functions = (node for node in body if isinstance(node, ast.FunctionDef))
+    return {node.name: node.lineno for node in functions if node.name.startswith("test")}
+
+
+def standing() -> tuple[Ledger, Run]:
+    """The ledger, and the last run, which bears it out; raises BadLedger or NoReport."""
+    ledger, run = load(), last_run()
+    if faults := faults_in(ledger, run):
+        raise BadLedger(faults)
+    return ledger, run
 
 
 def faults_in(ledger: Ledger, run: Run) -> list[str]:
@@ -43,21 +86,23 @@ def refutes(piece: Evidence, run: Run) -> bool:
 
 def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
-    if claim.of_seed and place not in ledger.places:
-        yield f"where: {place!r} is no place of the seed; there are: {', '.join(ledger.places)}"
-    if not claim.of_seed and place not in run.pages:
-        yield f"where: {place!r} is no page; there are: {', '.join(sorted(run.pages))}"
-    for field, text in claim.texts().items():
-        yield from (f"{field}: {why}" for name in NUMBER_ROLE.findall(text) if (why := _odd_number(name, None, run)))
-        unknown = (name for name in THEOREM_ROLE.findall(text) if name not in run.grades)
-        yield from (f"{field}: unknown theorem {name!r}" for name in unknown)
+    known, what = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
+    if place not in known:
+        yield f"where: {place!r} is no {what}; there are: {', '.join(known)}"
     broken = [f"evidence {piece.name}: {why}" for piece in claim.evidence if (why := _odd(piece, run))]
     yield from broken or _verdict(claim, run)
 
 
 def _odd(piece: Evidence, run: Run) -> str:
+    """What is wrong with a piece of evidence; or ""."""
     if piece.kind == "number":
-        return _odd_number(piece.name, piece.wants, run)
+        try:
+            value = run.number(piece.name)
+        except ValueError as error:
+            return f"number: {error}"
+        if isinstance(value, str):
+            return f"number: it is the text {value!r}"
+        return "" if relation(piece.wants).holds(value) else f"is: {piece.wants} is expected, the run has {value}"
     if piece.kind == "test":
         return "" if run.test(piece.name) else "test: there is no such test"
     if piece.kind == "source":
@@ -66,19 +111,6 @@ def _odd(piece: Evidence, run: Run) -> str:
         return "theorem: no theorem has this id"
     grade, expected = run.grades[piece.name], run.expected[piece.name]
     return "" if grade == expected else f"grade: {expected} is expected, the run made it {grade}"
-
-
-def _odd_number(name: str, wants: str | None, run: Run) -> str:
-    """What is wrong with a number, or with what is asked of it; or ""."""
-    try:
-        value = run.number(name)
-    except ValueError as error:
-        return f"number: {error}" if wants else str(error)
-    if wants is None:
-        return ""
-    if isinstance(value, str):
-        return f"number: it is the text {value!r}"
-    return "" if relation(wants).holds(value) else f"is: {wants} is expected, the run has {value}"
 
 
 def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:

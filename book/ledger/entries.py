@@ -1,15 +1,59 @@
-"""Read the ledger's files into entries, and refuse what no run is needed to refuse: schema.json says what they are."""
+"""Read the ledger's files into entries, and refuse what no run is needed to refuse: schema.json says what they are.
 
+A number has to satisfy a relation: `== 0`, `< 1e-12`, `in [0.45, 0.65]`.
+"""
+
+import operator
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from jsonschema import Draft202012Validator, FormatChecker
 
 from book.assembly.stamps import table_in
-from book.ledger.relations import relation
+from renderer.picture.differences import Interval
+
+ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
+HOLDS: dict[str, Callable[..., bool]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "<": operator.lt,
+    ">": operator.gt,
+    "in": lambda value, low, high: low <= value <= high,
+}
+FORMS = (r"(==|!=|<=|>=|<|>)\s*(\S+)", r"(in)\s*\[\s*([^\s,]+)\s*,\s*([^\s,\]]+)\s*\]")
+
+
+class Relation(NamedTuple):
+    """A comparison with a number, or "in" with the two ends of an interval."""
+
+    sign: str
+    numbers: tuple[float, ...]
+
+    def holds(self, value: float | Interval) -> bool:
+        """Whether a number satisfies it; of one that is enclosed, whether it certainly does."""
+        ends = (value.lower, value.upper) if isinstance(value, Interval) else (value,)
+        return all(HOLDS[self.sign](end, *self.numbers) for end in ends)
+
+
+def relation(text: str) -> Relation:
+    """Read a relation; ValueError says what is allowed."""
+    for form in FORMS:
+        if match := re.fullmatch(form, str(text).strip()):
+            sign, *ends = match.groups()
+            try:
+                numbers = tuple(map(float, ends))
+            except ValueError:
+                break
+            if sorted(numbers) == list(numbers):
+                return Relation(sign, numbers)
+    raise ValueError(f"{text!r} is not a relation; allowed is {ALLOWED}")
+
 
 FOLDER = Path(__file__).resolve().parent
 CONDITIONAL, OUTSIDE = "holds with a condition", "outside this chapter: not checked"
@@ -20,7 +64,6 @@ FORMATS.checks("relation", ValueError)(relation)
 FINDINGS = table_in(FOLDER / "findings.toml")["findings"]  # code → name
 WORDS = table_in(FOLDER / "words.toml")["words"]  # a number → what it says
 KINDS = ("theorem", "number", "test", "source")
-NUMBER_ROLE = re.compile(r"\{number\}`([^`|\s]+)[^`]*`")
 
 
 class BadLedger(ValueError):
@@ -64,11 +107,6 @@ class LedgerClaim:
     def of_seed(self) -> bool:
         """Whether the seed says it; otherwise the book does."""
         return self.where.startswith("seed:")
-
-    def texts(self) -> dict[str, str]:
-        """Every text by its field."""
-        fields = ("words", "so", "merit", "condition", "reason")
-        return {name: getattr(self, name) for name in fields if getattr(self, name)}
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,18 @@
-"""The laboratory's page as data: its cells, each of prose and code, and its prose as plain Markdown."""
+"""The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together."""
 
+import json
 import re
 from dataclasses import dataclass
 from functools import cache
 
 from myst_nb.core.read import read_myst_markdown_notebook
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from pybtex.database import parse_file
 
 from book.assembly import stamps
 from book.assembly.results import E_NOTATION, formatted, look_up, measured, parse
+from book.notebooks import WHOLE
+from book.releases.record import version
 
 BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"
@@ -45,21 +49,13 @@ class Cell:
 
 @cache
 def cells() -> tuple[Cell, ...]:
-    """Return the laboratory's Cells. Raises ValueError unless they are numbered from 1."""
-    started: list[tuple[int, str, list[Part]]] = []
-    for piece in read_myst_markdown_notebook(PAGE.read_text(encoding="utf-8")).cells:
-        if piece.cell_type == "code":
-            started[-1][2].append(Part(piece.source, True))
-            continue
-        text, *headed = HEADING.split(piece.source)  # number, title and text of each heading
-        if started and text.strip():
-            started[-1][2].append(Part(text.strip()))
-        for number, title, text in zip(*[iter(headed)] * 3, strict=True):
-            started.append((int(number), title, [Part(text.strip())] if text.strip() else []))
-    numbers = [number for number, _, _ in started]
-    if numbers != list(range(1, len(started) + 1)):
-        raise ValueError(f"cells {numbers} of {PAGE.name} are not allowed: 1, 2, 3, …")
-    return tuple(Cell(number, title, tuple(parts)) for number, title, parts in started)
+    """Return the laboratory's Cells."""
+    _, *headed = HEADING.split(PAGE.read_text(encoding="utf-8"))  # number, title and text of each
+    parts = [
+        tuple(Part(cell.source.strip(), cell.cell_type == "code") for cell in read_myst_markdown_notebook(text).cells)
+        for text in headed[2::3]
+    ]
+    return tuple(map(Cell, map(int, headed[::3]), headed[1::3], parts))
 
 
 def number(text: str) -> str:
@@ -103,3 +99,34 @@ def plain(text: str) -> str:
     text = re.sub(r"^\([\w-]+\)=\n?", "", text + "\n", flags=re.MULTILINE)
     text = ROLE.sub(_said, DIRECTIVE.sub(_directive, text))
     return re.sub(r"\[([^\]]+)\]\(#[^)]*\)", r"\1", text).strip()
+
+
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+ABOUT = (
+    "From §5 of *Bump Mapping, or the Derivative Is the Texture*, version {version}. It runs with Python 3.11 or "
+    "newer, NumPy, SymPy, mpmath and Matplotlib: no network, no other file."
+)
+
+
+def _notebook(title: str, body: list[dict]) -> dict:
+    top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=version())}")
+    every = [cell | {"id": f"cell-{number}"} for number, cell in enumerate([top, *body])]
+    return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
+
+
+def notebooks() -> dict[str, dict]:
+    """Return {name: notebook}, one of each cell and one of all."""
+    alone: dict[str, dict] = {}
+    everything: list[dict] = []
+    for cell in cells():
+        title = f"Cell {cell.number}. {cell.title}"
+        body = [new_code_cell(p.text) if p.is_code else new_markdown_cell(plain(p.text)) for p in cell.parts]
+        body = [part for part in body if part["source"]]
+        alone[cell.name] = _notebook(title, body)
+        everything += [new_markdown_cell(f"## {title}"), *body]
+    return alone | {WHOLE: _notebook("The laboratory", everything)}
+
+
+def text_of(notebook: dict) -> str:
+    """Return a notebook as the text of its file: the same in every build."""
+    return json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"

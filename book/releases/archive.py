@@ -28,27 +28,21 @@ def before(version: str) -> str:
 
 
 def read(version: str) -> dict:
-    """A release's record. Refused if it is missing or of another format."""
+    """A release's record. Refused if it is missing."""
     path = RELEASES / f"{version}.json"
     if not path.is_file():
         raise stamps.Refused(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")
-    content = stamps.table_in(path)
-    if content["format"] != record.FORMAT:
-        raise stamps.Refused(f"{path.name} has format {content['format']}, this program reads {record.FORMAT}")
-    return content
+    return stamps.table_in(path)
 
 
 def write(now: dict) -> Path:
     """Write a release's pictures, then its record; remove the pictures of releases that nothing is compared with."""
-    version = now["version"]
-    work = RELEASES / f".{version}"
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    path = RELEASES / f"{now['version']}.json"
+    folder = path.with_suffix("")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     for picture in now["pictures"].values():
-        pictures.archive(record.GENERATED / pictures.data_name(picture), work)
-    shutil.rmtree(RELEASES / version, ignore_errors=True)
-    work.rename(RELEASES / version)
-    path = RELEASES / f"{version}.json"
+        pictures.archive(record.GENERATED / pictures.data_name(picture), folder)
     text = json.dumps(now, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
     stamps.write_whole(path, text.encode())
     for old in versions()[:-PICTURES_KEPT]:

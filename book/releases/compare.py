@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from book.releases.pictures import CANVAS, arrays_of, data_name
-from book.releases.tolerances import is_within
+from book.releases.record import is_within
 from renderer.picture.differences import rms
 from verify.checkers.grades import STANDING
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from book.drawing.data import SUFFIXES, read_data
+from book.drawing.save import SUFFIXES, read_data
 
 CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no single picture has this name
 

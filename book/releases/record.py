@@ -1,19 +1,23 @@
 """The record of a release: grades of theorems, numbers with their tolerances, measured ratios, digests of pictures.
 
 It is made from what `python -m book figures` and the theorems' run have left in book/_generated, and from the committed
-results of `make bench`; it has no date and no commit, so that the same sources give the same bytes.
+results of `make bench`; it has no date and no commit, so that the same sources give the same bytes. A tolerance says
+how far a number may move between releases without being named.
 """
 
 import hashlib
+from fnmatch import fnmatchcase
+from functools import cache
 from pathlib import Path
 
 from book.assembly import report, stamps
 from book.releases.pictures import archive_file
-from book.releases.tolerances import tolerance
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 BENCHMARKS = stamps.ROOT / "verify" / "benchmark" / "results"
 FORMAT = 1
+RULES = Path(__file__).with_name("tolerances.toml")
+ANY = "any"  # of a label, which may be anything
 LABELS = ("machine", "processor", "date", "commit")
 
 
@@ -63,3 +67,34 @@ def _digests(figure: dict) -> dict:
     paths = (path for path in GENERATED.glob(f"{figure['id']}.*") if path.suffix != ".json")
     files = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
     return {"files": files, "kept": name, "content": content}
+
+
+@cache
+def rules(path: Path = RULES) -> dict:
+    """The file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
+    content = stamps.table_in(path)
+    for rule in content["rule"]:
+        if not rule.get("why", "").strip():
+            raise ValueError(f"{path.name}: the rule for {rule['numbers']} needs a why")
+        if not rule["within"] >= 0:
+            raise ValueError(f"{path.name}: within = {rule['within']} is not allowed: a number ≥ 0, or inf")
+    return content
+
+
+def tolerance(name: str, value: int | float | str | bool) -> float | str:
+    """The tolerance of a number: relative, 0 for exact, "any" for a label."""
+    for rule in rules()["rule"]:
+        if any(fnmatchcase(name, pattern) for pattern in rule["numbers"]):
+            if rule["within"] == float("inf"):
+                return ANY
+            return 0 if isinstance(value, str | bool) else rule["within"]
+    return rules()["floats"] if isinstance(value, float) else 0
+
+
+def is_within(before: int | float | str | bool, after: int | float | str | bool, allowed: float | str) -> bool:
+    """Whether a number is still what it was, as far as its tolerance says."""
+    if allowed == ANY or (before == after and type(before) is type(after)):
+        return True
+    if isinstance(before, str | bool) or isinstance(after, str | bool):
+        return False
+    return abs(after - before) <= float(allowed) * max(abs(before), abs(after))

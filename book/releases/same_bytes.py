@@ -1,12 +1,11 @@
 """Whether a build from a clean clone in another folder gives the same bytes as the one here."""
 
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
-from itertools import zip_longest
+from os.path import commonprefix  # of any text, byte by byte
 from pathlib import Path
 
 from book.assembly import stamps
@@ -30,26 +29,14 @@ def differences(one: Path, other: Path) -> list[str]:
     for name in here.keys() & there.keys():
         first, second = here[name].read_bytes(), there[name].read_bytes()
         if first != second:
-            at = next(i for i, (a, b) in enumerate(zip_longest(first, second)) if a != b)
+            at = len(commonprefix([first, second]))  # noqa: RUF071
             seen = slice(max(0, at - AROUND), at + AROUND)
             lines.append(f"{name}: differs from byte {at} on: {first[seen]!r} and {second[seen]!r}")
     return sorted(lines)
 
 
-def knows_git(root: Path) -> bool:
-    """Whether git is there and takes the folder for a repository."""
-    if shutil.which("git") is None or not (root / ".git").exists():
-        return False
-    return subprocess.run(["git", "rev-parse"], cwd=root, capture_output=True).returncode == 0
-
-
 def clone(root: Path, target: Path) -> None:
-    """Clone what is committed; without git, copy the sources alone. Refused if what is here is not committed."""
-    if not knows_git(root):
-        print("No git here: the sources are copied")
-        products = shutil.ignore_patterns(*stamps.PRODUCTS, "node_modules", ".*")
-        shutil.copytree(root, target, ignore=products)
-        return
+    """Clone what is committed. Refused if what is here is not."""
     command = ["git", "status", "--porcelain", "--", *stamps.PACKAGES, "requirements.lock", "pyproject.toml"]
     changed = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout.splitlines()
     if changed:
