@@ -192,7 +192,7 @@ for part in ('html', '../_generated'):
 
 
 def built(root: Path, monkeypatch, files: str) -> None:
-    """Make a project, a stand-in for this one, whose build writes {name: content}, an expression; commit and build it."""
+    """Make a project, a stand-in for this one, whose build writes {name: content}; commit and build it."""
     for package in stamps.PACKAGES:
         shutil.rmtree(root / package, ignore_errors=True)
         (root / package).mkdir()
@@ -201,13 +201,13 @@ def built(root: Path, monkeypatch, files: str) -> None:
     for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
         (root / name).write_text(text)
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
-    for command in (
+    for step in (
         [*git, "init", "-q"],
         [*git, "add", "."],
         [*git, "commit", "-qm", "x"],
         [sys.executable, "-m", "book"],
     ):
-        subprocess.run(command, cwd=root, check=True)
+        subprocess.run(step, cwd=root, check=True)
     monkeypatch.setattr(stamps, "ROOT", root)
 
 
