@@ -1,5 +1,6 @@
 """The verb sweep: the table of eps, of one frame or of a grid of frames, by threads here or workers elsewhere."""
 
+import gc
 import logging
 from argparse import Namespace
 from concurrent.futures import BrokenExecutor, CancelledError, ThreadPoolExecutor
@@ -76,9 +77,12 @@ def _workers(options):
         with extra("dask"):
             from distributed import Client, KilledWorker
         logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
-        client = Client(options.dask, timeout=10, set_as_default=False)
+        client, why = Client(options.dask, timeout=10, set_as_default=False), None
     except (ValueError, OSError) as error:
-        raise not_allowed("dask", options.dask, f"the address of a scheduler that answers ({error})") from None
+        why = error.with_traceback(None)
+    if why:
+        gc.collect()  # a client that found none closes itself: were it later, while another begins, both would wait
+        raise not_allowed("dask", options.dask, f"the address of a scheduler that answers ({why})")
     with client:
         try:
             yield client.get_executor()
