@@ -122,7 +122,7 @@ def test_a_report_that_is_stale_edited_by_hand_or_missing_is_refused(stamped, mo
     monkeypatch.setattr(report, "reported_hashes", lambda: sources)
     report.remember(sources)
     assert report.load() == {"refuted": {"id": "refuted"}}
-    for written, edit, why in (("proved", {}, r"stale.*python -m book check"), ("refuted", {"a.py": "0"}, "stale")):
+    for written, edit, why in (("proved", {}, r"stale.*python -m book"), ("refuted", {"a.py": "0"}, "stale")):
         path.write_text(text.replace("refuted", written))
         sources |= edit
         with pytest.raises(report.NoReport, match=why):

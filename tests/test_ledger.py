@@ -8,9 +8,8 @@ from types import SimpleNamespace
 import pytest
 from sphinx.errors import ExtensionError
 
-import book.ledger
 from book.extension.ledger import require_ledger
-from book.ledger import BadLedger, load
+from book.ledger import BadLedger, check, load
 from book.ledger.check import Run, faults_in, last_run, node_exists
 from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, relation
 from renderer.picture.differences import Interval
@@ -167,7 +166,7 @@ def test_the_ledger_stands(site):
 def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
     whole = load()
     claims = tuple(replace(claim, verdict="false") if claim.id == "ledger_flips" else claim for claim in whole.claims)
-    monkeypatch.setattr(book.ledger, "load", lambda: replace(whole, claims=claims))
+    monkeypatch.setattr(check, "load", lambda: replace(whole, claims=claims))
     with pytest.raises(ExtensionError, match="ledger_flips: verdict: 'false', and none of its evidence refutes it"):
         require_ledger(SimpleNamespace(srcdir=ROOT / "book"))
 
