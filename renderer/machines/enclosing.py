@@ -22,6 +22,7 @@ import math
 import operator
 import sys
 from contextvars import ContextVar
+from functools import partial
 from itertools import product
 from typing import Any
 
@@ -268,7 +269,8 @@ def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     return enclosed(a), enclosed(b)
 
 
-def _of_half_turns(kernel, product, factor):
+def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
+    """Return sin π ab or cos π ab: its slope is at most π, and it moves by 2 at most."""
     product, factor = enclosed(product), enclosed(factor)
     moved = times(ROUNDING, product.product_moves(factor))
     whole, rest = kernels.two_product.kernel(product.value, factor.value)
@@ -285,14 +287,8 @@ def _of_half_turns(kernel, product, factor):
     return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
 
 
-def sinpi(product: Any, factor: Any = 1.0) -> Enclosed:
-    """Return sin π ab: its slope is at most π, and it moves by 2 at most."""
-    return _of_half_turns(kernels.sinpi.kernel, product, factor)
-
-
-def cospi(product: Any, factor: Any = 1.0) -> Enclosed:
-    """Return cos π ab."""
-    return _of_half_turns(kernels.cospi.kernel, product, factor)
+sinpi = partial(_of_half_turns, kernels.sinpi.kernel)
+cospi = partial(_of_half_turns, kernels.cospi.kernel)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
