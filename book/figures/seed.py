@@ -119,7 +119,7 @@ def first_visible_step() -> float:
 
 def clamp_taken(eps: float) -> float:
     """Return the share of A's pixels whose v ± ε lies in the chart and whose rounded span is below 2ε all the same."""
-    v = symbolic().surface_data["v"][symbolic().stage.on_a]
+    v = symbolic().data_on_a["v"]
     v = v[(v - eps > 0) & (v + eps < 1)]
     return np.mean((v + eps) - (v - eps) < 2 * eps)
 
@@ -130,7 +130,7 @@ def seed_pictures() -> Drawing:
     right, on_a = symbolic(), symbolic().stage.on_a
     small, large = numeric(eps=1e-3), numeric(eps=1e-2)
     levels = np.abs(to_bytes(small.rgb).astype(int) - to_bytes(right.rgb))[on_a].max(axis=1)
-    h_u, h_v = (right.surface_data[name][on_a] for name in ("h_u", "h_v"))
+    h_u, h_v = (right.data_on_a[name] for name in ("h_u", "h_v"))
     sum_of_slopes, length = np.abs(h_u) + np.abs(h_v), np.hypot(h_u, h_v)
     steps = (1e-2, 1e-3, 1e-4)
     sine = [distance_on_a(numeric("sine", eps=eps), symbolic("sine"))[1] for eps in steps]
