@@ -9,8 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, seed, settings, target
-from hypothesis import strategies as st
+from hypothesis import Phase, given, seed, settings, strategies as st, target
 
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT

@@ -28,8 +28,7 @@ from typing import Any
 
 from renderer import kernels, operations
 from renderer.machines.bounded import Bounded, is_zero, plus, times
-from renderer.operations import UNIT, Constant
-from renderer.operations import where as inner_where
+from renderer.operations import UNIT, Constant, where as inner_where
 
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
