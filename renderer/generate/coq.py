@@ -191,7 +191,7 @@ OF_RATIO = (elementary.ratio_squared, elementary.arctangent_tail, elementary.sma
 ARCTANGENT_POLYNOMIAL = Program(
     "arctangent_polynomial",
     (elementary.ratio, elementary.node_correction),
-    tuple((symbol, elementary.angle_in_half_turns[symbol]) for symbol in OF_RATIO),
+    {symbol: elementary.angle_in_half_turns[symbol] for symbol in OF_RATIO},
 )
 """What the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
 EXPONENTIAL_POLYNOMIAL = Program(
@@ -206,7 +206,7 @@ def exponential_in_range() -> Program:
     """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
     *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
     lines.append((symbol, selection.args[-1].expr))
-    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, tuple(lines))
+    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, lines)
 
 
 def programs() -> dict[str, Program]:

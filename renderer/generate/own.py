@@ -139,7 +139,7 @@ def _program_of(name, lines):
         names[target.strip()] = real(target.strip())
         definitions.append((names[target.strip()], expression))
     try:
-        return Program(name, _SEEN_BY_A_LIGHT, tuple(definitions), (mu, specular_base))
+        return Program(name, _SEEN_BY_A_LIGHT, definitions, (mu, specular_base))
     except ValueError as error:
         raise not_allowed("program", name, f"{error}") from None
 
