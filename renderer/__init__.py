@@ -7,26 +7,22 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # what _HOMES says, for type checkers
-    from renderer.generate.own import HeightField as HeightField
-    from renderer.generate.own import LightModel as LightModel
-    from renderer.generate.own import cospi as cospi
-    from renderer.generate.own import k_u as k_u
-    from renderer.generate.own import k_v as k_v
-    from renderer.generate.own import sinpi as sinpi
-    from renderer.generate.own import u as u
-    from renderer.generate.own import v as v
-    from renderer.picture.drawing import render as render
-    from renderer.picture.drawing import stage_of as stage_of
+    from renderer.generate.own import (
+        HeightField as HeightField,
+        LightModel as LightModel,
+        cospi as cospi,
+        k_u as k_u,
+        k_v as k_v,
+        sinpi as sinpi,
+        u as u,
+        v as v,
+    )
+    from renderer.picture.drawing import render as render, stage_of as stage_of
     from renderer.picture.frame import Frame as Frame
     from renderer.picture.pixel_record import pixel as pixel
-    from renderer.scene.methods import central as central
-    from renderer.scene.methods import central4 as central4
-    from renderer.scene.methods import exact as exact
-    from renderer.scene.methods import forward as forward
-    from renderer.scene.scene import Light as Light
-    from renderer.scene.scene import Scene as Scene
-    from renderer.shader.gradients import gradient_at as gradient_at
-    from renderer.shader.gradients import height_at as height_at
+    from renderer.scene.methods import central as central, central4 as central4, exact as exact, forward as forward
+    from renderer.scene.scene import Light as Light, Scene as Scene
+    from renderer.shader.gradients import gradient_at as gradient_at, height_at as height_at
     from renderer.version import __version__ as __version__
 
 _HOMES = {

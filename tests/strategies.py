@@ -6,8 +6,7 @@ The quick profile is the default and gives the same examples every time; HYPOTHE
 import math
 import os
 
-from hypothesis import HealthCheck, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, settings, strategies as st
 
 from renderer import Light, Scene, central, central4, exact, forward
 from renderer.kernels import FIELDS

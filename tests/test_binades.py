@@ -13,7 +13,7 @@ SCENE = Scene(field="sine")
 @pytest.fixture(scope="module", params=STEPS)
 def step_and_points(request):
     frame = render(SCENE, 256, 256, central(request.param))
-    return request.param, {name: plane[frame.stage.on_a] for name, plane in frame.surface_data.items()}
+    return request.param, frame.data_on_a
 
 
 def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step_and_points):

@@ -16,8 +16,7 @@ import book.__main__ as command_line
 from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
-from book.releases import archive, command, compare, record, same_bytes
-from book.releases import notes as release_notes
+from book.releases import archive, command, compare, notes as release_notes, record, same_bytes
 
 GRADES = {
     "unit_length": {"grade": "proved", "given": [], "statement": "$|N| = 1$"},

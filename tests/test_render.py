@@ -7,8 +7,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from renderer import Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
 from renderer.machines import native, numpy_rows

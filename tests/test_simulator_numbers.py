@@ -171,7 +171,7 @@ def test_the_page_and_its_workers_paint_the_renderers_pictures(tab, size):
 def test_the_views_are_the_renderers(tab):
     """At a large step: the leading term is truncation, or a crease within ε; nothing else, and black off A."""
     frame = render(Scene(), 256, 256, central(0.01))
-    u, v = (frame.surface_data[name][frame.stage.on_a] for name in ("u", "v"))
+    u, v = (frame.data_on_a[name] for name in ("u", "v"))
     leading = BOUNDS["ridges"](u, v, 8.0, 4.0, 0.01)[1].astype(int)
     colours, terms = np.array([*map(ImageColor.getrgb, TERM_COLOURS)], np.uint8), np.zeros((256, 256, 3), np.uint8)
     terms[frame.stage.on_a] = colours[leading]

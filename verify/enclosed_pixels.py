@@ -16,7 +16,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Light, Scene, exact, render
 from renderer.scene.methods import GradientMethod
-from verify.accuracy.pixels import code_of, errors_of, truth_of
+from verify.accuracy.pixels import compared
 from verify.records import command
 from verify.strict import random_raster, random_scene
 
@@ -34,10 +34,9 @@ class Picture:
         """Return what each channel is certainly off, NaN where that is on an edge at any digits; its bound; and whether
         the chamber is another than the true one, and not open.
         """
-        frame, truth = self.frame, truth_of(self.frame, column, row)
-        off = [float(error.abs_lower()) for error in errors_of(frame, column, row, truth)]
-        missed = code_of(frame.scene, truth) != frame.chambers[row, column] and not frame.open[row, column]
-        return np.array(off), frame.bounds[row, column], bool(missed)
+        _, errors, same_chamber = compared(self.frame, column, row)
+        off = np.array([float(error.abs_lower()) for error in errors])
+        return off, self.frame.bounds[row, column], not (same_chamber or self.frame.open[row, column])
 
     def wrong(self, column: int, row: int) -> bool:
         """Return whether an error is above its bound, or a chamber missed."""

@@ -9,8 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, seed, settings, target
-from hypothesis import strategies as st
+from hypothesis import Phase, given, seed, settings, strategies as st, target
 
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT
@@ -20,7 +19,6 @@ from proofs.formulas.symbols import k_v
 from renderer import render
 from renderer.generate.step_terms import SLOPE_TERMS
 from verify.accuracy.base_errors import LEAST_SQUARE, RATIOS
-from verify.accuracy.binades import spacings
 from verify.accuracy.differences import SLOPES, Case, bounds, parts
 from verify.accuracy.gradient_errors import UNIT, errors_at
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
@@ -79,7 +77,7 @@ def pixel(name, column, row):
 def lost_step(significand, exponent, share):
     """Return half a spacing over a step that moved a slope, 0 where none moved; at a power of two a quarter."""
     at = np.ldexp(float(significand), exponent)
-    moved = any(map(float, binades.slopes(at, share * spacings(at))))
+    moved = any(map(float, binades.slopes(at, share * np.spacing(at))))
     return (0.25 if significand == 2**52 else 0.5) / share if moved else 0.0
 
 

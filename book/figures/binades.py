@@ -31,7 +31,7 @@ LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
 def shares(step: float) -> dict[str, dict[str, float]]:
     """Return the shares of A where h_u, h_v and both are 0: by theorem binades, and as the frame counts them."""
     frame = numeric("sine", SIZE, step)
-    u, v, h_u, h_v = (frame.surface_data[name][frame.stage.on_a] for name in ("u", "v", "h_u", "h_v"))
+    u, v, h_u, h_v = (frame.data_on_a[name] for name in ("u", "v", "h_u", "h_v"))
     found = {"theorem": (dies(u, step), dies(v, step)), "count": (h_u == 0, h_v == 0)}
     return {by: {"u": u.mean(), "v": v.mean(), "both": (u & v).mean()} for by, (u, v) in found.items()}
 

@@ -10,7 +10,7 @@ from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic
 from verify.accuracy.any_field import u_curve
-from verify.accuracy.pixels import SCENES, checked_pixels, errors_of, problems, truth_of
+from verify.accuracy.pixels import SCENES, checked_pixels, compared, problems
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -9
@@ -21,7 +21,7 @@ def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
     frame = symbolic(size=SIDE)
     places = ((column, row) for row in range(SIDE) for column in range(SIDE))
-    off = [[float(each.upper()) for each in errors_of(frame, *place, truth_of(frame, *place))] for place in places]
+    off = [[float(each.upper()) for each in compared(frame, *place)[1]] for place in places]
     bounds, errors = frame.bounds, np.reshape(off, (SIDE, SIDE, 3))  # rounded up, from 256-bit balls
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")

@@ -105,7 +105,7 @@ def frontier_leaks() -> Drawing:
 @figure
 def blinn_angles() -> Drawing:
     """The median angle between the chapter's N', as it is and with its sign turned, and Blinn's, in degrees."""
-    surface = {name: plane[symbolic().stage.on_a] for name, plane in symbolic().surface_data.items()}
+    surface = symbolic().data_on_a
     chapter, turned, _, blinn, _ = fiction.normals(SCENE, surface).values()
     apart = {"chapter": fiction.degrees(chapter, blinn), "turned": fiction.degrees(turned, blinn)}
     return Drawing(numbers={name: np.median(angles) for name, angles in apart.items()})

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 from types import ModuleType
 from unittest.mock import Mock, patch
 
@@ -31,7 +32,7 @@ def calls(gradient: Callable, holder: ModuleType, *names: str) -> int:
     """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
     counted = {name: Mock(wraps=getattr(holder, name)) for name in names}
     with patch.multiple(holder, **counted):
-        gradient(Scene(), 0.3, 0.4, 1e-3)
+        gradient(Scene(), 0.3, 0.4)
     return sum(function.call_count for function in counted.values())
 
 
@@ -77,7 +78,7 @@ def seed_cells() -> Drawing:
     """The seed's cells, done again: counts, checks of derivatives, a chart point, a crease and the cliff."""
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
-    ways = {"central": seed_loops.central_gradient, "exact": seed_loops.exact_gradient}
+    ways = {"central": partial(seed_loops.central_gradient, eps=1e-3), "exact": seed_loops.exact_gradient}
     central_calls, exact_calls = (calls(way, math, "sin", "cos") for way in ways.values())
     slope, *others = (gradient_at(Scene(), *SMOOTH_POINT, method)[0] for method in (exact(), *map(central, CLIFF)))
     numbers = {
@@ -119,7 +120,7 @@ def first_visible_step() -> float:
 
 def clamp_taken(eps: float) -> float:
     """Return the share of A's pixels whose v ± ε lies in the chart and whose rounded span is below 2ε all the same."""
-    v = symbolic().surface_data["v"][symbolic().stage.on_a]
+    v = symbolic().data_on_a["v"]
     v = v[(v - eps > 0) & (v + eps < 1)]
     return np.mean((v + eps) - (v - eps) < 2 * eps)
 
@@ -130,7 +131,7 @@ def seed_pictures() -> Drawing:
     right, on_a = symbolic(), symbolic().stage.on_a
     small, large = numeric(eps=1e-3), numeric(eps=1e-2)
     levels = np.abs(to_bytes(small.rgb).astype(int) - to_bytes(right.rgb))[on_a].max(axis=1)
-    h_u, h_v = (right.surface_data[name][on_a] for name in ("h_u", "h_v"))
+    h_u, h_v = (right.data_on_a[name] for name in ("h_u", "h_v"))
     sum_of_slopes, length = np.abs(h_u) + np.abs(h_v), np.hypot(h_u, h_v)
     steps = (1e-2, 1e-3, 1e-4)
     sine = [distance_on_a(numeric("sine", eps=eps), symbolic("sine"))[1] for eps in steps]

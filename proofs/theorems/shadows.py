@@ -4,8 +4,7 @@ from proofs.formulas.camera import distance, point_on_floor
 from proofs.formulas.shadow import body_radius, center, segment_squared, shadow, shadow_discriminant, toward_center
 from proofs.theorems.hits import distance_squared
 from proofs.theorems.language import *
-from proofs.theorems.silhouettes import conic_types
-from proofs.theorems.silhouettes import theorem as silhouette_of_b
+from proofs.theorems.silhouettes import conic_types, theorem as silhouette_of_b
 
 _on_floor = chain("on_floor", point_on_floor, shadow)
 _w = _wx, _wy, _wz = light - center

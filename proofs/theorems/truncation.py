@@ -1,8 +1,15 @@
 """The truncation error of the central difference of the smooth fields, with its constant."""
 
 from proofs.formulas.difference_cases import INSIDE, nothing_clamps, nothing_wraps
-from proofs.formulas.step_bounds import apart, crease_bound, slope_bound, steepest, truncation, truncation_bound
-from proofs.formulas.step_bounds import frequency as half_turns
+from proofs.formulas.step_bounds import (
+    apart,
+    crease_bound,
+    frequency as half_turns,
+    slope_bound,
+    steepest,
+    truncation,
+    truncation_bound,
+)
 from proofs.theorems.finite_difference import difference
 from proofs.theorems.language import *
 

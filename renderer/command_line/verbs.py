@@ -21,8 +21,7 @@ from renderer.command_line.options import (
     size_of,
 )
 from renderer.command_line.signals import Terminated, sigterm_stops
-from renderer.files import pictures as files
-from renderer.files import record
+from renderer.files import pictures as files, record
 from renderer.machines import machine
 from renderer.picture import views
 from renderer.picture.drawing import render

@@ -180,39 +180,40 @@ def _in_module(name, inside):
     return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
 
 
-def half_turn_polynomials() -> Program:
-    """Return what the kernels' sine and cosine evaluate once the argument is reduced."""
-    lines = tuple(elementary.reduction.items())
-    first = [*elementary.reduction].index(elementary.z)
-    outputs = (elementary.sine_near, elementary.cosine_near)
-    return Program("half_turn_polynomials", (elementary.remainder,), lines[first:], outputs)
-
-
-def arctangent_polynomial() -> Program:
-    """Return what the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
-    of_ratio = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
-    lines = tuple((symbol, elementary.angle_in_half_turns[symbol]) for symbol in of_ratio)
-    return Program("arctangent_polynomial", (elementary.ratio, elementary.node_correction), lines)
-
-
-def exponential_polynomial() -> Program:
-    """Return what the kernels' exp evaluates once the doublings are taken off."""
-    lines = exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1]
-    return Program("exponential_polynomial", (exponential.away, exponential.away_error), lines)
+HALF_TURN_POLYNOMIALS = Program(
+    "half_turn_polynomials",
+    (elementary.remainder,),
+    tuple(elementary.reduction.items())[[*elementary.reduction].index(elementary.z) :],
+    (elementary.sine_near, elementary.cosine_near),
+)
+"""What the kernels' sine and cosine evaluate once the argument is reduced."""
+OF_RATIO = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
+ARCTANGENT_POLYNOMIAL = Program(
+    "arctangent_polynomial",
+    (elementary.ratio, elementary.node_correction),
+    {symbol: elementary.angle_in_half_turns[symbol] for symbol in OF_RATIO},
+)
+"""What the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
+EXPONENTIAL_POLYNOMIAL = Program(
+    "exponential_polynomial",
+    (exponential.away, exponential.away_error),
+    exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1],
+)
+"""What the kernels' exp evaluates once the doublings are taken off."""
 
 
 def exponential_in_range() -> Program:
     """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
     *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
     lines.append((symbol, selection.args[-1].expr))
-    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, tuple(lines))
+    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, lines)
 
 
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
     found += [*image_derivative.base_derivatives.values()]
-    found += [half_turn_polynomials(), arctangent_polynomial(), exponential_polynomial()]
+    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL]
     programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
     found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
     return by_name(found)
@@ -227,7 +228,7 @@ def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
     kernels = [
         elementary.two_product,
-        half_turn_polynomials(),
+        HALF_TURN_POLYNOMIALS,
         elementary.sine_of_half_turns,
         elementary.cosine_of_half_turns,
         elementary.angle_in_half_turns,

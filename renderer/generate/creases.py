@@ -20,12 +20,12 @@ radius_of_parallel, angles_at = map(function_of, (parallel_radius, chart_inverse
 
 def crease_rates(field: HeightField) -> Callable:
     """Return the function (k_u, k_v) → for each crease factor sinpi(a u + b v + c): a, b and c."""
-    lines = []
+    lines: dict = {}
     for number, factor in enumerate(field.creases):
         turns = expand(factor.args[0])
         parts = diff(turns, u), diff(turns, v), turns.subs({u: 0, v: 0})
-        lines += [(real(f"rate_{number}_{part}"), value) for part, value in enumerate(parts)]
-    return function_of(Program(f"creases_{field.name}", (k_u, k_v), tuple(lines), tuple(name for name, _ in lines)))
+        lines |= {real(f"rate_{number}_{part}"): value for part, value in enumerate(parts)}
+    return function_of(Program(f"creases_{field.name}", (k_u, k_v), lines, [*lines]))
 
 
 def crease_point(

@@ -9,18 +9,23 @@ from functools import cache
 from typing import Any
 
 from proofs.engine.program import Program
-from proofs.formulas.half_turns import cospi as cospi
-from proofs.formulas.half_turns import sinpi as sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.height_fields import HeightField as HeightField
+from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
+from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
 from proofs.formulas.registry import check_name
-from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.shading import LightModel as LightModel
-from proofs.formulas.symbols import bumped, light, mu, point, real, specular_base, view
-from proofs.formulas.symbols import k_u as k_u
-from proofs.formulas.symbols import k_v as k_v
-from proofs.formulas.symbols import u as u
-from proofs.formulas.symbols import v as v
+from proofs.formulas.shading import LIGHT_MODELS, LightModel as LightModel
+from proofs.formulas.symbols import (
+    bumped,
+    k_u as k_u,
+    k_v as k_v,
+    light,
+    mu,
+    point,
+    real,
+    specular_base,
+    u as u,
+    v as v,
+    view,
+)
 from renderer import kernels
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
@@ -134,7 +139,7 @@ def _program_of(name, lines):
         names[target.strip()] = real(target.strip())
         definitions.append((names[target.strip()], expression))
     try:
-        return Program(name, _SEEN_BY_A_LIGHT, tuple(definitions), (mu, specular_base))
+        return Program(name, _SEEN_BY_A_LIGHT, definitions, (mu, specular_base))
     except ValueError as error:
         raise not_allowed("program", name, f"{error}") from None
 

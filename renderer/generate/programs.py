@@ -101,10 +101,9 @@ def field_programs(field: HeightField) -> dict[str, Program]:
         "straddling": creases.straddling(field),
     }
     if field.wave_numbers:
-        a, b = real("a b")
-        lines = tuple(zip((a, b), field.wave_numbers, strict=True))
+        waves = real("a b")
         programs["gradient_from_factors"] = height_fields.gradient_from_factors(field)
-        programs["wave_numbers"] = Program(f"wave_numbers_{field.name}", (k_u, k_v), lines, (a, b))
+        programs["wave_numbers"] = Program(f"wave_numbers_{field.name}", (k_u, k_v), {waves: field.wave_numbers}, waves)
     return programs
 
 

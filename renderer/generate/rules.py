@@ -106,20 +106,12 @@ class Term:
     def __neg__(self):
         return type(self)(f"- {self.operand(self)}")
 
-    def __lt__(self, other):
-        return Decision(applied("Rlt_dec", self, other))
+    def _compare(decision):
+        return lambda *sides: Decision(applied(decision, *sides)), lambda *sides: Decision(
+            applied(decision, *sides[::-1])
+        )
 
-    def __le__(self, other):
-        return Decision(applied("Rle_dec", self, other))
-
-    def __gt__(self, other):
-        return Decision(applied("Rlt_dec", other, self))
-
-    def __ge__(self, other):
-        return Decision(applied("Rle_dec", other, self))
-
-    def __eq__(self, other):
-        return Decision(applied("Req_EM_T", self, other))
+    (__lt__, __gt__), (__le__, __ge__), (__eq__, _) = map(_compare, ("Rlt_dec", "Rle_dec", "Req_EM_T"))  # type: ignore[arg-type]
 
 
 def rule(program: Program) -> list[str]:

@@ -14,8 +14,7 @@ from proofs.formulas.certified import CERTIFIED
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.step_bounds import TERMS
-from proofs.formulas.symbols import u as along_u
-from proofs.formulas.symbols import v as along_v
+from proofs.formulas.symbols import u as along_u, v as along_v
 from renderer import kernels
 from renderer.generate.kernels import function_of
 from renderer.generate.programs import field_programs

@@ -22,13 +22,13 @@ import math
 import operator
 import sys
 from contextvars import ContextVar
+from functools import partial
 from itertools import product
 from typing import Any
 
 from renderer import kernels, operations
 from renderer.machines.bounded import Bounded, is_zero, plus, times
-from renderer.operations import UNIT, Constant
-from renderer.operations import where as inner_where
+from renderer.operations import UNIT, Constant, where as inner_where
 
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
@@ -268,7 +268,8 @@ def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     return enclosed(a), enclosed(b)
 
 
-def _of_half_turns(kernel, product, factor):
+def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
+    """Return sin π ab or cos π ab: its slope is at most π, and it moves by 2 at most."""
     product, factor = enclosed(product), enclosed(factor)
     moved = times(ROUNDING, product.product_moves(factor))
     whole, rest = kernels.two_product.kernel(product.value, factor.value)
@@ -285,14 +286,8 @@ def _of_half_turns(kernel, product, factor):
     return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
 
 
-def sinpi(product: Any, factor: Any = 1.0) -> Enclosed:
-    """Return sin π ab: its slope is at most π, and it moves by 2 at most."""
-    return _of_half_turns(kernels.sinpi.kernel, product, factor)
-
-
-def cospi(product: Any, factor: Any = 1.0) -> Enclosed:
-    """Return cos π ab."""
-    return _of_half_turns(kernels.cospi.kernel, product, factor)
+sinpi = partial(_of_half_turns, kernels.sinpi.kernel)
+cospi = partial(_of_half_turns, kernels.cospi.kernel)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:

@@ -177,8 +177,8 @@ class Frame:
 
     @cached_property
     @np.errstate(all="ignore")
-    def _on_a(self):
-        """What is known of A's pixels: {name: (pixels of A,) float64}, as in `surface_data`."""
+    def data_on_a(self) -> dict[str, np.ndarray]:
+        """What is known of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
         scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
@@ -213,21 +213,21 @@ class Frame:
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
         are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.
         """
-        data = {name: self._plane(values, np.nan) for name, values in self._on_a.items()}
+        data = {name: self._plane(values, np.nan) for name, values in self.data_on_a.items()}
         read_only(*data.values())
         return data
 
     @property
     def kink(self) -> np.ndarray:
         """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
-        return self._plane(self._on_a["kink"] == 1.0, False, bool)
+        return self._plane(self.data_on_a["kink"] == 1.0, False, bool)
 
     @property
     def slope(self) -> np.ndarray:
         """(height, width) float64: √(h_u² + h_v²) by the frame's method; 0 off A."""
-        return self._plane(self._on_a["slope"], 0.0)
+        return self._plane(self.data_on_a["slope"], 0.0)
 
     @property
     def straddling(self) -> np.ndarray:
         """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
-        return self._plane(self._on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)
+        return self._plane(self.data_on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)

@@ -100,7 +100,7 @@ def _lit(frame):
 
 
 def _on_a(frame):
-    data = {name: plane[0, 0].item() for name, plane in frame.surface_data.items()}
+    data = {name: values.item() for name, values in frame.data_on_a.items()}
     theta, phi = kernels.chart_radians(data["u"], data["v"])
     return {name: data[name] for name in ("u", "v", "h")} | {
         "theta": theta,

@@ -11,10 +11,10 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Symbol, diff
 
-from proofs.engine.program import Program
+from proofs.engine.program import chain
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HeightField, gradient
-from proofs.formulas.symbols import k_u, k_v, real, u, v
+from proofs.formulas.symbols import real
 from renderer.checks import not_allowed
 from renderer.machines.enclosing import SLACK
 from verify.evaluate.arrays import BITS, Inputs, distance, in_balls, with_bounds
@@ -39,7 +39,7 @@ def third_derivatives(field: HeightField, along: Symbol, inputs: Inputs, steps: 
     if field.creases:
         raise not_allowed("field", field.name, "one without creases")
     third: Expr = diff(field.expression, along, 3)
-    balls = Balls(Program("third", (u, v, k_u, k_v), ((THIRD, third),)))
+    balls = Balls(chain("third", {THIRD: third}))
     found = []
     for step in steps.tolist():
         size = balls({**inputs, along.name: arb(inputs[along.name], step)}, BITS)["third"].abs_upper()

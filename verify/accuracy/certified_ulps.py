@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 from flint import arb, arb_series, ctx
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.formulas import elementary as e
 from renderer import kernels
 from verify.accuracy.exponential_ulps import exponential_pieces, logarithm_pieces, power_pieces
@@ -126,8 +126,8 @@ class _Angle:
     @staticmethod
     def _decided(program, *branches):
         """Return the last lines with the octant chosen: 0 the reflection, 1 the value as it is."""
-        lines = [(s, program[s].args[b][0]) for s, b in zip((e.first_quadrant, e.half_plane), branches, strict=True)]
-        return Program("octant", (e.first_octant,), tuple(lines), (e.half_plane,))
+        chosen = zip((e.first_quadrant, e.half_plane), branches, strict=True)
+        return chain("octant", {s: program[s].args[branch][0] for s, branch in chosen})
 
     def piece(self, low, high, middle, steep):
         smallest = high <= arb(2) ** SMALLEST

@@ -80,7 +80,7 @@ def quadrature(component: str, step: float) -> float:
 
 def on_the_raster(component: str, step: float, frame: Frame) -> float:
     """Return the same RMS over the pixels of sphere A in a frame: its centres alone, and as the image crowds them."""
-    at = [frame.surface_data[name][frame.stage.on_a] for name in ("u", "v")]
+    at = [frame.data_on_a[name] for name in ("u", "v")]
     return rms(_errors(frame.scene, component, step, at))
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, arb_series, ctx, fmpq
 from sympy import Expr, Poly, Rational, Symbol
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from verify.evaluate.rounding import unit_in_the_last_place
 
 PRECISION, TERMS = 160, 40
@@ -29,10 +29,7 @@ def ball(rational: Expr) -> arb:
 
 def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]) -> Program:
     """Return the program's lines that do not stand in `after`, up to those that `until` need."""
-    definitions = tuple((s, x) for s, x in program.definitions if s not in after)
-    inputs = tuple({t: None for _, x in definitions for t in sorted(x.free_symbols, key=str)})
-    inputs = tuple(s for s in inputs if s not in {d for d, _ in definitions})
-    return Program(program.name, inputs, definitions, until).keep(*until)
+    return chain(program.name, {s: x for s, x in program.definitions if s not in after}).keep(*until)
 
 
 def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
@@ -68,5 +65,5 @@ def worst(pieces: Iterable[Piece]) -> arb:
 def off_by(program: Program, line: Symbol, coefficient: Expr, ulps: int) -> Program:
     """Return the program with a constant of a line off by so many units in its last place: a false variant."""
     off = coefficient + ulps * Rational(float(unit_in_the_last_place(ball(abs(coefficient)))))
-    changed = tuple((s, x.xreplace({coefficient: off}) if s == line else x) for s, x in program.definitions)
+    changed = {s: x.xreplace({coefficient: off}) if s == line else x for s, x in program.definitions}
     return Program(program.name, program.inputs, changed, program.outputs)

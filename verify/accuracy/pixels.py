@@ -89,7 +89,7 @@ balls_of = partial(lines_of, Balls)
 def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
     """Return the balls of every line of a frame's pixel."""
     scene, raster, method = frame.scene, frame.raster, frame.method
-    left, top, *_ = raster.crop or (0, 0)
+    left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
     balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
@@ -97,24 +97,21 @@ def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
         return balls({name: arb(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
 
 
-def errors_of(frame: Frame, column: int, row: int, truth: Mapping[str, arb]) -> list[arb]:
-    """Return how far each channel of a pixel is from the truth."""
+def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:
+    """Return (the truth of a pixel, how far each channel is from it, whether the chamber is the true one)."""
+    truth = truth_of(frame, column, row)
     with ctx.workprec(BITS):
-        return [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
-
-
-def code_of(scene: Scene, truth: Mapping[str, arb]) -> int:
-    """Return the true chamber code of a pixel of a scene."""
-    return chamber_code(scene, lambda name: int(truth[name].unique_fmpz() or 0))
+        errors = [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
+    code = chamber_code(frame.scene, lambda name: int(truth[name].unique_fmpz() or 0))
+    return truth, errors, bool(code == frame.chambers[row, column])
 
 
 def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> Checked:
     """Return a pixel of a frame with bounds, Checked."""
-    truth, bounds = truth_of(frame, column, row), frame.bounds[row, column]
-    errors = [float(error.upper()) for error in errors_of(frame, column, row, truth)]
+    truth, errors, same_chamber = compared(frame, column, row)
     undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
-    same_chamber = bool(code_of(frame.scene, truth) == frame.chambers[row, column])
-    return Checked(name, kind, column, row, max(errors), bounds.max(), undecided, same_chamber)
+    error, bound = max(float(error.upper()) for error in errors), frame.bounds[row, column].max()
+    return Checked(name, kind, column, row, error, bound, undecided, same_chamber)
 
 
 def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:

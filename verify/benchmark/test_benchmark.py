@@ -8,8 +8,7 @@ from unittest import mock
 import numpy as np
 import pytest
 
-from verify.benchmark import __main__ as frames
-from verify.benchmark import machines, own, texture, timing
+from verify.benchmark import __main__ as frames, machines, own, texture, timing
 from verify.benchmark.targets import TARGETS, table
 from verify.benchmark.timing import Case
 from verify.records import read

@@ -119,7 +119,7 @@ def _heights(texels):
 def points() -> tuple[Points, Points]:
     """Return (chart points, angles) of the pixels of A in raster order, two texels of SMALL off the chart's ends."""
     frame = render(SCENE, SIDE, SIDE)
-    chart = np.array([frame.surface_data[name][frame.stage.on_a] for name in ("u", "v")])
+    chart = np.array([frame.data_on_a[name] for name in ("u", "v")])
     clear = ((chart > 2 / SMALL) & (chart < 1 - 2 / SMALL)).all(axis=0)
     return tuple(np.ascontiguousarray(a) for a in chart[:, clear]), tuple(frame.planes_on_a[:4, clear])
 

@@ -10,12 +10,12 @@ from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product
 from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HeightField, cos_u, cos_v, gradient, gradient_from_factors, sin_u, sin_v
 from proofs.formulas.pixel import instance
-from proofs.formulas.symbols import cos_phi, cos_theta, epsilon, h_u, h_v, k_u, k_v, real, sin_phi, sin_theta, u, v
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
 
 
 def naive(program: Program) -> Program:
     """Return the program with the ordinary sine of a product πku, which is rounded before its sine is taken."""
-    return Program("naive", program.inputs, tuple((s, ordinary(e)) for s, e in program.definitions), program.outputs)
+    return Program("naive", program.inputs, {s: ordinary(e) for s, e in program.definitions}, program.outputs)
 
 
 def naive_gradient(field: HeightField) -> Program:
@@ -26,8 +26,8 @@ def naive_gradient(field: HeightField) -> Program:
 def rounded_product_gradient(field: HeightField) -> Program:
     """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
     program, products = gradient(field), dict(zip((k_u * u, k_v * v), real("argument_of_u argument_of_v"), strict=True))
-    lines = [(s, e.xreplace(products)) for s, e in program.definitions]
-    return Program("rounded", program.inputs, (*((s, e) for e, s in products.items()), *lines), program.outputs)
+    lines = {s: e.xreplace(products) for s, e in program.definitions}
+    return chain("rounded", {s: e for e, s in products.items()}, lines, outputs=program.outputs)
 
 
 def _power(base, exponent, name):
@@ -37,8 +37,7 @@ def _power(base, exponent, name):
     programs, result, square = [], None, base
 
     def step(program, kind, *values):
-        given = dict(zip(program.inputs, values, strict=True))
-        programs.append(instance(program, f"{name}_{kind}_{bit}", given=given))
+        programs.append(instance(program, f"{name}_{kind}_{bit}", given={program.inputs: values}))
         return programs[-1].outputs
 
     for bit in range(exponent.bit_length()):
@@ -59,11 +58,8 @@ def algebraic_gradient(field: HeightField, ku: float, kv: float) -> Program:
         raise ValueError(f"ku = {ku:g}, kv = {kv:g} is not allowed for {field.name}: it has no algebraic form")
     of_u, (real_u, imaginary_u) = _power(base_of_u, int(a) // 2, "u")
     of_v, (real_v, imaginary_v) = _power(base_of_v, int(b), "v")
-    lines = ((cos_u, real_u), (sin_u, imaginary_u), (cos_v, real_v), (sin_v, imaginary_v))
-    angles = (cos_theta, sin_theta, cos_phi, sin_phi)
-    factors = Program("factors", (*angles, *(s for p in (*of_u, *of_v) for s in p.outputs)), lines, (sin_u, cos_u))
-    tail = gradient_from_factors(field)
-    return chain(f"algebraic_{field.name}", *of_u, *of_v, factors, tail).keep(h_u, h_v)
+    factors = {cos_u: real_u, sin_u: imaginary_u, cos_v: real_v, sin_v: imaginary_v}
+    return chain(f"algebraic_{field.name}", *of_u, *of_v, factors, gradient_from_factors(field)).keep(h_u, h_v)
 
 
 def _extrapolated_difference(name, field, steps):

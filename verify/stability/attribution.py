@@ -39,16 +39,14 @@ def shares(kinds: np.ndarray) -> dict[str, float]:
 
 def over_the_image(frame: Frame, eps: float) -> np.ndarray:
     """Return the dominant term at every pixel of a frame, (height, width) int; −2 off A."""
-    data, on_a = frame.surface_data, frame.stage.on_a
-    result = np.full(on_a.shape, -2)
-    result[on_a] = dominant(frame.scene, data["u"][on_a], data["v"][on_a], eps)
+    result = np.full(frame.raster.shape, -2)
+    result[frame.stage.on_a] = dominant(frame.scene, frame.data_on_a["u"], frame.data_on_a["v"], eps)
     return result
 
 
 def shares_by_step(frame: Frame, steps: Iterable[float]) -> dict[str, np.ndarray]:
     """Return {term: its share for each step}, over POINTS random pixels of A in the frame."""
-    data, on_a = frame.surface_data, frame.stage.on_a
-    chosen = np.random.default_rng(10).choice(np.flatnonzero(on_a), POINTS, replace=False)
-    u, v = data["u"].ravel()[chosen], data["v"].ravel()[chosen]
+    points = np.array([frame.data_on_a["u"], frame.data_on_a["v"]])
+    u, v = np.random.default_rng(10).choice(points, POINTS, replace=False, axis=1)
     table = [shares(dominant(frame.scene, u, v, eps)) for eps in steps]
     return {name: np.array([row[name] for row in table]) for name in TERMS}

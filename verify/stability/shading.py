@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from proofs.engine.program import Program, chain
+from proofs.engine.program import chain
 from proofs.formulas.bump import bumped_normal, g, perturbed
 from proofs.formulas.camera import point_on_a
 from proofs.formulas.shading import LIGHT_MODELS, highlight, light_direction
@@ -57,8 +57,7 @@ def near_and_far_lights() -> Sweep:
     tilt = random.uniform(0, 1.4, shape)
     light = n + distances[:, None] * (np.cos(tilt) * n + np.sin(tilt) * aside)
     inputs = at | {"radius": 1.0} | coordinates({"light": light})
-    onto = Program("onto", normal, tuple(zip(bumped, normal, strict=True)), bumped)
-    lit_point = chain("lit_point", unit_normal, point_on_a, onto, light_direction).keep(mu)
+    lit_point = chain("lit_point", unit_normal, point_on_a, {bumped: normal}, light_direction).keep(mu)
     return measured(distances, lit_point, inputs)
 
 

@@ -47,8 +47,7 @@ def degrees(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
     """Return {step: (height, width) map of the angle to the displaced normal in degrees, NaN off A}."""
     on_a = frame.stage.on_a
-    data = {name: plane[on_a] for name, plane in frame.surface_data.items()}
-    found, maps = normals(frame.scene, data), np.full((len(STEPS), *on_a.shape), np.nan)
+    found, maps = normals(frame.scene, frame.data_on_a), np.full((len(STEPS), *on_a.shape), np.nan)
     maps[:, on_a] = [degrees(found[name], found["displaced"]) for name in STEPS]
     return dict(zip(STEPS, maps, strict=True))
 

@@ -19,7 +19,7 @@ from renderer.scene.methods import GradientMethod
 from verify.accuracy.frontiers.wall import interpolated, linear, sample
 from verify.evaluate.arrays import in_float64
 
-in_frame = dict(zip((*normal, *g), (S.Zero, S.Zero, S.One, h_u, h_v, S.Zero), strict=True))
+in_frame = {normal: (S.Zero, S.Zero, S.One), g: (h_u, h_v, S.Zero)}
 bumped_in_frame = instance(perturbed, "in_frame", given=in_frame)
 """(h_u, h_v, β) → N' in the tangent frame: there N = (0, 0, 1) and g = (h_u, h_v, 0)."""
 

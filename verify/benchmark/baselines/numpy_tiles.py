@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Function, Symbol
 
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.formulas.camera import image_extent, image_point, surface, visible_surface
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import pixel, rgb
@@ -42,32 +42,27 @@ def without_repeats(program: Program) -> Program:
     """Return the program with a line that says what an earlier one says replaced by the earlier one's name."""
     first: dict[Expr, Symbol] = {}
     same: dict[Symbol, Symbol] = {}
-    lines = []
     for symbol, expression in program.definitions:
         expression = expression.xreplace(same)
-        if expression in first:
-            same[symbol] = first[expression]
-        else:
-            first[expression] = symbol
-            lines.append((symbol, expression))
-    outputs = tuple(same.get(s, s) for s in program.outputs)
-    return Program(program.name, program.inputs, tuple(lines), outputs)
+        same[symbol] = first.setdefault(expression, symbol)
+    lines = {symbol: expression for expression, symbol in first.items()}
+    return Program(program.name, program.inputs, lines, [same.get(s, s) for s in program.outputs])
 
 
 def on_surface(program: Program, number: int) -> Program:
     """Return the program of a pixel for one surface: image point → colour, every choice of the surface decided."""
     decided = {surface: number, ball_on: 1, floor_on: 1}
     given = (surface, x, y)
-    lines = tuple((s, e.xreplace(decided)) for s, e in program.definitions if s not in given)
-    return without_repeats(Program(f"surface_{number}", (x, y, *program.inputs), lines, rgb).keep(*rgb))
+    lines = {s: e.xreplace(decided) for s, e in program.definitions if s not in given}
+    return without_repeats(chain(f"surface_{number}", lines).keep(*rgb))
 
 
 def numpy_function(program: Program) -> Callable[[Mapping[str, Any]], Any]:
     """Return the program as a function of {input: value}, a square by `np.square`."""
-    squared = tuple(
-        (s, e.replace(lambda power: power.is_Pow and power.exp == 2, lambda power: SQUARE_OF(power.base)))
+    squared = {
+        s: e.replace(lambda power: power.is_Pow and power.exp == 2, lambda power: SQUARE_OF(power.base))
         for s, e in program.definitions
-    )
+    }
     function = function_of(Program(program.name, program.inputs, squared, program.outputs), names=NUMPY)
     return lambda values: function(*(values[s.name] for s in program.inputs))
 

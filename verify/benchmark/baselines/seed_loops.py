@@ -50,17 +50,17 @@ SLOPES: dict[str, Callable] = {
 }
 
 
-def exact_gradient(scene: Scene, u: float, v: float, eps: float | None = None) -> tuple[float, float]:
+def exact_gradient(scene: Scene, u: float, v: float) -> tuple[float, float]:
     """Return (h_u, h_v) by the derivative; on a crease the sign of zero is zero."""
     return SLOPES[str(scene.field)](scene, u, v)
 
 
-def bumped(scene: Scene, normal: np.ndarray, gradient: Callable, eps: float | None) -> np.ndarray:
+def bumped(scene: Scene, normal: np.ndarray, gradient: Callable) -> np.ndarray:
     """Return the perturbed normal of sphere A: chart point, gradient, frame, and N + βg at length 1."""
     n_x, n_y, n_z = normal
     u = (math.atan2(n_y, n_x) + math.pi) / (2 * math.pi)
     v = math.acos(min(1.0, max(-1.0, n_z))) / math.pi
-    h_u, h_v = gradient(scene, u if u < 1.0 else 0.0, v, eps)
+    h_u, h_v = gradient(scene, u if u < 1.0 else 0.0, v)
     sin_phi = math.sqrt(max(0.0, 1.0 - n_z * n_z))
     e_theta = np.array([-n_y / sin_phi, n_x / sin_phi, 0.0])
     e_phi = np.array([n_z * n_x / sin_phi, n_z * n_y / sin_phi, -sin_phi])
@@ -125,13 +125,13 @@ def shaded(
 
 
 def surface_at(
-    scene: Scene, surface: int, point: np.ndarray, center: np.ndarray, gradient: Callable, eps: float | None
+    scene: Scene, surface: int, point: np.ndarray, center: np.ndarray, gradient: Callable
 ) -> tuple[np.ndarray, np.ndarray, list[Ball]]:
     """Return (shading normal, albedo, the spheres that can shadow it) of a point of a surface."""
     body_a, body_b = (np.zeros(3), scene.radius), (center, scene.ball_radius)
     others = [body_b] if scene.ball else []
     if surface == SPHERE_A:
-        return bumped(scene, point / scene.radius, gradient, eps), np.array(scene.albedo_a), others
+        return bumped(scene, point / scene.radius, gradient), np.array(scene.albedo_a), others
     if surface == SPHERE_B:
         return (point - center) / scene.ball_radius, np.array(scene.albedo_b), [body_a]
     light_square = math.sin(math.pi * point[0]) * math.sin(math.pi * point[1]) >= 0
@@ -142,7 +142,7 @@ def surface_at(
 
 def seed_loops(scene: Scene, width: int, height: int, eps: float | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Return (rgb (height, width, 3) in [0, 1], surface (height, width)): the exact pipeline, or of step eps."""
-    gradient = exact_gradient if eps is None else central_gradient
+    gradient = exact_gradient if eps is None else partial(central_gradient, eps=eps)
     rgb, surfaces = np.zeros((height, width, 3)), np.zeros((height, width), np.uint8)
     half = 1.25 * scene.eye * scene.radius / math.sqrt(scene.eye**2 - scene.radius**2)
     eye, center = np.array([0.0, 0.0, scene.eye]), np.array(scene.ball_center)
@@ -154,7 +154,7 @@ def seed_loops(scene: Scene, width: int, height: int, eps: float | None = None) 
             if surface == NOTHING:
                 continue
             point = np.array([t * x, t * y, scene.eye * (1 - t)])
-            normal, albedo, blockers = surface_at(scene, surface, point, center, gradient, eps)
+            normal, albedo, blockers = surface_at(scene, surface, point, center, gradient)
             view = _unit(eye - point)
             rgb[row, column] = shaded(scene, point, normal, view, albedo, blockers)
             surfaces[row, column] = surface

@@ -51,6 +51,6 @@ def compiled_loop(program: Program, kind: type = np.float64, **scalars: float) -
     no function.
     """
     inputs = sorted(program.inputs, key=lambda s: s.name in scalars)  # those that only a name gives come last
-    ordered = Program(program.name, tuple(inputs), program.definitions, program.outputs)
+    ordered = Program(program.name, inputs, program.definitions, program.outputs)
     constants = {s.name: scalars[s.name] for s in inputs if s.name in scalars}
     return loop_of(partial(function_of(ordered, names=NAMES), **constants), len(program.outputs), kind)

@@ -12,8 +12,7 @@ from verify.accuracy.gradient_errors import OF_WAVES, UNIT, worst_at_ratios
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
 from verify.checkers.measurement import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
-from verify.stability.wave_numbers import PAIRS, large_wave_numbers
-from verify.stability.wave_numbers import SEED as SWEEP_SEED
+from verify.stability.wave_numbers import PAIRS, SEED as SWEEP_SEED, large_wave_numbers
 
 
 @cache

@@ -3,7 +3,7 @@
 import numpy as np
 
 from renderer import kernels
-from verify.accuracy.binades import dies, spacings
+from verify.accuracy.binades import dies
 from verify.checkers.measurement import Measurement, measures
 
 SEED, EACH, DEEPEST = 31, 400, 60
@@ -37,13 +37,13 @@ def steps_that_are_lost(within: float = 0.5, at_power: float = 0.25, odd: float 
     at = _numbers()
     wrong = samples = 0
     for share in STEPS:
-        step = share * spacings(at)
+        step = share * np.spacing(at)
         lost = dies(at, step, within, at_power)
         for slope in slopes(at, step):
             wrong += int(np.count_nonzero(lost & (slope != 0)))
             samples += lost.size
     inner = at[:, 3:]
-    tie = spacings(inner) / 2
+    tie = np.spacing(inner) / 2
     is_odd = np.ldexp(inner, 53 + np.arange(DEEPEST)[:, None]) % 2 == 1
     for slope in slopes(inner, tie):
         wrong += int(np.count_nonzero(slope != np.where(is_odd, odd, 0.0)))

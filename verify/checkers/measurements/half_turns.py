@@ -6,8 +6,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from proofs.formulas import elementary as e
-from proofs.formulas import exponential as x
+from proofs.formulas import elementary as e, exponential as x
 from proofs.formulas.certified import CERTIFIED
 from verify.accuracy.certified_ulps import PIECES, SMALL, errors_on_pieces
 from verify.accuracy.pieces import SMALLEST, off_by, worst
