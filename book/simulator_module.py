@@ -4,17 +4,16 @@ A script, so that a page opened from a disk has it too.
 """
 
 import json
-from base64 import b64encode
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, replace
 from functools import cache
-from gzip import compress
 from itertools import product
 
 import numpy as np
 from matplotlib import colormaps
 
 from book.drawing.palette import OF_TERMS
+from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
@@ -131,7 +130,7 @@ def script(
     return (
         f"// Printed from proofs/ by `python -m book`: {words}.\n"
         f'"use strict";\nvar {holder} = {holder} || {{}};\n'
-        f'{place} = {text};\n{module_place} = "{b64encode(compress(module, mtime=0)).decode()}";\n'
+        f'{place} = {text};\n{module_place} = "{base64_gzip(module)}";\n'
     )
 
 

@@ -94,10 +94,8 @@ class Chapter:
         """The id of the link that holds a content, a new one that nobody sees if there is none."""
         if content not in self.packed:
             self.packed[content] = f"file-{len(self.packed) + 1}"
-            page = self.pages[0].article
-            page.append(
-                Tag(name="a", attrs={"id": self.packed[content], "href": packed_address(content), "hidden": ""})
-            )
+            held = {"id": self.packed[content], "href": packed_address(content), "hidden": ""}
+            self.pages[0].article.append(Tag(name="a", attrs=held))
         return self.packed[content]
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:

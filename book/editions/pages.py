@@ -64,23 +64,22 @@ def read_page(site: Path, name: str) -> Page:
     return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), downloads, loads)
 
 
-def linked(page: Page) -> Iterator[str]:
-    """The names of the pages that a page's text leads to."""
-    for link in page.article.find_all("a", href=True):
-        aim = target(page.name, link["href"])
+def linked(part: Tag, page: str) -> Iterator[str]:
+    """The names of the pages that a part of a page leads to."""
+    for link in part.find_all("a", href=True):
+        aim = target(page, link["href"])
         if aim and aim[0].endswith(".html") and aim[0] not in LEFT_OUT:
             yield aim[0].removesuffix(".html")
 
 
 def read_pages(site: Path, shell: BeautifulSoup) -> list[Page]:
     """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met."""
-    links = [target(SHELL, link["href"]) for link in shell.select("nav.bd-docs-nav a[href]")]
-    waiting = [aim[0].removesuffix(".html") for aim in links if aim]
+    waiting = [*linked(shell.select_one("nav.bd-docs-nav"), SHELL)]
     pages: dict[str, Page] = {}
     for name in waiting:  # it grows while it is read
         if name not in pages:
             pages[name] = read_page(site, name)
-            waiting.extend(linked(pages[name]))
+            waiting.extend(linked(pages[name].article, name))
     return list(pages.values())
 
 
