@@ -4,14 +4,13 @@ Functions of float64 numbers, NumPy's arrays or traced values, as the kernels ar
 the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 """
 
-import json
 from collections.abc import Callable
 from functools import cache
 
 import numpy as np
 from sympy import Integer
 
-from book.simulator_module import packed
+from book.simulator_module import script
 from proofs.engine.program import Program
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.displacement import blinn_normal, displaced_normal, h_phi, h_theta
@@ -21,8 +20,6 @@ from proofs.formulas.symbols import column, half, height, row, shininess, width,
 from renderer import Scene, kernels, render
 from renderer.generate.kernels import function_of
 from renderer.generate.step_terms import SLOPE_TERMS
-from renderer.machines.points_code import inputs_of
-from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number, sqrt
 from verify.accuracy.frontiers.fiction import angle_maps
 from verify.reference import scene_values
@@ -140,11 +137,6 @@ def lines_at(scene: Scene, x: float, y: float) -> dict[str, float]:
 
 def source() -> str:
     """Return the text of the script that their pages load."""
-    module, outputs = compiled_module({}, {kernel.__name__: kernel for kernel in IDEAS}, {})
-    kernels_of = {kernel.__name__: [len(inputs_of(kernel)), outputs[kernel.__name__]] for kernel in IDEAS}
-    data = {"kernels": kernels_of, "lines": LINES, "given": scene_inputs(Scene()), "angles": angles()}
-    return (
-        "// Printed from proofs/ by `python -m book`: what the small interactives ask of the renderer's kernels.\n"
-        f'"use strict";\nvar Ideas = Ideas || {{}};\nIdeas.data = {json.dumps(data, separators=(",", ":"))};\n'
-        f'Ideas.program = "{packed(module)}";\n'
-    )
+    data = {"lines": LINES, "given": scene_inputs(Scene()), "angles": angles()}
+    words = "what the small interactives ask of the renderer's kernels"
+    return script(words, "Ideas.data", "Ideas.program", {}, IDEAS, data, {})

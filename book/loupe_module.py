@@ -4,11 +4,10 @@ Where a difference takes the height, and what it finds there, is noted while the
 picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing_machine`.
 """
 
-import json
 from collections.abc import Callable
 from itertools import product
 
-from book.simulator_module import OFF_A, SCENE, WAYS, packed
+from book.simulator_module import OFF_A, SCENE, WAYS, script
 from proofs.formulas.finite_difference import HEIGHTS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
@@ -16,9 +15,7 @@ from renderer import exact
 from renderer.generate.programs import difference_of, differences
 from renderer.generate.step_terms import BOUNDS, SLOPE_TERMS
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, maximum, minimum
-from renderer.machines.points_code import inputs_of
 from renderer.machines.rounded_inputs import bound_of_x, bound_of_y, of_scene
-from renderer.machines.webassembly import compiled_module
 from renderer.operations import Number, nan
 from renderer.picture.differences import nearest_and_furthest
 from renderer.shader.numbers import flat, scene_numbers
@@ -102,14 +99,6 @@ def pairs() -> dict[str, dict[str, list]]:
 
 def source() -> str:
     """Return the text of the script that the page loads when it is asked to."""
-    module, outputs = compiled_module(BOUNDED, {kernel.__name__: kernel for kernel in KERNELS}, {})
-    data = {
-        "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in KERNELS},
-        "pairs": pairs(),
-        "scene_bounds": flat(of_scene(SCENE, scene_numbers(SCENE, exact()))),
-    }
-    return (
-        "// Printed from proofs/ by `python -m book`: what the loupe asks at a pixel, and what bounds the colours.\n"
-        f"Simulator.closer = {json.dumps(data, separators=(',', ':'))};\n"
-        f'Simulator.closer.program = "{packed(module)}";\n'
-    )
+    data = {"pairs": pairs(), "scene_bounds": flat(of_scene(SCENE, scene_numbers(SCENE, exact())))}
+    words = "what the loupe asks at a pixel, and what bounds the colours"
+    return script(words, "Simulator.closer", "Simulator.closer.program", BOUNDED, KERNELS, data, {})

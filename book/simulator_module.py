@@ -4,16 +4,16 @@ A script, so that a page opened from a disk has it too.
 """
 
 import json
-from base64 import b64encode
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, replace
 from functools import cache
-from gzip import compress
 from itertools import product
 
 import numpy as np
 from matplotlib import colormaps
 
 from book.drawing.palette import OF_TERMS
+from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
@@ -22,7 +22,7 @@ from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.step_terms import BOUNDS, slope_bound
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import ARGUMENTS
-from renderer.machines.painting_code import NUMBERS, PAINTING, SIZE_BITS, SRGB_CELLS
+from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
@@ -90,8 +90,8 @@ def _tables():
     }
 
 
-def data(outputs: dict[str, int]) -> dict:
-    """Return what the page and its workers know beside the module. outputs: {kernel: how many}."""
+def data() -> dict:
+    """Return what the page and its workers know beside the module and its kernels."""
     sizes = [len(value) if isinstance(value, tuple) else 1 for value in vars(SCENE_FORM).values()]
     ways = {f: {way: n for n, (field, way) in enumerate(WAYS) if field == f or way == "flat"} for f in HEIGHT_FIELDS}
     return {
@@ -108,7 +108,6 @@ def data(outputs: dict[str, int]) -> dict:
         "arguments": ARGUMENTS,
         "counts": len(WORK),
         "lanes": LANES,
-        "kernels": {k.__name__: [len(inputs_of(k)), outputs[k.__name__]] for k in OVER_POINTS},
         "painting": PAINTING,
         "numbers": NUMBERS,
         "tables": _tables(),
@@ -117,18 +116,26 @@ def data(outputs: dict[str, int]) -> dict:
     }
 
 
-def packed(module: bytes) -> str:
-    """Return a module as the pages carry it: compressed, as text."""
-    return b64encode(compress(module, mtime=0)).decode()
+def script(
+    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], known: dict,
+    painters: Mapping[str, Callable] = PAINTERS,
+) -> str:  # fmt: skip
+    """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
+
+    The module draws what is wanted and has the functions; of each, "kernels" says how many numbers it takes and gives.
+    """
+    module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
+    kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
+    text, holder = json.dumps({"kernels": kernels_in} | known, separators=(",", ":")), place.partition(".")[0]
+    return (
+        f"// Printed from proofs/ by `python -m book`: {words}.\n"
+        f'"use strict";\nvar {holder} = {holder} || {{}};\n'
+        f'{place} = {text};\n{module_place} = "{base64_gzip(module)}";\n'
+    )
 
 
 @cache
 def source() -> str:
     """Return the text of the script that the page loads."""
-    module, outputs = compiled_module(WANTS, {kernel.__name__: kernel for kernel in OVER_POINTS})
-    return (
-        "// Printed from proofs/ by `python -m book`: the renderer's shader and kernels, and the numbers beside them.\n"
-        '"use strict";\nvar Simulator = Simulator || {};\n'
-        f"Simulator.data = {json.dumps(data(outputs), separators=(',', ':'))};\n"
-        f'Simulator.program = "{packed(module)}";\n'
-    )
+    words = "the renderer's shader and kernels, and the numbers beside them"
+    return script(words, "Simulator.data", "Simulator.program", WANTS, OVER_POINTS, data())

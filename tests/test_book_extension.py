@@ -94,7 +94,6 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
         (1e-6, ".0e", "10^−6"),
         (-1.5, None, "−1.5"),
-        (True, None, "yes"),
         (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),
         (Interval(0.0467, 0.04669, 0.04671), None, "0.0467"),

@@ -41,7 +41,7 @@ def remark(book: Path, id: str) -> str | None:
     return "; ".join(filter(None, said)) or None
 
 
-def look_up(book: Path, id: str, key: str) -> int | float | str | bool | Interval:
+def look_up(book: Path, id: str, key: str) -> int | float | str | Interval:
     """One number, an Interval where its ends are kept; an unknown key's error lists the known ones."""
     numbers = load_result(book, id).get("numbers", {})
     if key not in numbers:
@@ -59,13 +59,11 @@ def parse(text: str) -> tuple[str, str, str | None]:
     return match["id"], match["key"], match["format"]
 
 
-def formatted(value: int | float | str | bool | Interval, spec: str | None = None) -> str:
+def formatted(value: int | float | str | Interval, spec: str | None = None) -> str:
     """The value as text, by default with four significant digits for a float, as many as are certain for an Interval.
 
     Raises ValueError where the format asks for digits of an Interval that are not certain.
     """
-    if isinstance(value, bool):
-        return "yes" if value else "no"
     if spec is None:
         spec = ".4g" if isinstance(value, float) else ""
     return format(value, spec)

@@ -8,7 +8,7 @@ import tomllib
 from pathlib import Path
 
 from renderer.whole_files import write_whole
-from verify.sources import PACKAGES, PRODUCTS, ROOT, files_in, hashes, key, modules_for, reachable  # noqa: F401
+from verify.sources import PACKAGES, ROOT, files_in, hashes, key, reachable  # noqa: F401
 
 STAMPS = ROOT / ".stamps"
 LOCK_FILE = ROOT / "requirements.lock"

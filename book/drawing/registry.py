@@ -89,12 +89,13 @@ def flat(values: Mapping[str, Any], front: str = "") -> Iterator[tuple[str, Any]
             yield f"{front}{name}", value
 
 
-def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str | bool]:
+def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str]:
     """The numbers as plain Python values; an error names the figure and the key."""
     plain = {key: value.tolist() if hasattr(value, "tolist") else value for key, value in flat(numbers)}
     for key, value in plain.items():
-        if not isinstance(value, bool | int | float | str) or (isinstance(value, float) and not math.isfinite(value)):
-            raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number, a str or a bool")
+        is_number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+        if not is_number and not isinstance(value, str):
+            raise ValueError(f"figure {id!r}: number {key!r} is {value!r}; give a finite number or a str")
     return plain
 
 

@@ -4,12 +4,11 @@ import re
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+from playwright.sync_api import Browser, Page, sync_playwright
+from pypdfium2 import PdfDocument
 
 from book.assembly.stamps import Refused
-
-if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
 
 HERE = Path(__file__).parent
 # Headless, as root, and without a word to the network of its own.
@@ -47,7 +46,7 @@ def installed() -> str:
     raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
 
 
-def on_paper(browser: "Browser", single: str, pages: Sequence[str] = ()) -> "Page":
+def on_paper(browser: Browser, single: str, pages: Sequence[str] = ()) -> Page:
     """A tab with the one file made ready for paper: all of it, or some of its pages. Nothing moves in it."""
     tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
     tab.set_default_timeout(PATIENCE)
@@ -72,7 +71,7 @@ BEGIN_A_PAGE = """numbers => {
 }"""
 
 
-def printed(tab: "Page") -> bytes:
+def printed(tab: Page) -> bytes:
     """What a tab shows as PDF; the same bytes each time.
 
     A heading may find room at the foot of a page and its text none: Chromium then lays it out on both pages and has it
@@ -81,7 +80,17 @@ def printed(tab: "Page") -> bytes:
     twice: list[int] = []
     while True:
         headings = tab.evaluate(BEGIN_A_PAGE, twice)
-        pdf = _printed(tab)
+        pdf = reproducible(
+            tab.pdf(
+                prefer_css_page_size=True,
+                print_background=True,
+                display_header_footer=True,
+                header_template="<span></span>",
+                footer_template=FOOTER,
+                tagged=True,
+                outline=True,
+            )
+        )
         both = enumerate(zip(outline(pdf), headings, strict=True))
         twice = [number for number, (title, heading) in both if title == 2 * "".join(heading.split())]
         if not twice:
@@ -90,29 +99,12 @@ def printed(tab: "Page") -> bytes:
 
 def outline(pdf: bytes) -> list[str]:
     """The titles in a file's outline, without blanks."""
-    from pypdfium2 import PdfDocument
-
     return ["".join(entry.get_title().split()) for entry in PdfDocument(pdf).get_toc()]
-
-
-def _printed(tab: "Page") -> bytes:
-    pdf = tab.pdf(
-        prefer_css_page_size=True,
-        print_background=True,
-        display_header_footer=True,
-        header_template="<span></span>",
-        footer_template=FOOTER,
-        tagged=True,
-        outline=True,
-    )
-    return reproducible(pdf)
 
 
 def print_chapter(single: str) -> bytes:
     """The one file's chapter as PDF; raises NoBrowser."""
     path = installed()
-    from playwright.sync_api import sync_playwright
-
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
         pdf = printed(on_paper(browser, single))

@@ -9,7 +9,7 @@ from bs4.formatter import HTMLFormatter
 
 from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
 from book.editions.names import Names, ids_of, relink, rename
-from book.editions.pages import SHELL, BrokenSite, Page, make_small, parsed, read_pages, target
+from book.editions.pages import SHELL, Page, make_small, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
@@ -53,7 +53,7 @@ class Chapter:
         for page in self.pages:
             rename(page, self.names)
             for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
-                relink(part, page.name, self.names, lambda link, path, page=page: self.pack(link, path, page.name))
+                relink(part, page.name, self.names, self.pack)
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
             inline_pictures(self.site, page)
             for listed in page.article.select(".checker[data-all] > script"):
@@ -62,11 +62,9 @@ class Chapter:
             if page.listing:
                 make_small(page, self.used)
 
-    def pack(self, link: Tag, path: str, page: str) -> None:
+    def pack(self, link: Tag, path: str) -> None:
         """Make a link to a file of the site carry the file, compressed; the script unpacks it under its own name."""
         file = self.site / path
-        if not file.is_file():
-            raise BrokenSite(f"{page}.html links to {path}, which the site does not have")
         link.attrs.pop("target", None)
         content = file.read_bytes()
         address = packed_address(content)
@@ -96,10 +94,8 @@ class Chapter:
         """The id of the link that holds a content, a new one that nobody sees if there is none."""
         if content not in self.packed:
             self.packed[content] = f"file-{len(self.packed) + 1}"
-            page = self.pages[0].article
-            page.append(
-                Tag(name="a", attrs={"id": self.packed[content], "href": packed_address(content), "hidden": ""})
-            )
+            held = {"id": self.packed[content], "href": packed_address(content), "hidden": ""}
+            self.pages[0].article.append(Tag(name="a", attrs=held))
         return self.packed[content]
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
@@ -120,12 +116,7 @@ class Chapter:
                 text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
                 if path.name != SHARED:
                     data["data-moves"] = ""
-                yield self.element("script", text, data)
-
-    def element(self, name: str, text: str, attributes: dict[str, str] | None = None) -> Tag:
-        made = self.shell.new_tag(name, attrs=attributes or {})
-        made.string = text
-        return made
+                yield self.shell.new_tag("script", attrs=data, string=text)
 
 
 def strip_shell(shell: BeautifulSoup) -> None:
@@ -175,7 +166,7 @@ def put_head(chapter: Chapter) -> None:
     policy = {"http-equiv": "Content-Security-Policy", "content": POLICY}
     head.find("meta", charset=True).insert_after(shell.new_tag("meta", attrs=policy))
     styles = "\n".join(inlined_styles(path) for path, _ in chapter.loads("link"))
-    head.append(chapter.element("style", styles + (HERE / "single.css").read_text(encoding="utf-8")))
+    head.append(shell.new_tag("style", string=styles + (HERE / "single.css").read_text(encoding="utf-8")))
 
 
 def put_scripts(chapter: Chapter) -> None:
@@ -184,7 +175,7 @@ def put_scripts(chapter: Chapter) -> None:
     options = next(tag for tag in head.find_all("script") if "DOCUMENTATION_OPTIONS" in tag.get_text())
     options.insert_before(*chapter.scripts(deferred=False))
     body.extend(chapter.scripts(deferred=True))
-    body.append(chapter.element("script", (HERE / "single.js").read_text(encoding="utf-8")))
+    body.append(chapter.shell.new_tag("script", string=(HERE / "single.js").read_text(encoding="utf-8")))
 
 
 def document(site: Path) -> str:

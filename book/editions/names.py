@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable
 
 from bs4 import Tag
 
-from book.editions.pages import BrokenSite, Page, target
+from book.editions.pages import Page, target
 
-REFERRING = ("for", "aria-labelledby", "aria-describedby", "aria-controls", "aria-owns", "headers", "list", "form")
+REFERRING = ("for", "aria-labelledby", "aria-describedby")  # what pages have of them
 
 
 def ids_of(part: Tag) -> list[str]:
@@ -30,17 +30,12 @@ class Names:
         section = self.pages[name].article.find("section", id=True)
         return self.table[name].get(section["id"], section["id"]) if section else name
 
-    def fragment(self, page: str, address: str) -> str | None:
-        """The `#id` for an address on a page; None if it leads to no page of the file."""
-        aim = target(page, address)
-        if aim is None or aim[0].removesuffix(".html") not in self.pages or not aim[0].endswith(".html"):
+    def place(self, path: str, id: str) -> str | None:
+        """The `#id` for a file of the site and a fragment; None if it is no page of the file."""
+        name = path.removesuffix(".html")
+        if name not in self.pages:
             return None
-        name, id = aim[0].removesuffix(".html"), aim[1]
-        if not id:
-            return f"#{self.top(name)}"
-        if id not in self.table[name]:
-            raise BrokenSite(f"{page}.html links to {name}.html#{id}, which has no such id")
-        return f"#{self.table[name][id]}"
+        return f"#{self.table[name][id] if id else self.top(name)}"
 
 
 def rename(page: Page, names: Names) -> None:
@@ -50,10 +45,8 @@ def rename(page: Page, names: Names) -> None:
         if tag.get("id"):
             tag["id"] = table[tag["id"]]
         for attribute in REFERRING:
-            if tag.get(attribute) and tag.name != "mo":  # where `form` is an operator's, and names nothing
-                value = tag[attribute]
-                words = value if isinstance(value, list) else value.split()
-                tag[attribute] = " ".join(table.get(word, word) for word in words)
+            if tag.get(attribute):
+                tag[attribute] = " ".join(table.get(word, word) for word in tag[attribute].split())
     escaped = {id: re.sub(r"([^\w-])", r"\\\1", new) for id, new in table.items() if id != new}
     for style in page.article.find_all("style"):
         style.string = re.sub(r"#([\w-]+)", lambda match: "#" + escaped.get(match[1], match[1]), style.string or "")
@@ -62,10 +55,8 @@ def rename(page: Page, names: Names) -> None:
 def relink(part: Tag, page: str, names: Names, file_link: Callable[[Tag, str], None]) -> None:
     """Make a part's links lead to places in the file; file_link(link, path) is asked about other files of the site."""
     for link in part.find_all("a", href=True):
-        aim = target(page, link["href"])
-        if aim is None:
-            continue
-        if (place := names.fragment(page, link["href"])) is not None:
-            link["href"] = place
-        else:
-            file_link(link, aim[0])
+        if aim := target(page, link["href"]):
+            if place := names.place(*aim):
+                link["href"] = place
+            else:
+                file_link(link, aim[0])

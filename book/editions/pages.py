@@ -15,10 +15,6 @@ SHELL = "s1"  # the page whose frame is taken: one with contents beside it
 LEFT_OUT = {"search.html", "genindex.html"}  # a file has no search, and its index is empty
 
 
-class BrokenSite(ValueError):
-    """The built site lacks something that one of its pages refers to."""
-
-
 @dataclass(frozen=True)
 class Page:
     """A page of the site: its address without .html, and its parts as parsed."""
@@ -57,11 +53,8 @@ def target(page: str, address: str) -> tuple[str, str] | None:
 def read_page(site: Path, name: str) -> Page:
     """Read one page. A listing is large, and nothing but its article is wanted, without colours."""
     text = (site / f"{name}.html").read_text(encoding="utf-8")
-    found = ARTICLE.search(text)
-    if not found:
-        raise BrokenSite(f"{name}.html has no article: is it a page of this book?")
     if name.startswith("source/"):
-        return Page(name, parsed(COLORED.sub(r"\1", found[0])).article, None, None, [], {})
+        return Page(name, parsed(COLORED.sub(r"\1", ARTICLE.search(text)[0])).article, None, None, [], {})
     soup = parsed(text)
     article = soup.find("article", class_="bd-article")
     contents = soup.select_one("#pst-page-toc-nav > ul")
@@ -71,25 +64,22 @@ def read_page(site: Path, name: str) -> Page:
     return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), downloads, loads)
 
 
-def linked(page: Page) -> Iterator[str]:
-    """The names of the pages that a page's text leads to."""
-    for link in page.article.find_all("a", href=True):
-        aim = target(page.name, link["href"])
+def linked(part: Tag, page: str) -> Iterator[str]:
+    """The names of the pages that a part of a page leads to."""
+    for link in part.find_all("a", href=True):
+        aim = target(page, link["href"])
         if aim and aim[0].endswith(".html") and aim[0] not in LEFT_OUT:
             yield aim[0].removesuffix(".html")
 
 
 def read_pages(site: Path, shell: BeautifulSoup) -> list[Page]:
     """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met."""
-    links = [target(SHELL, link["href"]) for link in shell.select("nav.bd-docs-nav a[href]")]
-    waiting = [aim[0].removesuffix(".html") for aim in links if aim]
+    waiting = [*linked(shell.select_one("nav.bd-docs-nav"), SHELL)]
     pages: dict[str, Page] = {}
     for name in waiting:  # it grows while it is read
         if name not in pages:
-            if not (site / f"{name}.html").is_file():
-                raise BrokenSite(f"a page links to {name}.html, which the site does not have")
             pages[name] = read_page(site, name)
-            waiting.extend(linked(pages[name]))
+            waiting.extend(linked(pages[name].article, name))
     return list(pages.values())
 
 

@@ -2,19 +2,9 @@
 
 from os.path import commonprefix  # of any text, letter by letter
 from pathlib import Path
-from urllib.parse import unquote
-
-from bs4 import Tag
 
 from book.editions.inlined import data_address, svg_address, svg_parts
-from book.editions.pages import BrokenSite, Page, target
-
-
-def picture_file(site: Path, page: str, image: Tag) -> Path:
-    aim = target(page, image["src"])
-    if aim is None or not (site / aim[0]).is_file():
-        raise BrokenSite(f"{page}.html shows {image['src']}, which the site does not have")
-    return site / unquote(aim[0])
+from book.editions.pages import Page, target
 
 
 def difference(light: list[str], dark: list[str]) -> list[str] | None:
@@ -40,7 +30,7 @@ def inline_pictures(site: Path, page: Page) -> None:
     """Put every picture of a page into the file. A dark one is made of its light neighbour when it is wanted."""
     light: list[str] = []
     for image in page.article.find_all("img", src=True):
-        path = picture_file(site, page.name, image)
+        path = site / target(page.name, image["src"])[0]
         image.attrs.pop("loading", None)  # it is there
         if path.suffix != ".svg":
             image["src"] = data_address(path)

@@ -80,8 +80,8 @@ def names_of(claims: list[dict]) -> set[str]:
     for statement in statements_of(claims):
         names.update(statement.get("variables", ()), statement.get("state", ()))
         names.update(step["new"] for step in statement.get("steps", ()) if "new" in step)
-        names.update(name for name, _ in statement.get("lines", ()))
-        names.update(use for _, uses in statement.get("lines", ()) for use in uses)
+        for name, uses in statement.get("lines", ()):
+            names.update([name], uses)
     return names
 
 

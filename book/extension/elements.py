@@ -23,9 +23,7 @@ SUBSCRIPT = re.compile(r"(?<=\b[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?!\w)")
 PLACE = re.compile("(\0\\d+\0)")
 _waiting: dict[str, Nodes] = {}
 _numbers = count()
-DIRECTIVES: dict[str, type[SphinxDirective]] = {}
-ROLES: dict[str, SphinxRole] = {}
-EVENTS: list[tuple[str, Callable, int]] = []
+REGISTERED: list[tuple] = []  # the method of Sphinx's application that takes it, and what it is given
 
 
 class Page(NamedTuple):
@@ -117,7 +115,7 @@ def directive(name: str, arguments: int = 0, content: bool = False, **options: C
                 raise self.error(f"{name}: {error}") from error
 
         said = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
-        DIRECTIVES[name] = type(name, (SphinxDirective,), said)
+        REGISTERED.append(("add_directive", name, type(name, (SphinxDirective,), said)))
         return nodes_of
 
     return register
@@ -134,7 +132,7 @@ def role(name: str) -> Callable:
                 message = self.inliner.reporter.error(f"{name}: {error}", line=self.lineno)
                 return [nodes.problematic(self.rawtext, self.rawtext)], [message]
 
-        ROLES[name] = type(name, (SphinxRole,), {"run": run})()
+        REGISTERED.append(("add_role", name, type(name, (SphinxRole,), {"run": run})()))
         return nodes_of
 
     return register
@@ -144,7 +142,7 @@ def on(event: str, priority: int = 500) -> Callable:
     """Make a function hear an event of Sphinx's."""
 
     def register(handler: Callable) -> Callable:
-        EVENTS.append((event, handler, priority))
+        REGISTERED.append(("connect", event, handler, priority))
         return handler
 
     return register

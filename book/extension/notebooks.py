@@ -7,7 +7,6 @@ Links to Colab and Binder stand beside it where `repository.url` of `_config.yml
 open a notebook from a branch, `repository.branch`, to which the workflow that publishes the site gives it too.
 """
 
-import base64
 import re
 from collections.abc import Iterable
 from functools import partial
@@ -19,6 +18,7 @@ import yaml
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
+from book.editions.inlined import base64_address
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import PAGE, cells, notebooks, text_of
@@ -43,12 +43,12 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
     config = yaml.safe_load(Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8"))["repository"]
-    match, text = GITHUB.fullmatch(config["url"]), base64.b64encode(text_of(notebooks()[name]).encode()).decode()
+    match, content = GITHUB.fullmatch(config["url"]), text_of(notebooks()[name]).encode()
     link = {
         "name": name,
         "title": titles[name],
         "words": "notebook of all cells" if name == WHOLE else "notebook",
-        "address": f"data:application/x-ipynb+json;base64,{text}",  # it is saved from a disk too, where a file is shown
+        "address": base64_address("application/x-ipynb+json", content),  # saved from a disk too, where a file is shown
         "repository": match and match[1],
         "branch": config["branch"],
         "folder": FOLDER,

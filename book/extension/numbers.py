@@ -28,7 +28,7 @@ MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
-def typeset(value: int | float | str | bool | Interval, spec: str | None = None) -> Nodes:
+def typeset(value: int | float | str | Interval, spec: str | None = None) -> Nodes:
     """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
     text = formatted(value, spec)
     if isinstance(value, str):

@@ -17,10 +17,6 @@ def setup(app: Sphinx) -> dict[str, str | bool]:
     app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
     app.add_node(elements.Formula, html=(mathematics.write, None))
     app.add_html_math_renderer("mathml", (mathematics.write, None), (mathematics.write, None))
-    for name, made in elements.DIRECTIVES.items():
-        app.add_directive(name, made)
-    for name, made in elements.ROLES.items():
-        app.add_role(name, made)
-    for event, handler, priority in elements.EVENTS:
-        app.connect(event, handler, priority)
+    for method, *given in elements.REGISTERED:
+        getattr(app, method)(*given)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -55,9 +55,9 @@ def keep_texts(app: Sphinx, document: nodes.document) -> None:
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
-        found = {tex for page in pages.values() for _, text in page for tex in FORMULA.findall(text)}
-        kept = mathml(app.env, [(tex, False) for tex in sorted(found)])
-        data = {"SearchText": pages, "SearchFormulas": {tex: kept[tex, False] for tex in sorted(found)}}
+        found = sorted({tex for page in pages.values() for _, text in page for tex in FORMULA.findall(text)})
+        kept = mathml(app.env, [(tex, False) for tex in found])
+        data = {"SearchText": pages, "SearchFormulas": {tex: kept[tex, False] for tex in found}}
         scripts = [f"var {name} = {json.dumps(what, **COMPACT)};\n" for name, what in data.items()]
         (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text("".join(scripts), encoding="utf-8")
 

@@ -79,9 +79,9 @@ def _number(id: str, before: dict, after: dict) -> Iterator[Change]:
     yield Change(id, "moved" if good else "out of tolerance", words, not good)
 
 
-def how_far(old: int | float | str | bool, new: int | float | str | bool) -> str:
+def how_far(old: int | float | str, new: int | float | str) -> str:
     """The way from one value to another, in per cent or in words."""
-    if isinstance(old, str | bool) or isinstance(new, str | bool):
+    if isinstance(old, str) or isinstance(new, str):
         return "another value"
     if type(old) is not type(new):
         return "another kind of number"

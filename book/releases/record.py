@@ -81,20 +81,20 @@ def rules(path: Path = RULES) -> dict:
     return content
 
 
-def tolerance(name: str, value: int | float | str | bool) -> float | str:
+def tolerance(name: str, value: int | float | str) -> float | str:
     """The tolerance of a number: relative, 0 for exact, "any" for a label."""
     for rule in rules()["rule"]:
         if any(fnmatchcase(name, pattern) for pattern in rule["numbers"]):
             if rule["within"] == float("inf"):
                 return ANY
-            return 0 if isinstance(value, str | bool) else rule["within"]
+            return 0 if isinstance(value, str) else rule["within"]
     return rules()["floats"] if isinstance(value, float) else 0
 
 
-def is_within(before: int | float | str | bool, after: int | float | str | bool, allowed: float | str) -> bool:
+def is_within(before: int | float | str, after: int | float | str, allowed: float | str) -> bool:
     """Whether a number is still what it was, as far as its tolerance says."""
     if allowed == ANY or (before == after and type(before) is type(after)):
         return True
-    if isinstance(before, str | bool) or isinstance(after, str | bool):
+    if isinstance(before, str) or isinstance(after, str):
         return False
     return abs(after - before) <= float(allowed) * max(abs(before), abs(after))
