@@ -66,5 +66,17 @@ def browser():
         pytest.skip(str(reason))
 
 
+@pytest.fixture(params=["http", "file"])
+def scheme(request):
+    """How a page is opened: over http, or from the disk."""
+    return request.param
+
+
+@pytest.fixture
+def base(scheme, site, server):
+    """What the addresses of the site's pages begin with."""
+    return server if scheme == "http" else site.as_uri()
+
+
 visit = pytest.fixture(visits)
 visit_once = pytest.fixture(visits, scope="module")  # its pages stay open for all tests of a file

@@ -82,10 +82,9 @@ def test_every_page_has_the_policy(site, single):
         assert "connect-src 'none'" in policy and head.index(policy) < head.index("<script"), path.name
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_the_browser_lets_no_page_fetch_or_send(browser, site, server, scheme):
+def test_the_browser_lets_no_page_fetch_or_send(browser, base):
     tab = browser.new_page()
-    tab.goto(f"{server if scheme == 'http' else site.as_uri()}/s1.html")
+    tab.goto(f"{base}/s1.html")
     refused = """() => new Promise(done => {
         addEventListener('securitypolicyviolation', event => done(event.effectiveDirective));
         fetch('index.html').catch(() => 0); })"""

@@ -52,7 +52,6 @@ def verdict(place, button=None):
     return place.locator(".check-verdict").first.inner_text()
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
 def test_a_card_checks_its_theorem_and_asks_for_nothing(visit, scheme):
     tab, requests = visit("lemmas", scheme), []
     place = card(tab)

@@ -144,10 +144,7 @@ condition is not the claim's, and what a line defines is not chosen: 50 digits d
 LIKE_ITSELF = says(greater(x, 10), borrowed=(("attack", "attack"),))
 GRADES = [
     *(("proved", claim, {}) for claim in TRUE_CLAIMS),
-    *(
-        ("failed", says(equation(x, x + 1), given=given), {})
-        for given in ((x > 0, x < 0), (equation(x**2, -1),), (x > 5, x**2 < 20))
-    ),
+    *(("failed", says(equation(x, x + 1), given=given), {}) for given in CONTRADICTIONS),
     ("failed", Induction("from a contradiction", n, (equation(x, 0),), ((x, 0, x),), (y > 0, y < 0)), {}),
     ("failed", says(), {}),
     *(("failed", says(r, given=g, cited=(CitedLemma(r, "DLMF", g),), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
