@@ -25,9 +25,15 @@ def site() -> Path:
 
 
 @pytest.fixture(scope="session")
-def page_of(site):
+def html_of(site):
+    """A function: a page's name → the built page."""
+    return lambda name: (site / f"{name}.html").read_text("utf-8")
+
+
+@pytest.fixture(scope="session")
+def page_of(html_of):
     """A function: a page's name → what the built page says, parsed anew."""
-    return lambda name: parsed((site / f"{name}.html").read_text(encoding="utf-8"))
+    return lambda name: parsed(html_of(name))
 
 
 @pytest.fixture

@@ -265,7 +265,7 @@ def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
 
 def test_the_version(capsys):
     assert run("--version") == 0
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["version"]
     assert capsys.readouterr() == (f"symbolic-rendering {version}\n", "")
     assert renderer.__version__ == version
 

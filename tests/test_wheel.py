@@ -17,7 +17,7 @@ from renderer import Scene, render
 from tests.processes import run, settings_without
 from verify.sources import ROOT, imported
 
-SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 PROJECT = SETTINGS["project"]
 LARGEST = 1.5e6  # bytes
 SCRIPT = """

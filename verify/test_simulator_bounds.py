@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 from sympy import Abs
 
 from proofs.formulas.finite_difference import central
@@ -62,10 +63,10 @@ def test_no_difference_is_further_off_than_its_bound(field):
     found = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
     assert found == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
     bound, leading, *slopes = bounds_of(field)(*at)  # what the simulator shows: the larger slope's
-    np.testing.assert_allclose(slopes, of_slopes)
+    assert_allclose(slopes, of_slopes)
     larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]
-    np.testing.assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
-    np.testing.assert_array_equal(bound, np.max(slopes, axis=0))
+    assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
+    assert_array_equal(bound, np.max(slopes, axis=0))
 
 
 @every_field
@@ -111,5 +112,5 @@ def test_a_difference_straddles_circles_and_not_the_pole():
     """At v < ε the difference is clamped at the pole, where |sin πk_v v| ends; at v = 1/k_v it crosses the crease."""
     straddling = FIELDS["ridges"]["straddling"]
     flags = straddling(0.05, np.array([1e-9, 1e-4, 0.009, 0.2499, 0.2501, 0.26]), 8.0, 4.0, 1e-3)
-    np.testing.assert_array_equal(flags, [0, 0, 0, 1, 1, 0])
+    assert_array_equal(flags, [0, 0, 0, 1, 1, 0])
     assert straddling(np.float64(0.05), np.float64(0.03), 8.0, 16.0, 0.05) == 1  # the first circle, past the pole
