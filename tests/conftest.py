@@ -25,9 +25,15 @@ def site() -> Path:
 
 
 @pytest.fixture(scope="session")
-def page_of(site):
+def html_of(site):
+    """A function: a page's name → the built page."""
+    return lambda name: (site / f"{name}.html").read_text("utf-8")
+
+
+@pytest.fixture(scope="session")
+def page_of(html_of):
     """A function: a page's name → what the built page says, parsed anew."""
-    return lambda name: parsed((site / f"{name}.html").read_text(encoding="utf-8"))
+    return lambda name: parsed(html_of(name))
 
 
 @pytest.fixture
@@ -64,6 +70,18 @@ def browser():
         if os.environ.get("REQUIRE_BROWSER") == "1":
             pytest.fail(f"{reason}, and REQUIRE_BROWSER=1")
         pytest.skip(str(reason))
+
+
+@pytest.fixture(params=["http", "file"])
+def scheme(request):
+    """How a page is opened: over http, or from the disk."""
+    return request.param
+
+
+@pytest.fixture
+def base(scheme, site, server):
+    """What the addresses of the site's pages begin with."""
+    return server if scheme == "http" else site.as_uri()
 
 
 visit = pytest.fixture(visits)

@@ -22,11 +22,11 @@ SETTINGS = {
 
 def build(folder: Path, text: str) -> tuple[str, str]:
     """Build a page of this text in `folder`, and leave nothing registered behind; its HTML, and the warnings."""
-    (folder / "index.md").write_text(f"# Page\n\n{text}\n", encoding="utf-8")
+    (folder / "index.md").write_text(f"# Page\n\n{text}\n", "utf-8")
     out, warnings = folder / "_build", StringIO()
     with docutils_namespace(), patch.dict(pages.PROGRAMS, clear=True):  # what the simulator runs takes long to compile
         Sphinx(folder, None, out, out / "doctrees", "html", SETTINGS, None, warnings, freshenv=True).build()
-    return (out / "index.html").read_text(encoding="utf-8"), warnings.getvalue()
+    return (out / "index.html").read_text("utf-8"), warnings.getvalue()
 
 
 def refused(folder: Path, mistakes: dict[str, str], more: str = "") -> str:

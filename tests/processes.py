@@ -1,5 +1,6 @@
-"""Python in a process of its own."""
+"""Python, and other programs, in a process of their own."""
 
+import os
 import subprocess
 import sys
 import time
@@ -7,12 +8,21 @@ import time
 from verify.sources import ROOT
 
 
-def python(*arguments, status=0, cwd=ROOT, **options):
-    """Run this Python, which has to end with the status; return what it printed, and what it complained of."""
-    command = [sys.executable, *map(str, arguments)]
-    done = subprocess.run(command, cwd=cwd, capture_output=True, encoding="utf-8", **options)
+def run(*command, status=0, cwd=ROOT, **options):
+    """Run a command, which has to end with the status; return what it printed, and what it complained of."""
+    done = subprocess.run([*map(str, command)], cwd=cwd, capture_output=True, encoding="utf-8", **options)
     assert done.returncode == status, done.stdout + done.stderr
     return done.stdout, done.stderr
+
+
+def python(*arguments, **options):
+    """Run this Python, as `run` does."""
+    return run(sys.executable, *arguments, **options)
+
+
+def settings_without(beginning):
+    """Return the environment but for the variables whose names begin so."""
+    return {name: value for name, value in os.environ.items() if not name.startswith(beginning)}
 
 
 def started(*arguments, **options):

@@ -6,7 +6,22 @@ The quick profile is the default and gives the same examples every time; HYPOTHE
 import math
 import os
 
-from hypothesis import HealthCheck, settings, strategies as st
+from hypothesis import HealthCheck, settings
+from hypothesis.strategies import (
+    SearchStrategy,
+    booleans,
+    builds,
+    composite,
+    floats,
+    integers,
+    just,
+    lists,
+    none,
+    one_of,
+    sampled_from,
+    text,
+    tuples,
+)
 
 from renderer import Light, Scene, central, central4, exact, forward
 from renderer.kernels import FIELDS
@@ -20,42 +35,41 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 def rounded(low, high):
     """Numbers in [low, high] with six decimals, edges included: no denormals, which do not scale."""
-    return st.floats(low, high).map(lambda x: round(x, 6))
+    return floats(low, high).map(lambda x: round(x, 6))
 
 
 def triples(numbers):
     """Three numbers."""
-    return st.tuples(numbers, numbers, numbers)
+    return tuples(numbers, numbers, numbers)
 
 
-wave_numbers = st.one_of(
-    st.integers(-70, 70).map(float),
+wave_numbers = one_of(
+    integers(-70, 70).map(float),
     rounded(-100, 100),
-    st.sampled_from([0.0, -0.0, 0.5, -0.5, 1.0, 2.5, 64.0, -64.0, 66.0, 1e-300, 5e-324, 2.0**20, -(2.0**20)]),
+    sampled_from([0.0, -0.0, 0.5, -0.5, 1.0, 2.5, 64.0, -64.0, 66.0, 1e-300, 5e-324, 2.0**20, -(2.0**20)]),
 )
-betas = st.one_of(rounded(-2, 2), st.sampled_from([0.0, -0.0, 0.35, 5e-324, -5e-324, 1e-300, 1e20, 1e100, -1e100]))
-shares = st.sampled_from([n / 64 for n in range(65)])
-weights = st.one_of(shares, st.sampled_from([0.0, 0.1, 5.0, 1e6]))
-shininesses = st.one_of(
-    st.integers(1, 200).map(float), rounded(0.001, 200), st.sampled_from([1e-3, 0.5, 1.0, 32.0, 1e6, 999999.5])
+betas = one_of(rounded(-2, 2), sampled_from([0.0, -0.0, 0.35, 5e-324, -5e-324, 1e-300, 1e20, 1e100, -1e100]))
+shares = sampled_from([n / 64 for n in range(65)])
+weights = one_of(shares, sampled_from([0.0, 0.1, 5.0, 1e6]))
+shininesses = one_of(
+    integers(1, 200).map(float), rounded(0.001, 200), sampled_from([1e-3, 0.5, 1.0, 32.0, 1e6, 999999.5])
 )
-radii = st.one_of(st.just(1.0), rounded(0.1, 10), st.integers(-60, 60).map(lambda n: 10.0**n))
-ratios = st.one_of(st.just(0.25), rounded(0.01, 0.99), st.sampled_from([1e-6, 1e-3, 0.999999, 1 - 1e-9]))
-colors = st.one_of(st.none(), triples(shares), triples(st.sampled_from([0.0, 1.0, 1e6])))
-steps = st.one_of(
-    st.floats(0.5, 16).map(lambda n: 10.0**-n).filter(lambda x: x <= 0.5),
-    st.sampled_from([0.5, 1e-3, 1e-16, 1e-30, 1e-40]),
+radii = one_of(just(1.0), rounded(0.1, 10), integers(-60, 60).map(lambda n: 10.0**n))
+ratios = one_of(just(0.25), rounded(0.01, 0.99), sampled_from([1e-6, 1e-3, 0.999999, 1 - 1e-9]))
+colors = one_of(none(), triples(shares), triples(sampled_from([0.0, 1.0, 1e6])))
+steps = one_of(
+    floats(0.5, 16).map(lambda n: 10.0**-n).filter(lambda x: x <= 0.5), sampled_from([0.5, 1e-3, 1e-16, 1e-30, 1e-40])
 )
 """ε of a difference."""
 
-differences = st.one_of(st.builds(make, steps) for make in (central, forward, central4))
-methods = st.one_of(st.sampled_from([exact(), exact("general")]), differences)
+differences = one_of(builds(make, steps) for make in (central, forward, central4))
+methods = one_of(sampled_from([exact(), exact("general")]), differences)
 
 
 def rasters(largest=24):
     """(width, height): odd and even, wide and tall, one pixel across, and one that puts a pixel on the pole."""
-    sizes, one = st.integers(1, largest), st.just(1)
-    return st.one_of(st.tuples(sizes, sizes), st.tuples(sizes, one), st.tuples(one, sizes), st.just((21, 20)))
+    sizes, one = integers(1, largest), just(1)
+    return one_of(tuples(sizes, sizes), tuples(sizes, one), tuples(one, sizes), just((21, 20)))
 
 
 def scaled_triple(triple, factor):
@@ -64,13 +78,13 @@ def scaled_triple(triple, factor):
 
 
 _sides = rounded(-20, 20)
-_heights = rounded(1.01, 20), rounded(-20, -1.01), st.sampled_from([1.01, 5.0, 9e8])
-_grazing = st.tuples(rounded(1.5, 20) | rounded(-20, -1.5), _sides, st.sampled_from([1e-6, 0.01]))
-_positions = st.one_of(_grazing, *(st.tuples(_sides, _sides, height) for height in _heights))
+_heights = rounded(1.01, 20), rounded(-20, -1.01), sampled_from([1.01, 5.0, 9e8])
+_grazing = tuples(rounded(1.5, 20) | rounded(-20, -1.5), _sides, sampled_from([1e-6, 0.01]))
+_positions = one_of(_grazing, *(tuples(_sides, _sides, height) for height in _heights))
 """Positions of lights in radii of A: above, far, grazing the floor, below it; outside A always."""
-_lights = st.lists(st.tuples(_positions, colors), max_size=5)
+_lights = lists(tuples(_positions, colors), max_size=5)
 _centers = triples(rounded(-3, 3))
-_ball_radii = st.one_of(rounded(0.05, 1), st.sampled_from([0.01, 0.32, 2.0]))
+_ball_radii = one_of(rounded(0.05, 1), sampled_from([0.01, 0.32, 2.0]))
 _rest = {
     "ambient": triples(weights),
     "albedo_a": triples(shares),
@@ -79,9 +93,9 @@ _rest = {
     "kd": weights,
     "ks": weights,
     "shininess": shininesses,
-    "model": st.sampled_from(MODELS),
+    "model": sampled_from(MODELS),
     "floor_tint": shares,
-    "field": st.sampled_from(sorted(FIELDS)),
+    "field": sampled_from(sorted(FIELDS)),
     "ku": wave_numbers,
     "kv": wave_numbers,
     "beta": betas,
@@ -96,7 +110,7 @@ def _accepts(**fields):
     return True
 
 
-@st.composite
+@composite
 def scenes(draw, **fixed):
     """Accepted scenes; `fixed` gives a field as a value or as a strategy, `radius` and `ratio` as strategies."""
     radius = draw(fixed.pop("radius", radii))
@@ -106,8 +120,8 @@ def scenes(draw, **fixed):
     place = {"radius": radius, "eye": eye}
     ball = {"ball_center": scaled_triple(draw(_centers), radius), "ball_radius": radius * draw(_ball_radii)}
     place |= ball if _accepts(**place, **ball, lights=()) else {"ball": False}
-    place["ball"] = place.get("ball", True) and draw(st.booleans() | st.just(True))
-    place["floor"] = draw(st.booleans())
+    place["ball"] = place.get("ball", True) and draw(booleans() | just(True))
+    place["floor"] = draw(booleans())
     lights = []
     for position, color in draw(_lights):
         light = Light(scaled_triple(position, radius), color)
@@ -115,7 +129,7 @@ def scenes(draw, **fixed):
             lights.append(light)
     chosen = {**place, "lights": tuple(lights)}
     for name, value in {**_rest, **fixed}.items():
-        chosen[name] = draw(value) if isinstance(value, st.SearchStrategy) else value
+        chosen[name] = draw(value) if isinstance(value, SearchStrategy) else value
     return Scene(**chosen)
 
 
@@ -124,22 +138,22 @@ _looks = (
     {"field": "sine", "model": "phong", "shininess": 7.5},
     {"field": "rings", "model": "blinn", "shininess": 7.0},
 )
-looks = st.sampled_from(_looks).flatmap(lambda look: scenes(**look))
+looks = sampled_from(_looks).flatmap(lambda look: scenes(**look))
 """Scenes of a few looks, for tests that are about neither field nor light: every combination is code to compile."""
 
 NUMBER_FIELDS = ("radius", "eye", "ball_radius", "ka", "kd", "ks", "shininess", "floor_tint", "ku", "kv", "beta")
 TRIPLE_FIELDS = ("ball_center", "ambient", "albedo_a", "albedo_b")
-not_numbers = st.sampled_from([math.nan, math.inf, -math.inf, "1", b"1", None, True, (), [1.0], 1j, 10**400])
-not_triples = st.one_of(
-    st.sampled_from([None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]),
-    st.tuples(st.just(0.1), not_numbers, st.just(0.1)),
+not_numbers = sampled_from([math.nan, math.inf, -math.inf, "1", b"1", None, True, (), [1.0], 1j, 10**400])
+not_triples = one_of(
+    sampled_from([None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]),
+    tuples(just(0.1), not_numbers, just(0.1)),
 )
-unknown_names = st.one_of(st.text(max_size=5), st.none(), st.integers()).filter(lambda n: n not in (*FIELDS, *MODELS))
-rejected_fields = st.one_of(
-    st.tuples(st.sampled_from(NUMBER_FIELDS), not_numbers),
-    st.tuples(st.sampled_from(TRIPLE_FIELDS), not_triples),
-    st.tuples(st.sampled_from(["field", "model"]), unknown_names),
-    st.tuples(st.sampled_from(["ball", "floor"]), st.sampled_from([None, "yes", 2, math.nan, ()])),
-    st.tuples(st.just("lights"), st.sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,)])),
+unknown_names = one_of(text(max_size=5), none(), integers()).filter(lambda n: n not in (*FIELDS, *MODELS))
+rejected_fields = one_of(
+    tuples(sampled_from(NUMBER_FIELDS), not_numbers),
+    tuples(sampled_from(TRIPLE_FIELDS), not_triples),
+    tuples(sampled_from(["field", "model"]), unknown_names),
+    tuples(sampled_from(["ball", "floor"]), sampled_from([None, "yes", 2, math.nan, ()])),
+    tuples(just("lights"), sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,)])),
 )
 """(field, value): a value that no Scene accepts for that field."""

@@ -29,10 +29,10 @@ def test_formulas_have_the_spaces_of_print_and_carry_their_tex():
         assert typeset == f"<math><semantics>{said}{note}</semantics></math>"
 
 
-def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(site):
+def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(html_of):
     count = 0
     for name in (*LIGHT, "lemmas", "findings", "seed"):
-        article = re.search(r"(?s)<article.*</article>", (site / f"{name}.html").read_text(encoding="utf-8"))[0]
+        article = re.search(r"(?s)<article.*</article>", html_of(name))[0]
         count += article.count("<math")
         text = re.sub(r"(?s)<(pre|code|script|annotation)\b.*?</\1>|<[^>]*>", "", article)
         assert not re.search(r"\\[(\[a-z]", text), name
@@ -51,19 +51,19 @@ def test_no_rule_of_our_own_is_left_out_of_the_site(site):
     """A class that a script puts together from parts is found in no page and no script."""
     ours = ROOT / "book" / "static"
     for sheet in ours.rglob("*.css"):
-        css = re.sub(r"(?s)/\*.*?\*/", "", sheet.read_text(encoding="utf-8"))
+        css = re.sub(r"(?s)/\*.*?\*/", "", sheet.read_text("utf-8"))
         heads = NESTED.sub("", " ".join(re.findall(r"[^{};]+(?=\{)", css)))
-        built = (site / "_static" / sheet.relative_to(ours)).read_text(encoding="utf-8")
+        built = (site / "_static" / sheet.relative_to(ours)).read_text("utf-8")
         assert set(NAMED.findall(heads)) <= set(NAMED.findall(built)), sheet
 
 
 def weight(site, name):
     """Bytes of a page with all that it loads to be read and to work: scripts, style sheets and the fonts of these."""
     page = site / f"{name}.html"
-    loaded = re.findall(r'(?:src|href)="(_static/[^"?]+\.(?:js|css))', page.read_text(encoding="utf-8"))
+    loaded = re.findall(r'(?:src|href)="(_static/[^"?]+\.(?:js|css))', page.read_text("utf-8"))
     files = {page, *(site / address for address in loaded)}
     for sheet in [path for path in files if path.suffix == ".css"]:
-        fonts = re.findall(r"url\([\"']?([^\"')?#]+\.(?:woff2?|ttf))", sheet.read_text(encoding="utf-8"))
+        fonts = re.findall(r"url\([\"']?([^\"')?#]+\.(?:woff2?|ttf))", sheet.read_text("utf-8"))
         files |= {(sheet.parent / name).resolve() for name in fonts}
     return sum(path.stat().st_size for path in files)
 
@@ -76,16 +76,15 @@ def test_pages_of_the_chapter_are_light(site):
 
 def test_every_page_has_the_policy(site, single):
     for path in [*site.glob("*.html"), *site.glob("source/**/*.html"), single]:
-        head = path.read_text(encoding="utf-8").partition("</head>")[0].replace("&#39;", "'")
+        head = path.read_text("utf-8").partition("</head>")[0].replace("&#39;", "'")
         (policy,) = re.findall(r'<meta[^>]*Content-Security-Policy"[^>]*>', head)
         assert (MAILED if path == single else POLICY) in policy, path.name
         assert "connect-src 'none'" in policy and head.index(policy) < head.index("<script"), path.name
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
-def test_the_browser_lets_no_page_fetch_or_send(browser, site, server, scheme):
+def test_the_browser_lets_no_page_fetch_or_send(browser, base):
     tab = browser.new_page()
-    tab.goto(f"{server if scheme == 'http' else site.as_uri()}/s1.html")
+    tab.goto(f"{base}/s1.html")
     refused = """() => new Promise(done => {
         addEventListener('securitypolicyviolation', event => done(event.effectiveDirective));
         fetch('index.html').catch(() => 0); })"""

@@ -32,9 +32,9 @@ def proofs(site) -> Proofs:
 
 
 @pytest.fixture(scope="module")
-def cards(site):
+def cards(html_of):
     """Theorem → its card, in the order of the pages."""
-    pages = ((site / f"{name}.html").read_text("utf-8") for name in page_files(ROOT / "book"))
+    pages = map(html_of, page_files(ROOT / "book"))
     return {found[1]: parsed(found[0]) for page in pages for found in CARD.finditer(page)}
 
 
@@ -62,8 +62,8 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert f"pytest verify --theorem {id}" in card.get_text()
 
 
-def test_findings_list_every_theorem_with_its_evidence_and_every_clause_without_a_claim(site, cards, proofs):
-    page = html.unescape((site / "findings.html").read_text("utf-8"))
+def test_findings_list_every_theorem_with_its_evidence_and_every_clause_without_a_claim(html_of, cards, proofs):
+    page = html.unescape(html_of("findings"))
     for id, entry in proofs.entries.items():
         assert f'#theorem-{id}"' in page and evidence_line(entry) in page
         assert len(re.findall(rf'#theorem-{id}">[^<]*</a>: <span class="argued">', page)) == len(THEOREMS[id].argued)
@@ -71,8 +71,8 @@ def test_findings_list_every_theorem_with_its_evidence_and_every_clause_without_
     assert asked == report.asked()["Coq"]
 
 
-def test_every_theorem_is_a_node_of_the_graph_below_what_it_rests_on_with_two_links(site):
-    drawn = re.search(r'<div class="graph">.*?</svg>', (site / "dependencies.html").read_text("utf-8"), re.DOTALL)[0]
+def test_every_theorem_is_a_node_of_the_graph_below_what_it_rests_on_with_two_links(html_of):
+    drawn = re.search(r'<div class="graph">.*?</svg>', html_of("dependencies"), re.DOTALL)[0]
     order = re.findall(r'<g id="node-(\w+)"', drawn)
     assert sorted(order) == sorted(THEOREMS)
     assert all(order.index(other) < order.index(id) for id in order for other in THEOREMS[id].uses)

@@ -52,7 +52,6 @@ def verdict(place, button=None):
     return place.locator(".check-verdict").first.inner_text()
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
 def test_a_card_checks_its_theorem_and_asks_for_nothing(visit, scheme):
     tab, requests = visit("lemmas", scheme), []
     place = card(tab)
@@ -120,7 +119,7 @@ def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(visit):
     place.get_by_text("Accepted all the same").wait_for()
 
 
-@pytest.mark.parametrize(("name", "at", "button", "words"), [
+@pytest.mark.parametrize("name, at, button, words", [
     ("lemmas", "#theorem-unit_length .checker", CHECK_HERE, "Rejected(?s:.*)g is tangent(?s:.*)Left over"),
     ("findings", ".checker[data-all]", CHECK_ALL, r"Rejected(?s:.*)Rejected: unit_length\.$"),
 ])  # fmt: skip
@@ -140,7 +139,7 @@ FORBIDDEN = "window.Worker = class { constructor() { throw new Error('forbidden'
 BROKEN = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
 
 
-@pytest.mark.parametrize(("name", "button", "breakage", "words"), [
+@pytest.mark.parametrize("name, button, breakage, words", [
     ("lemmas", CHECK_HERE, FORBIDDEN, "forbidden"),
     ("lemmas", CHECK_HERE, SILENT, "no answer within 20 seconds"),
     ("findings", CHECK_ALL, BROKEN, "the worker failed"),

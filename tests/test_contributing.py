@@ -1,9 +1,7 @@
 """CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
 
-import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -11,19 +9,17 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.processes import run, settings_without
 from verify.sources import ROOT
 
 EXAMPLES = ROOT / "tests" / "examples"
 
 
-def run(folder, command, status=0):
+def shell(folder, line, status=0):
     """Run a line of a shell in the folder, by this Python; return what it prints."""
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    environment["PATH"] = f"{Path(sys.executable).parent}:{environment['PATH']}"
-    shell = {"cwd": folder, "env": environment, "capture_output": True, "encoding": "utf-8"}
-    done = subprocess.run(["bash", "-ec", command], **shell)
-    assert done.returncode == status, done.stdout + done.stderr
-    return done.stdout + done.stderr
+    settings = settings_without("PYTEST_")
+    settings["PATH"] = f"{Path(sys.executable).parent}:{settings['PATH']}"
+    return "".join(run("bash", "-ec", line, status=status, cwd=folder, env=settings))
 
 
 def walked(folder, example, left_out):
@@ -32,7 +28,7 @@ def walked(folder, example, left_out):
     shutil.copytree(ROOT, folder, ignore=built, dirs_exist_ok=True)
     lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
     lines = filter(None, (line.partition("#")[0].strip() for line in lines))
-    return {line.split()[2]: run(folder, line) for line in lines if not re.search(left_out, line)}
+    return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
 
 
 def test_the_ways_in_are_short():
@@ -42,21 +38,21 @@ def test_the_ways_in_are_short():
 
 
 @pytest.mark.parametrize(
-    ("example", "kind", "name"), [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
+    "example, kind, name", [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
 )
 def test_what_a_way_in_adds_draws_and_is_a_choice(tmp_path, example, kind, name):
     walked(tmp_path, example, "certificate|pytest|formal|book$")  # what proves takes long
     (drawn,) = tmp_path.glob("*.png")
-    run(tmp_path, "python -m renderer image --size 128 --out other.png")
+    shell(tmp_path, "python -m renderer image --size 128 --out other.png")
     picture, other = (np.asarray(Image.open(path)) for path in (drawn, tmp_path / "other.png"))
     assert (picture != other).any(axis=2).mean() > 0.1
-    assert f"'{name}'" in run(tmp_path, f"python -m renderer image --{kind} foo --out x.png", status=2)
+    assert f"'{name}'" in shell(tmp_path, f"python -m renderer image --{kind} foo --out x.png", status=2)
 
 
 @pytest.mark.long
 @pytest.mark.skipif("not config.getoption('long', False)", reason="takes minutes; run with verify and --long")
 @pytest.mark.parametrize(
-    ("example", "theorem"), [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
+    "example, theorem", [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
 )
 def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
     """The theorem is proved and its false variants are not, by Coq too; only stale certificates are made anew."""

@@ -82,7 +82,7 @@ def objections(sentence: str, number: Callable[..., Any]) -> list[str]:
 
 def texts_of(path):
     """Return a page's text, or what the claims of a file say."""
-    text = path.read_text(encoding="utf-8")
+    text = path.read_text("utf-8")
     if path.suffix == ".md":
         return [text]
     return [words for claim in tomllib.loads(text)["claim"] for words in claim.values() if isinstance(words, str)]
@@ -119,7 +119,7 @@ OF_A_RASTER = (
 )
 
 
-@pytest.mark.parametrize(("sentence", "n", "is_so"), [
+@pytest.mark.parametrize("sentence, n, is_so", [
     (OF_POINTS, 10_000, True),
     (OF_POINTS, 10_001, False),
     (OF_A_RASTER, 256, True),

@@ -95,11 +95,6 @@ def tab(firefox):
     assert firefox.evaluate("complaints") == []
 
 
-@pytest.fixture(params=["http", "file"])
-def base(request, site, server):
-    return server if request.param == "http" else site.as_uri()
-
-
 @every_page
 def test_page_is_whole(tab, base, page):
     tab.goto(f"{base}/{page}.html")

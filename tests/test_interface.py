@@ -16,12 +16,12 @@ OTHERS = {
 }
 
 
-def test_everything_public_has_an_entry_made_of_plain_text(site):
+def test_everything_public_has_an_entry_made_of_plain_text(site, html_of):
     with (site / "objects.inv").open("rb") as stream:
         found = InventoryFile.load(stream, "", lambda base, name: name)
     entries = {name: entry for kind in found if kind.startswith("py:") for name, entry in found[kind].items()}
     public = {f"{getattr(renderer, name).__module__}.{name}" for name in renderer.__all__}
     assert public | OTHERS <= entries.keys()
     assert {entry[2].partition("#")[0] for entry in entries.values()} == PLACES
-    page = (site / "api-renderer.html").read_text(encoding="utf-8")
+    page = html_of("api-renderer")
     assert "<p>Return |∇h| on sphere A" in page and "<strong>crop</strong>: (left, top, width, height)" in page

@@ -8,6 +8,7 @@ from unittest.mock import Mock
 import pytest
 
 from renderer.machines import kept_code
+from renderer.machines.kept_code import load, save
 from renderer.whole_files import whole_file
 from tests.folders import contents
 
@@ -19,9 +20,9 @@ NAME = f"{KEY}.o"
 def place(tmp_path, monkeypatch):
     """The folder, which is there with one file in it."""
     monkeypatch.setenv(kept_code.VARIABLE, str(tmp_path / "new" / "code"))
-    assert kept_code.load(KEY) is None
-    kept_code.save(KEY, CODE)
-    assert kept_code.load(KEY) == CODE
+    assert load(KEY) is None
+    save(KEY, CODE)
+    assert load(KEY) == CODE
     return tmp_path / "new" / "code"
 
 
@@ -31,9 +32,9 @@ def test_a_file_that_is_not_whole_is_none(place):
     of_another = kept_code._digest("b", CODE) + CODE
     for spoilt in (b"", whole[:40], whole[:-1], whole + b"\0", CODE, whole[:-1] + b"x", of_another):
         (place / NAME).write_bytes(spoilt)
-        assert kept_code.load(KEY) is None
-    kept_code.save(KEY, CODE)
-    assert kept_code.load(KEY) == CODE
+        assert load(KEY) is None
+    save(KEY, CODE)
+    assert load(KEY) == CODE
 
 
 def a_link(path):
@@ -62,7 +63,7 @@ def another_users(path):
 def test_what_is_not_the_users_own_is_not_loaded(become, name, place):
     """Neither the folder nor the file."""
     become(place / name)
-    assert kept_code.load(KEY) is None
+    assert load(KEY) is None
 
 
 @pytest.mark.parametrize("name", ["file/code", "full", "a\0b"])
@@ -72,8 +73,8 @@ def test_where_nothing_can_be_kept_nothing_is(name, tmp_path, monkeypatch):
     monkeypatch.setattr(kept_code, "folder", lambda: tmp_path / name)
     if name == "full":
         monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=OSError(28, "No space left on device")))
-    kept_code.save(KEY, CODE)
-    assert kept_code.load(KEY) is None
+    save(KEY, CODE)
+    assert load(KEY) is None
     assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["file"]
 
 
@@ -81,30 +82,30 @@ def test_it_is_kept_in_the_users_cache_and_closed_to_others(tmp_path, monkeypatc
     monkeypatch.delenv(kept_code.VARIABLE)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setenv("HOME", str(tmp_path))  # where macOS has it
-    kept_code.save(KEY, CODE)
+    save(KEY, CODE)
     assert tmp_path in kept_code.folder().parents
     assert kept_code.folder().stat().st_mode & 0o777 == 0o700 or os.name == "nt"
-    assert kept_code.load(KEY) == CODE
+    assert load(KEY) == CODE
     for off in kept_code.OFF:
         monkeypatch.setenv(kept_code.VARIABLE, off)
-        kept_code.save(KEY, CODE)
-        assert (kept_code.folder(), kept_code.load(KEY)) == (None, None)
+        save(KEY, CODE)
+        assert (kept_code.folder(), load(KEY)) == (None, None)
 
 
 def test_what_was_not_used_for_longest_goes(place, monkeypatch):
     monkeypatch.setattr(kept_code, "LARGEST", 3 * (place / NAME).stat().st_size)
-    kept_code.save("b", CODE)
-    kept_code.save("c", CODE)
+    save("b", CODE)
+    save("c", CODE)
     for number, name in enumerate((NAME, "b.o", "c.o")):
         os.utime(place / name, (number, number))
-    assert kept_code.load(KEY) == CODE  # used now
-    kept_code.save("d", CODE)
+    assert load(KEY) == CODE  # used now
+    save("d", CODE)
     assert contents(place).keys() == {"c.o", "d.o", NAME}
 
 
 def test_written_by_two_at_once(place):
     with ThreadPoolExecutor(4) as several:
-        list(several.map(lambda _: kept_code.save(KEY, CODE), range(40)))
+        list(several.map(lambda _: save(KEY, CODE), range(40)))
     with whole_file(place / NAME):  # another one that is half-way
-        assert kept_code.load(KEY) == CODE
-    assert kept_code.load(KEY) is None  # it kept nothing
+        assert load(KEY) == CODE
+    assert load(KEY) is None  # it kept nothing

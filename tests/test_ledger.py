@@ -171,8 +171,8 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
         require_ledger(SimpleNamespace(srcdir=ROOT / "book"))
 
 
-def test_the_pages_have_every_claim_and_every_code(site):
-    findings, ledger = ((site / f"{name}.html").read_text("utf-8") for name in ("findings", "s6"))
+def test_the_pages_have_every_claim_and_every_code(html_of):
+    findings, ledger = map(html_of, ("findings", "s6"))
     ids = Counter(re.findall(r'id="([^"]+)"', findings))
     for claim in load().claims:
         assert ids[f"claim-{claim.id}"] == 1

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 from hypothesis import given, strategies as st
+from numpy.testing import assert_array_equal
 
 from renderer import Light, render
 from renderer.kernels import FIELDS
@@ -31,13 +32,13 @@ def test_no_amplitude_no_height_and_a_plain_sphere_have_the_same_bits(scene, siz
     flat = render(replace(scene, beta=0.0), *size, method).rgb
     low = [replace(scene, field=field, ku=0.0, kv=0.0) for field in FIELDS]
     for each in (*low, replace(scene, field=product, **{wave: 0.0})):
-        np.testing.assert_array_equal(render(each, *size, other).rgb, flat)
+        assert_array_equal(render(each, *size, other).rgb, flat)
 
 
 @given(scenes(radius=st.just(1.0)), rasters(), methods, st.integers(-40, 40))
 def test_powers_of_two_scale_all_lengths(scene, size, method, n):
     """Bit for bit, but for the floor's squares, whose side stays 1."""
     one, other = render(scene, *size, method), render(scaled(scene, 2.0**n), *size, method)
-    np.testing.assert_array_equal(one.chambers & ~np.uint8(DARK), other.chambers & ~np.uint8(DARK))
+    assert_array_equal(one.chambers & ~np.uint8(DARK), other.chambers & ~np.uint8(DARK))
     kept = one.chambers & 3 != FLOOR
-    np.testing.assert_array_equal(one.rgb[kept], other.rgb[kept])
+    assert_array_equal(one.rgb[kept], other.rgb[kept])

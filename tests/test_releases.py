@@ -2,7 +2,6 @@
 
 import copy
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -17,6 +16,7 @@ from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
 from book.releases import archive, command, compare, notes as release_notes, record, same_bytes
+from tests.processes import run
 
 GRADES = {
     "unit_length": {"grade": "proved", "given": [], "statement": "$|N| = 1$"},
@@ -206,7 +206,7 @@ def built(root: Path, monkeypatch, files: str) -> None:
         [*git, "commit", "-qm", "x"],
         [sys.executable, "-m", "book"],
     ):
-        subprocess.run(step, cwd=root, check=True)
+        run(*step, cwd=root)
     monkeypatch.setattr(stamps, "ROOT", root)
 
 
@@ -238,8 +238,7 @@ def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_
         [*schema, "vendor.citation-file-format", citation],
         ["zizmor", "--offline", "--no-config", "--persona", "pedantic", folder],  # pins, permissions, injections
     ):
-        done = subprocess.run([Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True)
-        assert done.returncode == 0, done.stdout + done.stderr
+        run(Path(sys.executable).with_name(program), *arguments)
     for path in folder.iterdir():
         text = path.read_text()
         assert "secrets" not in text.replace("no secret", "") and "GITHUB_TOKEN" not in text

@@ -20,8 +20,8 @@ def test_scripts_pass_biome_and_typescript(tmp_path):
     (here / "node_modules").symlink_to(NPM / "node_modules")
     shutil.copytree(ROOT / "book", tmp_path / "book", ignore=shutil.ignore_patterns("_*", "*.py", "*.md"))
     script = tmp_path / "book" / "static" / "shared.js"
-    text = script.read_text(encoding="utf-8")
+    text = script.read_text("utf-8")
     for line in ("", *WRONG):
-        script.write_text(text + line, encoding="utf-8")
+        script.write_text(text + line, "utf-8")
         command = ["npm", "run", "--silent", "check", "--prefix", here]
         assert (subprocess.run(command, capture_output=True).returncode == 0) is (line == ""), line

@@ -2,8 +2,6 @@
 
 from urllib.parse import quote_plus
 
-import pytest
-
 # Two words, one of the prose, of a caption, a Greek letter, one of a theorem's card; and where each has to be found.
 FOUND = {
     "perturbed normal": "s3.html",
@@ -29,7 +27,6 @@ def search(tab, words: str) -> list[str]:
     )
 
 
-@pytest.mark.parametrize("scheme", ["http", "file"])
 def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
     tab = visit("source/proofs/formulas/bump.py", scheme)
     for words, page in FOUND.items():

@@ -9,6 +9,7 @@ from dataclasses import asdict
 
 import numpy as np
 import pytest
+from numpy.testing import assert_array_equal
 from PIL import Image, ImageColor
 
 from book.simulator_module import TERM_COLOURS
@@ -160,12 +161,12 @@ def test_the_page_and_its_workers_paint_the_renderers_pictures(tab, size):
         apart, ends = numeric.rgb - symbolic.rgb, distance_on_a(numeric, symbolic)
         wanted = f"#sim?field=sine&eps={eps}&scale=1e2&model=phong&size={size}"
         paint(tab, wanted)
-        np.testing.assert_array_equal(painted(tab, "numeric"), image_view(numeric))
-        np.testing.assert_array_equal(painted(tab, "symbolic"), image_view(symbolic))
-        np.testing.assert_array_equal(painted(tab, "difference"), difference_linear(apart, 100))
+        assert_array_equal(painted(tab, "numeric"), image_view(numeric))
+        assert_array_equal(painted(tab, "symbolic"), image_view(symbolic))
+        assert_array_equal(painted(tab, "difference"), difference_linear(apart, 100))
         assert [readout(tab, name) for name in ("max", "rms")] == pytest.approx([end.value for end in ends], rel=5e-3)
         paint(tab, wanted.replace("1e2", "log"))
-        np.testing.assert_array_equal(painted(tab, "difference"), difference_logarithmic(apart))
+        assert_array_equal(painted(tab, "difference"), difference_logarithmic(apart))
 
 
 def test_the_views_are_the_renderers(tab):
@@ -181,7 +182,7 @@ def test_the_views_are_the_renderers(tab):
         assert 0 < flags.sum() < 20_000
     for view, picture in expected.items():
         paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view={view}")
-        np.testing.assert_array_equal(painted(tab, "numeric"), picture, view)
+        assert_array_equal(painted(tab, "numeric"), picture, view)
     assert set(leading) == {1, 4}
 
 

@@ -1,7 +1,6 @@
 """The package as `pip install .` gives it: in an empty environment it draws and checks, without the repository."""
 
 import os
-import subprocess
 import sys
 import tarfile
 import tomllib
@@ -15,9 +14,10 @@ from packaging.requirements import Requirement
 
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
+from tests.processes import run, settings_without
 from verify.sources import ROOT, imported
 
-SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 PROJECT = SETTINGS["project"]
 LARGEST = 1.5e6  # bytes
 SCRIPT = """
@@ -51,10 +51,8 @@ if __name__ == "__main__":
 
 def done(*command, cwd, status=0, **settings):
     """Run a command away from the repository; return what it prints."""
-    own = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    ended = subprocess.run(command, cwd=cwd, env=own | settings, capture_output=True, text=True)
-    assert ended.returncode == status, ended.stdout + ended.stderr
-    return ended.stdout
+    printed, _ = run(*command, cwd=cwd, status=status, env=settings_without("PYTHON") | settings)
+    return printed
 
 
 def pip(*arguments, cwd):

@@ -69,13 +69,13 @@ def edit(source, index, find=sites, by=1):
 @contextmanager
 def edited(folder, path, *how):
     """Edit a site in a copy of the tree, for as long as the context; give the words for it."""
-    original = (folder / path).read_text(encoding="utf-8")
+    original = (folder / path).read_text("utf-8")
     changed, what = edit(original, *how)
-    (folder / path).write_text(changed, encoding="utf-8")
+    (folder / path).write_text(changed, "utf-8")
     try:
         yield f"{path}:{what}"
     finally:
-        (folder / path).write_text(original, encoding="utf-8")
+        (folder / path).write_text(original, "utf-8")
 
 
 def everywhere(find, pattern="*.py"):
@@ -83,7 +83,7 @@ def everywhere(find, pattern="*.py"):
     return [
         (path.relative_to(ROOT), index, find)
         for path in sorted((ROOT / "proofs" / "formulas").glob(pattern))
-        for index in range(len(find(ast.parse(path.read_text(encoding="utf-8")))))
+        for index in range(len(find(ast.parse(path.read_text("utf-8")))))
     ]
 
 
@@ -141,7 +141,7 @@ def test_no_edit_survives(copy):
 def test_no_number_of_a_formula_survives(copy, pytestconfig):
     """Nor the sixth of the truncation's bound, where no test once failed with a fifth; a blind check lets it pass."""
     few, of_bounds = draw(everywhere(numbers), FEW_NUMBERS, pytestconfig), everywhere(numbers, "step_bounds.py")
-    values = numbers(ast.parse((ROOT / of_bounds[0][0]).read_text(encoding="utf-8")))
+    values = numbers(ast.parse((ROOT / of_bounds[0][0]).read_text("utf-8")))
     fifth = (*of_bounds[[node.value for node in values].index(6)], -1)
     assert survivors(copy, [*few, fifth], OF_NUMBERS) == []
     assert survivors(copy, [fifth], [("proofs.check", "unit_length")]) == [fifth]

@@ -9,7 +9,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, seed, settings, strategies as st, target
+from hypothesis import Phase, given, seed, settings, target
+from hypothesis.strategies import fixed_dictionaries, floats, integers, just, one_of, sampled_from
 
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT
@@ -86,30 +87,30 @@ def of_shares(measured, claims):
     return lambda name, number: max(measured.shares(claims[name], np.random.default_rng(number), 1))
 
 
-_algebraic = st.sampled_from([name for name, field in HEIGHT_FIELDS.items() if field.wave_numbers])
-_inside = st.floats(0, 1, exclude_max=True)
-_waves = st.one_of(st.floats(-LARGEST, LARGEST), st.integers(-1000, 1000).map(float))
-_moderate = st.one_of(st.integers(1, 512).map(float), st.floats(1, 512), st.floats(-512, -1))
-_clear = st.one_of(st.just(0.0), st.floats(1e-9, 1 - 1e-9))  # nothing underflows
-_pixels, _seeds = st.integers(0, SIZE - 1), st.integers(0, 2**16)
+_algebraic = sampled_from([name for name, field in HEIGHT_FIELDS.items() if field.wave_numbers])
+_inside = floats(0, 1, exclude_max=True)
+_waves = one_of(floats(-LARGEST, LARGEST), integers(-1000, 1000).map(float))
+_moderate = one_of(integers(1, 512).map(float), floats(1, 512), floats(-512, -1))
+_clear = one_of(just(0.0), floats(1e-9, 1 - 1e-9))  # nothing underflows
+_pixels, _seeds = integers(0, SIZE - 1), integers(0, 2**16)
 STAGES = colours.claims()
 CLIMBS = {
     "gradient_accuracy": (general_gradient, 10.0, 2.0, {
         "field": _algebraic, "u": _inside, "v": _inside, "ku": _waves, "kv": _waves}),
     "algebraic_gradient_accuracy": (algebraic_gradient, ALGEBRAIC_GRADIENT, 0.1, {
-        "field": _algebraic, "ratio": st.floats(*RATIOS), "square": st.floats(LEAST_SQUARE, 1),
-        "angle": st.floats(-math.pi, math.pi), "half_u": st.integers(1, 32), "wave_v": st.integers(1, 64)}),
+        "field": _algebraic, "ratio": floats(*RATIOS), "square": floats(LEAST_SQUARE, 1),
+        "angle": floats(-math.pi, math.pi), "half_u": integers(1, 32), "wave_v": integers(1, 64)}),
     "difference_bounds": (difference, 1.0, 0.3, {
-        "field": st.sampled_from([*SLOPE_TERMS]), "u": _clear, "v": _clear, "ku": _moderate, "kv": _moderate,
-        "digits": st.floats(1, 16)}),
-    "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": st.floats(3.9, 6.3), "number": _seeds}),
+        "field": sampled_from([*SLOPE_TERMS]), "u": _clear, "v": _clear, "ku": _moderate, "kv": _moderate,
+        "digits": floats(1, 16)}),
+    "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": floats(3.9, 6.3), "number": _seeds}),
     "binades": (lost_step, 1.0, 0.5, {
-        "significand": st.one_of(st.just(2**52), st.integers(2**52, 2**53 - 1)), "exponent": st.integers(-112, -53),
-        "share": st.one_of(st.just(0.5), st.floats(0.2, 1.2))}),
-    "colour_accuracy": (of_shares(colours, STAGES), 1.0, 0.05, {"name": st.sampled_from([*STAGES]), "number": _seeds}),
-    "enclosing_rules": (of_shares(enclosing, RULES), 1.0, 0.9, {"name": st.sampled_from([*RULES]), "number": _seeds}),
+        "significand": one_of(just(2**52), integers(2**52, 2**53 - 1)), "exponent": integers(-112, -53),
+        "share": one_of(just(0.5), floats(0.2, 1.2))}),
+    "colour_accuracy": (of_shares(colours, STAGES), 1.0, 0.05, {"name": sampled_from([*STAGES]), "number": _seeds}),
+    "enclosing_rules": (of_shares(enclosing, RULES), 1.0, 0.9, {"name": sampled_from([*RULES]), "number": _seeds}),
     "pixel_accuracy": (pixel, 1.0, 1e-4, {
-        "name": st.sampled_from([*SCENES]), "column": _pixels, "row": _pixels}),
+        "name": sampled_from([*SCENES]), "column": _pixels, "row": _pixels}),
 }  # fmt: skip
 """{theorem: (what is climbed, the bound that it claims, what is found at least, from where)}"""
 
@@ -121,7 +122,7 @@ def climb(theorem, examples):
 
     @seed(24)
     @settings(max_examples=examples, deadline=None, database=None, phases=[Phase.generate, Phase.target])
-    @given(st.fixed_dictionaries(where))
+    @given(fixed_dictionaries(where))
     def look(at):
         found = height(**at)
         assert not math.isinf(found), at

@@ -32,7 +32,7 @@ def written(tmp_path, monkeypatch):
 
     def write(**texts):
         for name, text in texts.items():
-            (tmp_path / f"{name}.v").write_text(text, encoding="utf-8")
+            (tmp_path / f"{name}.v").write_text(text, "utf-8")
 
     return write
 
@@ -57,7 +57,7 @@ def test_coq_accepts_what_the_record_says(request):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
     alone = request.config.getoption("long")
     if alone or not formal.accepted_here():
-        said = json.loads(formal.RECORD.read_text(encoding="utf-8"))["theorems"]
+        said = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
         assert said == formal.compile_files(said=None if alone else said)
         write_whole(formal.KEPT, formal.seen().encode())
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
@@ -100,7 +100,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("texts", "why"), REFUSED)
+@pytest.mark.parametrize("texts, why", REFUSED)
 def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, why, written):
     written(**texts)
     with pytest.raises(formal.NotAccepted, match=why):
@@ -247,7 +247,7 @@ def test_a_derivative_has_to_exist():
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():
-    proof = (formal.FOLDER / "RoundedGradient.v").read_text(encoding="utf-8")
+    proof = (formal.FOLDER / "RoundedGradient.v").read_text("utf-8")
     words = " ".join(step.what for step in all_theorems()["gradient_accuracy"].steps)
     named = re.findall(r"(\d+)\.(\d+)\\mu", words)
     assert len(named) == 2
@@ -266,7 +266,7 @@ def test_no_broken_formula_is_accepted(tmp_path, written):
     """One operator of proofs/formulas/ at a time: Coq refuses it, or no statement is about what is printed of it."""
     for name in ("proofs", "renderer"):
         shutil.copytree(ROOT / name, tmp_path / name)
-    texts = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
+    texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
     accepted = []
     for place in draw(everywhere(sites), 20):
         with edited(tmp_path, *place) as what:

@@ -1,32 +1,44 @@
-"""What is derived of a height field's expression is so, and what no kernel could draw is refused in words."""
+"""What is derived of a height field's expression is so: creases, factors, and what bounds a central difference's error.
+
+What no kernel could draw is refused in words.
+"""
 
 import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose, assert_array_equal
 from sympy import Abs, Max, Piecewise, Rational, atan, log
 
 from proofs.engine.program import Program
+from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import h_u, h_v, k_u, k_v, real, u, v
-from renderer.generate import kernels
+from renderer import kernels
 from renderer.generate.__main__ import write_all
-from renderer.generate.kernels import function_of
+from renderer.generate.creases import crease_point, crease_rates
+from renderer.generate.kernels import function_of, kernels_source
+from renderer.generate.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
 from verify.evaluate.arrays import distance, in_balls
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2
+_cosines = cospi(k_u * u) * cospi(k_v * v)
 MORE = {
-    "cosines": Abs(cospi(k_u * u) * cospi(k_v * v)),
+    "cosines": _cosines,
+    "folded": Abs(_cosines),
     "slanted": Abs(sinpi(k_u * u + k_v * v)),
     "waves": sinpi(k_u * u) + sinpi(2 * k_u * u),
     "bump": Max(0, _inside) ** 2,
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
+COVERED = [field for field in FIELDS.values() if slope_terms(field)]
+every_field = pytest.mark.parametrize("field", COVERED, ids=lambda field: field.name)
 CHART = (u, v, k_u, k_v)
 
 
@@ -42,7 +54,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     at = 0.03 + 0.9 * along, 0.11 + 0.61 * along, 8.0, 4.0
     slopes = np.broadcast_arrays(*function_of(gradient(field))(*at), along)[:2]
     jumps = np.abs(np.diff(slopes)).max(axis=0) > 0.5
-    np.testing.assert_array_equal(jumps, crossed(field.creases, at))
+    assert_array_equal(jumps, crossed(field.creases, at))
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
@@ -85,5 +97,100 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch):
     monkeypatch.setitem(HEIGHT_FIELDS, "odd_one", AnyField("odd_one", atan(v)))
     words = re.escape("height_odd_one is not allowed: it calls atan, which no kernel has")
     with pytest.raises(ValueError, match=words):
-        write_all({tmp_path / "first": str, tmp_path / "kernels.py": kernels.kernels_source})
+        write_all({tmp_path / "first": str, tmp_path / "kernels.py": kernels_source})
     assert not [*tmp_path.iterdir()]
+
+
+# What bounds a central difference's error, on the pages and in the simulator
+
+
+def test_only_what_the_theorems_cover_has_a_bound():
+    """A slanted wave, a square, another amplitude or frequency, a sine of a cosine's angle: none."""
+    assert {"sine", "ridges"} < {field.name for field in COVERED} and slope_terms(FIELDS["slanted"]) is None
+    sine, field = sinpi(k_u * u), HEIGHT_FIELDS["sine"]
+    for expression in (sine**2, sinpi(3 * k_u * u / 2) * sine, sine * cospi(k_u * u), 2 * sine, sine + sinpi(k_v * v)):
+        assert factors_of(replace(field, expression=expression)) is None
+    assert factors_of(replace(field, expression=sine * cospi(k_v * v))) == (sine, cospi(k_v * v))
+
+
+def drawn(count):
+    """Return random u, v, k_u, k_v and ε: everywhere, beside zeros, the seam and poles; whole waves and others."""
+    rng, two = np.random.default_rng(11), (2, count)
+    eps, waves = 10.0 ** rng.uniform(-18, np.log10(0.5), count), rng.integers(-16, 17, two).astype(float)
+    waves += rng.choice([0.0, 0.5, 0.3], count)
+    places, near = rng.random(two), 10.0 ** rng.uniform(-9, -1, two) * rng.choice([-1, 1], two)
+    zeros = np.rint(places * waves) + rng.choice([0.0, 0.5], two) + near
+    places = np.where(rng.random(two) < 0.5, places, zeros / np.where(waves == 0, 1, waves))
+    return places[0] % 1.0, np.clip(np.abs(places[1]), 0, 1), *waves, eps
+
+
+def errors_and_terms(field, at):
+    """Return how far a field's central difference is off, in u and in v, and each slope's terms, which bound that."""
+    ours, true = function_of(central(field))(*at), function_of(gradient(field))(*at[:-1])
+    zero = np.zeros(np.broadcast(*at).shape)
+    errors = [zero + abs(one - other) for one, other in zip(ours, true, strict=True)]
+    return np.array(errors), np.array([[zero + term for term in slope] for slope in slope_terms(field)(*at)])
+
+
+@every_field
+@np.errstate(all="ignore")
+def test_no_difference_is_further_off_than_its_bound(field):
+    at = drawn(20_000)
+    errors, terms = errors_and_terms(field, at)
+    of_slopes = terms.sum(axis=1)
+    assert (errors <= of_slopes).all()
+    assert (errors > of_slopes - terms.max(axis=1)).any()  # without its largest term it is no bound
+    found = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
+    assert found == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
+    bound, leading, *slopes = bounds_of(field)(*at)  # what the simulator shows: the larger slope's
+    assert_allclose(slopes, of_slopes)
+    larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]
+    assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
+    assert_array_equal(bound, np.max(slopes, axis=0))
+
+
+@every_field
+@np.errstate(all="ignore")
+def test_where_both_arguments_round_back_the_bound_is_the_slope(field):
+    """The difference is 0 there, and its error the slope itself: the bound is no more than a rounding above it."""
+    at = *np.random.default_rng(5).uniform(0.1, 0.9, (2, 1000)), 8.0, 4.0
+    for eps in (1e-18, 5e-18):
+        errors, terms = errors_and_terms(field, (*at, eps))
+        assert not np.any(function_of(central(field))(*at, eps))
+        assert (errors <= terms.sum(axis=1)).all() and (terms.sum(axis=1) <= errors * ROOM**2 + 1e-12).all()
+
+
+@np.errstate(all="ignore")
+def test_a_hump_of_ridges_that_ends_inside_the_step_has_no_smooth_bound():
+    """At v = 0.0045 the first one does, at v = 1/256, beside the sample at the pole. At v = 0 it begins."""
+    at, smooth = (0.798, np.array([0.0, 0.0045]), 512.0, 256.0, 9e-4), truncation_bound(9e-4, 256.0)
+    (_, errors), (_, terms) = errors_and_terms(HEIGHT_FIELDS["ridges"], at)
+    assert (4 * smooth < errors).all() and (errors <= terms.sum(axis=0)).all()
+    assert [TERMS[number] for number in terms.argmax(axis=0)] == ["one-sided", "straddling"]
+
+
+def test_the_bounds_are_sharp():
+    """Where the slope is steepest, the error of a small step is the bound, up to the next term of its series."""
+    for k in (1.0, 8.0, 64.0):
+        error = np.pi * k * (1 - np.sinc(1e-2))
+        assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1
+    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.6e-7, rel=1e-2)
+
+
+@np.errstate(all="ignore")
+def test_the_creases_are_where_the_factors_are_zero():
+    """Meridians and a parallel: on the image, and back on the chart, the factor is zero there."""
+    for a, b, offset in np.reshape(crease_rates(HEIGHT_FIELDS["ridges"])(8.0, 4.0), (2, 3)):
+        x, y = crease_point(a, b, 1.0, np.linspace(0.01, 1, 97), 4.0, 1.0)
+        at_u, at_v = kernels.chart(*kernels.angles_on_a(x[~np.isnan(x)], y[~np.isnan(x)], 4.0, 1.0))
+        turns = a * at_u + b * at_v + offset
+        assert np.abs(turns - np.rint(turns)).max() < 1e-12
+        assert np.abs(a * at_v + b * at_u).max() > 0.1  # u and v the wrong way round are seen
+
+
+def test_a_difference_straddles_circles_and_not_the_pole():
+    """At v < ε the difference is clamped at the pole, where |sin πk_v v| ends; at v = 1/k_v it crosses the crease."""
+    straddling = kernels.FIELDS["ridges"]["straddling"]
+    flags = straddling(0.05, np.array([1e-9, 1e-4, 0.009, 0.2499, 0.2501, 0.26]), 8.0, 4.0, 1e-3)
+    assert_array_equal(flags, [0, 0, 0, 1, 1, 0])
+    assert straddling(np.float64(0.05), np.float64(0.03), 8.0, 16.0, 0.05) == 1  # the first circle, past the pole

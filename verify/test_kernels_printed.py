@@ -7,4 +7,4 @@ from renderer.generate.__main__ import PRINTED
 
 @pytest.mark.parametrize("path", PRINTED, ids=lambda path: path.name)
 def test_printed_files_are_up_to_date(path):
-    assert path.read_text(encoding="utf-8") == PRINTED[path]()
+    assert path.read_text("utf-8") == PRINTED[path]()

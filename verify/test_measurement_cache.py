@@ -37,7 +37,7 @@ def test_what_is_kept_is_what_was_found_and_what_was_changed_or_failed_is_not_re
     tampered = json.loads(text)
     tampered["evidence"]["record"]["measurements"][0]["worst"] = 0.5
     for content in (json.dumps(tampered), "{}", "[]", ""):
-        path.write_text(content, encoding="utf-8")
+        path.write_text(content, "utf-8")
         assert measurement_cache.read(QUICK, key) is None
 
 

@@ -22,7 +22,7 @@ from verify.checkers.sampler import Sampler
 POINTS, ATTEMPTS = 2, 3000
 CLOSE = mpmath.mpf(10) ** -30
 DEFINITION = re.compile(r"^Definition (\w+) : Prop :=\n(.*?)\.$", re.MULTILINE | re.DOTALL)
-WRITTEN = dict(DEFINITION.findall((formal.FOLDER / "Statements.v").read_text(encoding="utf-8")))
+WRITTEN = dict(DEFINITION.findall((formal.FOLDER / "Statements.v").read_text("utf-8")))
 CONDITIONAL = re.compile(r"^\((.* -> .*)\)$")
 CLAIMS = {f"{t.id}__{c.name}": (t, c) for t in all_theorems().values() for c in t.claims if isinstance(c, Claim)}
 
@@ -166,7 +166,7 @@ LESS = [
 ]
 
 
-@pytest.mark.parametrize(("name", "was", "less"), LESS)
+@pytest.mark.parametrize("name, was, less", LESS)
 def test_a_need_that_is_left_out_is_missed(name, was, less):
     assert was in WRITTEN[name]
     with mpmath.workdps(WORKING_DIGITS):

@@ -4,6 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from numpy.testing import assert_array_equal
 
 from renderer import Scene, central, exact, render
 from renderer.picture.stage import SURFACE_BITS
@@ -30,12 +31,12 @@ def test_the_seed_loops_draw_our_picture(drawn):
     rgb, surfaces = seed_loops(*given, eps)
     frame = render(*given, exact() if eps is None else central(eps))
     assert largest(rgb, frame) < LOOPS_AGREE
-    np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+    assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
 
 
 def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
     flat = Scene(beta=0.0)
-    np.testing.assert_array_equal(seed_loops(flat, 16, 16)[0], seed_loops(flat, 16, 16, 1e-3)[0])
+    assert_array_equal(seed_loops(flat, 16, 16)[0], seed_loops(flat, 16, 16, 1e-3)[0])
     assert np.abs(seed_loops(Scene(), 16, 16)[0] - seed_loops(Scene(), 16, 16, 1e-1)[0]).max() > 1e-3
 
 
@@ -59,4 +60,4 @@ def test_the_numpy_tiles_draw_our_picture(side):
     for threads in (1, 2):
         rgb, surfaces = numpy_tiles(Scene(), side, side, threads)
         assert largest(rgb, frame) < TILES_AGREE
-        np.testing.assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+        assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)

@@ -117,7 +117,7 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
 def test_the_schema_is_the_form_that_the_kernel_asks_for():
     """But for what no regular expression says: lowest terms, and names that differ. Every stored file has it."""
     jsonschema = pytest.importorskip("jsonschema")
-    schema = json.loads((FOLDER.parent / "certificates.schema.json").read_text(encoding="utf-8"))
+    schema = json.loads((FOLDER.parent / "certificates.schema.json").read_text("utf-8"))
     validator = jsonschema.Draft202012Validator(schema)
 
     def has_the_form(statement, certificate):
@@ -126,7 +126,7 @@ def test_the_schema_is_the_form_that_the_kernel_asks_for():
         return validator.is_valid({"version": 1, "theorem": "t", "claims": claims})
 
     for path in FOLDER.glob("*.json"):
-        validator.validate(json.loads(path.read_text(encoding="utf-8")))
+        validator.validate(json.loads(path.read_text("utf-8")))
     assert has_the_form(*GOOD)
     formless = [name for name, pair in BROKEN.items() if "'s form" in str(kernel.check(*pair))]
     assert [name for name in formless if has_the_form(*BROKEN[name])] == ["the coefficient '2/2'", "the monomial 'x x'"]

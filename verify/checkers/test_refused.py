@@ -28,17 +28,12 @@ from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equati
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.program import Program
 from proofs.engine.stored import statements
+from verify.checkers.test_attacks import line, n, x, y
 
-x, y, n = symbols("x y n", real=True)
 HIDDEN = ["nonnegative", "nonzero", "extended_real", "positive"]
 TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "x y", "", "x^2", "2x", "é", "_x", "x\n"]
 with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
-
-
-def line(symbol, expression):
-    """Return a program of one line."""
-    return Program("line", (x,), ((symbol, expression),), (symbol,))
 
 
 def of_symbols():
@@ -117,7 +112,7 @@ def of_states():
 REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
 
 
-@pytest.mark.parametrize(("claim", "why"), REFUSED)
+@pytest.mark.parametrize("claim, why", REFUSED)
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})

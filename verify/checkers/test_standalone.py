@@ -38,11 +38,11 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
 ]
 
 
-@pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
+@pytest.mark.parametrize("id, was, changed, says", SCRIPTS)
 def test_the_script_says_its_verdict(id, was, changed, says, tmp_path):
     head, certificate, tail = standalone_script(id).partition('"certificate"')
     path = tmp_path / "theorem.py"
-    path.write_text(head + certificate + tail.replace(was, changed, 1), encoding="utf-8")
+    path.write_text(head + certificate + tail.replace(was, changed, 1), "utf-8")
     status, printed, errors = bare(str(path))
     assert (status, errors) == (int(was != ""), "")
     assert says in printed and ("REJECTED" in printed) == (was != "")
