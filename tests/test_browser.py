@@ -209,7 +209,7 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/npm")
 @pytest.mark.parametrize(
-    "mode, spoil, rule",
+    ("mode", "spoil", "rule"),
     [
         ("light", "document.querySelector('.bd-article').append(document.createElement('button'))", "button-name"),
         ("dark", "document.querySelector('.bd-article p').style.color = '#333'", "color-contrast"),

@@ -32,7 +32,7 @@ def test_every_float_beside_every_crease_is_off_it():
             assert (gradient_at(replace(RIDGES, ku=wave_number), u, 0.31, exact())[0] != 0).all()
 
 
-@pytest.mark.parametrize("factor, flag", [(0.0299, 1), (0.0301, 0), (-0.0299, 1), (-0.0301, 0)])
+@pytest.mark.parametrize(("factor", "flag"), [(0.0299, 1), (0.0301, 0), (-0.0299, 1), (-0.0301, 0)])
 def test_the_kink_band_is_where_a_factor_is_below_three_hundredths(factor, flag):
     u, v = 0.125 + np.arcsin(factor) / (8 * np.pi), np.float64(0.47)
     assert FIELDS["ridges"]["kink"](np.sin(np.pi * v), u, v, RIDGES.ku, RIDGES.kv) == flag

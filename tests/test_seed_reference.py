@@ -23,7 +23,7 @@ def drawn(field, model, method):
     return render(Scene(field=field, model=model), 64, 64, METHODS[method])
 
 
-@pytest.mark.parametrize("field, model, method", list(product(FIELDS, MODELS, METHODS)))
+@pytest.mark.parametrize(("field", "model", "method"), list(product(FIELDS, MODELS, METHODS)))
 def test_rgb(field, model, method):
     stored = DATA[f"{field}.{model}.{'central' if method == 'central' else 'exact'}.rgb"]
     assert_allclose(drawn(field, model, method).rgb, stored, rtol=0, atol=AGREEMENT)

@@ -43,7 +43,7 @@ LINES = [
 """[(a line, the balls of its inputs, what its ball contains)]: where that is one number, it is decided."""
 
 
-@pytest.mark.parametrize("expression, values, contained", LINES)
+@pytest.mark.parametrize(("expression", "values", "contained"), LINES)
 def test_what_is_not_decided_is_enclosed(expression, values, contained):
     inputs = tuple(sorted(expression.free_symbols, key=str))
     found = Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]

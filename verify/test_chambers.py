@@ -28,7 +28,7 @@ def test_random_scenes():
 
 
 @pytest.mark.parametrize("form", ["algebraic", "general"])
-@pytest.mark.parametrize("field, model", [("sine", "phong"), ("ridges", "blinn"), ("rings", "blinn")])
+@pytest.mark.parametrize(("field", "model"), [("sine", "phong"), ("ridges", "blinn"), ("rings", "blinn")])
 def test_the_image_agrees(field, model, form):
     assert image_error(Scene(field=field, model=model), 96, exact(form)) <= 1e-13
 
@@ -65,7 +65,7 @@ def test_degenerate_scenes(case, size):
     assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
 
 
-@pytest.mark.parametrize("name, value, light", [
+@pytest.mark.parametrize(("name", "value", "light"), [
     ("_casts", lambda *where: False, (-3.0, -3.0, -1.0)),  # as if A cleared every cone of light: it shades B here
     ("GUARD", -0.05, (5.0, 5.0, 10.0)),
 ])  # fmt: skip

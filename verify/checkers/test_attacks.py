@@ -99,7 +99,7 @@ UNPROVED = [
 """[(a claim, what has to be given for it)]"""
 
 
-@pytest.mark.parametrize("claim, given", UNPROVED)
+@pytest.mark.parametrize(("claim", "given"), UNPROVED)
 def test_what_does_not_follow_is_not_proved(claim, given):
     with pytest.raises(NotFound):
         prove(claim, {})
@@ -154,7 +154,7 @@ GRADES = [
 ]
 
 
-@pytest.mark.parametrize("grade, claim, changes", GRADES)
+@pytest.mark.parametrize(("grade", "claim", "changes"), GRADES)
 def test_a_theorem_has_no_better_grade(grade, claim, changes):
     assert examined(claim, **changes).grade == grade
 

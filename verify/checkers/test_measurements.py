@@ -81,7 +81,7 @@ def test_an_enclosure_is_taken_apart_and_tried(changes):
     assert replace(SINE, **changes).why_refused()
 
 
-@pytest.mark.parametrize("words, grade", [(SOME.statement, "certified"), ("At most 1.5 ulps.", "failed")])
+@pytest.mark.parametrize(("words", "grade"), [(SOME.statement, "certified"), ("At most 1.5 ulps.", "failed")])
 def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     false = {"at most 1.33": {"bound": Fraction(133, 100)}}
     found = measured(lambda bound=SINE.bound: replace(SINE, bound=bound), false, expected="certified", statement=words)

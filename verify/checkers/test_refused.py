@@ -112,7 +112,7 @@ def of_states():
 REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
 
 
-@pytest.mark.parametrize("claim, why", REFUSED)
+@pytest.mark.parametrize(("claim", "why"), REFUSED)
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})

@@ -38,7 +38,7 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
 ]
 
 
-@pytest.mark.parametrize("id, was, changed, says", SCRIPTS)
+@pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
 def test_the_script_says_its_verdict(id, was, changed, says, tmp_path):
     head, certificate, tail = standalone_script(id).partition('"certificate"')
     path = tmp_path / "theorem.py"
