@@ -70,7 +70,7 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
     context.close()
     home = home or urljoin(address, "/")
     assert [url for url in asked if not url.startswith((home, "blob:", "data:"))] == []
-    assert asked and complaints == []
+    assert asked and not complaints, complaints
 
 
 def visits(browser, site, server):
