@@ -17,6 +17,9 @@ try:
     import fcntl
 except ImportError:  # Windows, which removes no file that is open: as good as a lock
     fcntl = None  # type: ignore[assignment]
+    import msvcrt
+
+BEYOND = 2**30  # a byte that no checkpoint reaches
 
 
 def named(name: str, path: str | Path) -> Path:
@@ -72,6 +75,8 @@ def sole_writer(path: str | Path) -> BinaryIO:
         try:
             if fcntl:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            else:
+                _lock_a_byte(file)
         except BlockingIOError:
             file.close()
             raise
@@ -80,6 +85,16 @@ def sole_writer(path: str | Path) -> BinaryIO:
         if os.fstat(file.fileno()).st_nlink:  # else it was removed before it was locked
             return file
         file.close()
+
+
+def _lock_a_byte(file):
+    """Lock a byte beyond the end, as Windows locks until a file is closed; BlockingIOError where somebody else has."""
+    file.seek(BEYOND)
+    try:
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
+    except PermissionError as error:
+        raise BlockingIOError(*error.args) from None
+    file.seek(0, os.SEEK_END)
 
 
 def remove_abandoned(folder: str | Path) -> None:

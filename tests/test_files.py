@@ -1,9 +1,11 @@
 """Files are whole or not there at all."""
 
+import os
 import signal
 import zlib
 from io import BytesIO
 from pathlib import Path
+from types import SimpleNamespace
 from unittest.mock import Mock
 
 import numpy as np
@@ -13,7 +15,7 @@ from PIL import Image
 from renderer import Scene, central, render, whole_files
 from renderer.files import pictures as files
 from renderer.picture import views
-from renderer.whole_files import checked_target, whole_file
+from renderer.whole_files import checked_target, sole_writer, whole_file
 from tests.folders import contents
 from tests.pictures import shows
 from tests.processes import started
@@ -148,6 +150,26 @@ def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_pa
         Path(unfinished).write_text("whole")
     assert (tmp_path / "a.csv").read_text() == "whole"
     assert left.exists() is (name == "flock")
+
+
+def test_where_bytes_are_locked_a_file_has_one_writer_too(tmp_path, monkeypatch):
+    """A stand-in for the one function of Windows that is asked."""
+    path, locked = tmp_path / "a.jsonl", set()
+
+    def locking(descriptor, mode, count):
+        byte = os.fstat(descriptor).st_ino, os.lseek(descriptor, 0, os.SEEK_CUR)
+        if byte in locked:
+            raise PermissionError("locked")
+        locked.add(byte)
+
+    monkeypatch.setattr(whole_files, "fcntl", None)
+    monkeypatch.setattr(whole_files, "msvcrt", SimpleNamespace(locking=locking, LK_NBLCK=2), raising=False)
+    path.write_text("first ")
+    with sole_writer(path) as own:
+        own.write(b"second")
+        with pytest.raises(BlockingIOError):
+            sole_writer(path)
+    assert path.read_text() == "first second"
 
 
 def test_a_folder_is_no_target(tmp_path):
