@@ -39,9 +39,15 @@ OF_NUMBERS = (STAGES[0], ("verify.checkers.stale",), *STAGES[1:])
 FEW_NUMBERS, FEW_RELATIONS = 3, 20
 
 
+def is_zero(node):
+    """Whether an operand is 0, or 0 times something: a sum or a product with it is what its opposite is."""
+    return ast.unparse(node).split(" * ")[0] == "0"
+
+
 def sites(tree):
     """Return every operator, sign and comparison of a module that can be edited."""
     nodes = [node for node in ast.walk(tree) if isinstance(node, ast.BinOp | ast.UnaryOp | ast.Compare)]
+    nodes = [node for node in nodes if not (isinstance(node, ast.BinOp) and (is_zero(node) or is_zero(node.right)))]
     return [node for node in nodes if type(node.ops[0] if isinstance(node, ast.Compare) else node.op) in OTHER]
 
 

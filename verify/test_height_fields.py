@@ -8,13 +8,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
 from sympy import Abs, Max, Piecewise, Rational, atan, log
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
+from proofs.formulas.ranges import enclosure
 from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
@@ -40,6 +42,14 @@ FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expressi
 COVERED = [field for field in FIELDS.values() if slope_terms(field)]
 every_field = pytest.mark.parametrize("field", COVERED, ids=lambda field: field.name)
 CHART = (u, v, k_u, k_v)
+
+
+def test_half_turns_are_enclosed_and_evaluated():
+    ends = np.array([0.25, 0.375])
+    for function, values in ((sinpi, np.sin(np.pi * ends)), (cospi, np.cos(np.pi * ends))):
+        found = enclosure(function(u), {u: iv.mpf(ends.tolist())})
+        assert_allclose([float(found.a), float(found.b)], sorted(values), rtol=1e-12)
+    assert atan2pi(1, -1).evalf() == 0.75
 
 
 def crossed(factors, at):

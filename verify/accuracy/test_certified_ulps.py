@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 from flint import arb
 from numpy.testing import assert_array_equal
+from sympy import Rational
 
+from proofs.formulas import exponential
 from proofs.formulas.certified import CERTIFIED
 from renderer import kernels
 from verify.accuracy.certified_ulps import SMALL, error_in_ulps, errors_in_ulps
@@ -36,6 +38,10 @@ def products():
     creases = beside(np.floor((k + 1) * RANDOM.random(800)) / k)
     waves = RANDOM.uniform(-64, 64, 3000), RANDOM.uniform(0, 2.0**20, 500), np.resize(k, creases.size)
     return np.concatenate(waves), np.concatenate([RANDOM.random(3500), creases])
+
+
+def test_a_constant_of_few_binary_places_has_no_rest():
+    assert exponential._in_two(Rational(3, 2)) == (Rational(3, 2), 0)
 
 
 def directions():

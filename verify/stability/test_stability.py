@@ -36,7 +36,7 @@ def test_formulas_that_cancel_are_above_30_responses():
     assert smaller_and_smaller_b(normal, cancelling).in_responses() > 30
     for name in ("pole", "near_to_far"):
         assert sweep(name).in_responses("seed") > 30
-    at = image_points(np.linspace(0.1, 1, 9), 5, 1)
+    at = image_points(np.linspace(0.1, 1, 9), 5, 1) | {"radius": 1.25}
     seed, ours = (in_balls(program, at) for program in (seed_normal, our_normal))
     assert max(distance(seed[name], ours[name]).max() for name in seed) < 1e-40
 
