@@ -52,6 +52,10 @@ def test_half_turns_are_enclosed_and_evaluated():
     assert atan2pi(1, -1).evalf() == 0.75
 
 
+def test_creases_of_a_cosine_are_where_a_sine_is_zero():
+    assert FIELDS["folded"].creases == (sinpi(k_u * u + Rational(1, 2)), sinpi(k_v * v + Rational(1, 2)))
+
+
 def crossed(factors, at):
     """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
     turns = [function_of(Program("turns", CHART, ((real("turns"), factor.args[0]),)))(*at) for factor in factors]
@@ -82,6 +86,7 @@ REFUSED = {
     "power": ((2 + v) ** k_u, "no kernel has Pow as in"),
     "selected": (Piecewise((1, atan(v) > 1), (v, True)), "no kernel has atan"),
     "pole": (1 / (3 * v - 1), "on the chart .* is not shown to be finite"),
+    "rates": (sinpi(v) / (k_u + 3), "on the chart .* is not shown to be finite"),
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
     "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
