@@ -54,11 +54,12 @@ SEEN = """async () => {
     const all = selector => [...document.querySelectorAll(selector)];
     const scrolls = e => ['auto', 'scroll'].includes(getComputedStyle(e).overflowX);
     const held = e => { for (let p = e; p; p = p.parentElement) if (scrolls(p)) return true; };
-    const formulas = all('.bd-article math').filter(e => e.checkVisibility());
     const shown = all('img').filter(e => e.offsetWidth);
     const renders = all('img.render, img.exact').filter(i => i.offsetWidth);
     for (const image of shown) image.loading = 'eager';
     await Promise.allSettled(shown.map(image => image.decode()));
+    // Asked last: a script may have taken the place of a table meanwhile.
+    const formulas = all('.bd-article math').filter(e => e.checkVisibility());
     return {
         plots: all('img.plot').filter(i => i.offsetWidth).map(i => i.src),
         blurred: renders.filter(i => getComputedStyle(i).filter !== 'none'
