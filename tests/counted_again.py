@@ -13,7 +13,7 @@ from book.assembly.results import load_result
 from book.drawing.save import read_data
 from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
-from renderer.picture.differences import Interval, distance_on_a, rounded_up
+from renderer.picture.differences import distance_on_a, rounded_up
 from renderer.scene.raster import Raster
 from verify import enclosed_pixels, strict
 from verify.accuracy.frontiers import fiction, wall
@@ -27,14 +27,14 @@ from verify.stability.rows import SWEEPS, sweep
 BOOK = ROOT / "book"
 
 
-def kept(figure: str) -> dict[str, np.ndarray]:
+def kept(figure):
     """Return the arrays that a figure's picture shows."""
     name = load_result(BOOK, figure)["data"]
     return read_data(name, (BOOK / "_generated" / name).read_bytes())
 
 
 @cache
-def picture(field: str = "ridges", side: int = 256):
+def picture(field="ridges", side=256):
     """Return a frame of the default scene with bounds."""
     return render(Scene(field=field), side, side, bounds=True)
 
@@ -117,12 +117,12 @@ def _bound(name):
     return largest
 
 
-def _apart(side: int, eps: float, field: str = "ridges") -> Interval:
+def _apart(side, eps, field="ridges"):
     """Return the largest difference of two pictures of the default scene."""
     return distance_on_a(render(Scene(field=field), side, side, central(eps)), picture(field, side))[0]
 
 
-def _least_eps() -> float:
+def _least_eps():
     """Return the step at which a page says that sine's largest error is least."""
     return load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
 

@@ -13,7 +13,7 @@ from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
 from book.extension.printed_claims import rows
-from book.extension.theorems import Proofs, certificate, load, placements
+from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.half_turns import sinpi
@@ -26,7 +26,7 @@ CARD = re.compile(r'<section class="theorem [^>]*id="theorem-(\w+)".*?</section>
 
 
 @pytest.fixture(scope="module")
-def proofs(site) -> Proofs:
+def proofs(site):
     """What the site was built from."""
     return load(ROOT / "book")
 

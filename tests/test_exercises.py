@@ -11,7 +11,7 @@ SECTIONS = ("s1", "s2", "s3", "s4", "s6", "s7")
 ANSWER = re.compile(r"^```python\n(?P<code>.*?)^```\n\n```text\n(?P<printed>.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
-def answers(section: str) -> list[tuple[str, str]]:
+def answers(section):
     """Return [(code, what the page says that it prints)] of a section's exercises."""
     text = (FOLDER / f"{section}.md").read_text("utf-8")
     return [(match["code"], match["printed"]) for match in ANSWER.finditer(text)]

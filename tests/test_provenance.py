@@ -33,7 +33,7 @@ for name in names:
 
 
 @pytest.fixture(scope="module")
-def hashes_of_figures() -> dict[str, dict[str, str]]:
+def hashes_of_figures():
     """Figure → the hashes of its files, while no file looks edited."""
     return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
 
@@ -73,7 +73,7 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures
         assert capsys.readouterr().out.count(f"({name} changed") == len(reach)
 
 
-def broken() -> Drawing:
+def broken():
     """A figure that cannot be drawn."""
     raise ZeroDivisionError("no such slope")
 
@@ -97,7 +97,7 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
     assert one == two and len(one) > 2
 
 
-def line(heights) -> Figure:
+def line(heights):
     fig = Figure()
     fig.subplots().plot(range(len(heights)), heights)
     return fig

@@ -13,8 +13,8 @@ from verify.optional import lacking
 from verify.sources import ROOT
 
 REPORT = ROOT / "book" / "_generated" / "proofs.json"
-EVIDENCE: list[dict] = []
-TOOK: dict[str, str] = {}
+EVIDENCE = []
+TOOK = {}
 """The evidence that tests' reports carry, and {theorem: how long it took}, in the process that controls the workers"""
 
 
