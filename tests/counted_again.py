@@ -9,7 +9,7 @@ from math import lcm
 
 import numpy as np
 
-from book.assembly.results import load_result
+from book.assembly.results import load_result, look_up
 from book.drawing.save import read_data
 from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
@@ -73,7 +73,6 @@ COUNTED = {
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),
-    "stability_totals.values": lambda: sum(len(sweep(name).errors) for name in SWEEPS),
     "work_precision.checked": lambda: _checked("exact, reduced argument"),
     "work_precision.fewer": lambda: _checked("numdifftools"),
     "work_precision.fewest": _checked,
@@ -122,11 +121,6 @@ def _apart(side, eps, field="ridges"):
     return distance_on_a(render(Scene(field=field), side, side, central(eps)), picture(field, side))[0]
 
 
-def _least_eps():
-    """Return the step at which a page says that sine's largest error is least."""
-    return load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
-
-
 OVER_A_RASTER = {
     "accuracy_image.ours_most": lambda side: maps.summary(maps.over_the_image(size=side)["ours"])[1],
     "bench:frames.image_error": lambda side: max(
@@ -135,7 +129,9 @@ OVER_A_RASTER = {
     **{f"certified_bounds.{name}_bound": _bound(name) for name in ("sine", "ridges", "rings")},
     **{f"own_fields.{name}_bound": _bound(name) for name in certified_bounds.TEXTS},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
-    "image_error.sine_largest_to": lambda side: _apart(side, _least_eps(), "sine").outward()[1],
+    "image_error.sine_largest_to": lambda side: _apart(
+        side, look_up(BOOK, "image_error", "sine_largest_eps"), "sine"
+    ).outward()[1],
     "three_pictures.largest": lambda side: _apart(side, 1e-2),
     "views.steepest": lambda side: picture(side=side).slope.max(),
 }
