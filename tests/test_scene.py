@@ -41,7 +41,7 @@ def test_numbers_are_converted():
     assert (scene.ku, scene.ball_center, scene.lights) == (3.0, INSIDE_B, (Light((5.0, 5.0, 5.0)),))
 
 
-@pytest.mark.parametrize("side", [0, MAX_SIDE + 1, 1.5, 8.0, "8", None, True])
+@pytest.mark.parametrize("side", [0, MAX_SIDE + 1, 1.5, True])
 def test_a_side_that_is_rejected(side):
     allowed = "is not allowed: a whole number from 1 to 16777216"
     assert rejection(Raster, side, 8) == f"width = {side!r} {allowed}"
