@@ -39,10 +39,10 @@ def picture(field="ridges", side=256):
     return render(Scene(field=field), side, side, bounds=True)
 
 
-def _denominators():
+def _of_shares():
     """Return of how many points the shares of a term can be, at each step and of each term."""
     shares = np.concatenate([values for name, values in kept("attribution_shares").items() if name != "step"])
-    return [Fraction(share).limit_denominator(1000).denominator for share in shares]
+    return lcm(*(Fraction(share).limit_denominator(1000).denominator for share in shares))
 
 
 def _checked(name=None):
@@ -62,7 +62,7 @@ def _of_random_pictures(first=1000):
 
 
 COUNTED = {
-    "attribution_shares.points": lambda: lcm(*_denominators()),
+    "attribution_shares.points": _of_shares,
     "bench:frames.scenes": lambda: SCENES,
     "certified_bounds.whole_side": lambda: len(picture("sine").open),
     "enclosed_pixels.pixels": _of_random_pictures,
@@ -95,17 +95,13 @@ ARRAYS = {
 """{a number that a page cites: the array of its figure that is so long}"""
 
 
-def _of_an_array(number):
-    return lambda: len(kept(number.partition(".")[0])[ARRAYS[number]])
-
-
-def _of_a_sweep(name):
-    return lambda: sweep(name).errors.size
-
-
 STABILITY = ("pole", "silhouette", "near_far", "totals", "wave_numbers", "shading")
-COUNTED |= {number: _of_an_array(number) for number in ARRAYS}
-COUNTED |= {f"stability_{page}.{name}_points": _of_a_sweep(name) for page in STABILITY for name in SWEEPS}
+COUNTED |= {number: lambda number=number: len(kept(number.partition(".")[0])[ARRAYS[number]]) for number in ARRAYS}
+COUNTED |= {
+    f"stability_{page}.{name}_points": lambda name=name: sweep(name).errors.size
+    for page in STABILITY
+    for name in SWEEPS
+}
 
 
 def _bound(name):

@@ -15,7 +15,6 @@ from book.drawing.save import MOST_BYTES, data_file, read_data
 from tests.folders import contents
 from tests.processes import python
 
-MODULES = sorted(path.stem for path in (stamps.ROOT / "book" / "figures").glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
 import json, os, sys
@@ -39,7 +38,8 @@ def hashes_of_figures():
 
 
 def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_figures):
-    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
+    modules = {keys.source_file(entry).stem for entry in all_figures().values()}
+    printed, _ = python("-c", TRACE, stamps.ROOT, *modules)
     imported = dict(map(json.loads, printed.splitlines()))
     for id, entry in all_figures().items():
         own = keys.source_file(entry)
