@@ -1,6 +1,7 @@
 """The gradient of the height field: both exact forms, creases, the pole, the orders of the differences."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -44,10 +45,9 @@ def test_a_pixel_on_a_crease(form, ku):
     assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
 
 
-@pytest.mark.parametrize("scene", [SINE, RIDGES, RINGS], ids=lambda scene: scene.field)
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
-def test_the_pole(scene, method):
-    for beta in (0.0, 0.35, 1e100):
+def test_the_pole(method):
+    for scene, beta in product((SINE, RIDGES, RINGS), (0.0, 0.35, 1e100)):
         record = pixel(replace(scene, beta=beta), *POLE, method)
         assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
         assert record.point == record.normal == (0.0, 0.0, 1.0)
