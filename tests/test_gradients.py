@@ -38,11 +38,10 @@ def test_the_kink_band_is_where_a_factor_is_below_three_hundredths():
     assert FIELDS["ridges"]["kink"](np.sin(np.pi * v), u, v, RIDGES.ku, RIDGES.kv).tolist() == [1, 0, 1, 0]
 
 
-@pytest.mark.parametrize("form", ["algebraic", "general"])
-@pytest.mark.parametrize("ku", [-6.0, 2.0, 4.0, 8.0, 64.0])
-def test_a_pixel_on_a_crease(form, ku):
-    record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
-    assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
+def test_a_pixel_on_a_crease():
+    for form, ku in product(("algebraic", "general"), (-6.0, 2.0, 4.0, 8.0, 64.0)):
+        record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
+        assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
 
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])

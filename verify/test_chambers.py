@@ -94,6 +94,6 @@ def test_the_reach_of_a_has_the_sign_of_its_discriminant():
     assert not any(misjudged(*lens) for lens in LENSES)
 
 
-@pytest.mark.parametrize("towards", [0.0, np.inf])
-def test_a_reach_that_is_off_by_one_unit_is_noticed(towards):
-    assert any(misjudged(*lens, towards) for lens in LENSES)
+def test_a_reach_that_is_off_by_one_unit_is_noticed():
+    for towards in (0.0, np.inf):
+        assert any(misjudged(*lens, towards) for lens in LENSES)

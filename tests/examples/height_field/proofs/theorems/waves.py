@@ -1,9 +1,10 @@
 """Waves climb in one direction alone."""
 
-from proofs.formulas.height_fields import gradient, height
+from proofs.formulas import height_fields
 from proofs.theorems.language import *
 
-_lines = chain("waves", height(HEIGHT_FIELDS["waves"]), gradient(HEIGHT_FIELDS["waves"]))
+_waves = HEIGHT_FIELDS["waves"]
+_lines = chain("waves", height_fields.height(_waves), height_fields.gradient(_waves))
 _direction = Claim("direction", equation(k_v * h_u, k_u * h_v), lines=_lines)
 _slope = Claim("slope", equation(h_u**2 + h_v**2, pi**2 * (k_u**2 + k_v**2) * (1 - h**2)), lines=_lines)
 
