@@ -17,6 +17,7 @@ LONGEST = (
     "test_provenance.py",
     "test_ideas.py",
     "test_browser_kernel.py",
+    "test_theorems.py",
 )
 
 

@@ -3,7 +3,6 @@
 import os
 import re
 import subprocess
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
@@ -18,7 +17,7 @@ from verify.sources import ROOT
 
 
 @pytest.fixture(scope="session")
-def site() -> Path:
+def site():
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
     python("-m", "book", "build")
     return ROOT / "book" / "_build" / "html"
@@ -44,14 +43,14 @@ def stamped(monkeypatch, tmp_path):
 
 
 @pytest.fixture(scope="session")
-def single(site: Path) -> Path:
+def single(site):
     """The one file."""
     files.make("single", files.SINGLE, files.single_file)
     return files.SINGLE
 
 
 @pytest.fixture(scope="session")
-def server(site: Path):
+def server(site):
     """The site's address on this machine alone."""
     command = ("-u", "-m", "http.server", "0", "--bind", "127.0.0.1", "--directory", site)
     with started(*command, stderr=subprocess.DEVNULL) as running:

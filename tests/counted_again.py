@@ -9,11 +9,11 @@ from math import lcm
 
 import numpy as np
 
-from book.assembly.results import load_result
+from book.assembly.results import load_result, look_up
 from book.drawing.save import read_data
 from book.figures import certified_bounds, crease
 from renderer import Scene, central, exact, render
-from renderer.picture.differences import Interval, distance_on_a, rounded_up
+from renderer.picture.differences import distance_on_a, rounded_up
 from renderer.scene.raster import Raster
 from verify import enclosed_pixels, strict
 from verify.accuracy.frontiers import fiction, wall
@@ -27,22 +27,22 @@ from verify.stability.rows import SWEEPS, sweep
 BOOK = ROOT / "book"
 
 
-def kept(figure: str) -> dict[str, np.ndarray]:
+def kept(figure):
     """Return the arrays that a figure's picture shows."""
     name = load_result(BOOK, figure)["data"]
     return read_data(name, (BOOK / "_generated" / name).read_bytes())
 
 
 @cache
-def picture(field: str = "ridges", side: int = 256):
+def picture(field="ridges", side=256):
     """Return a frame of the default scene with bounds."""
     return render(Scene(field=field), side, side, bounds=True)
 
 
-def _denominators():
+def _of_shares():
     """Return of how many points the shares of a term can be, at each step and of each term."""
     shares = np.concatenate([values for name, values in kept("attribution_shares").items() if name != "step"])
-    return [Fraction(share).limit_denominator(1000).denominator for share in shares]
+    return lcm(*(Fraction(share).limit_denominator(1000).denominator for share in shares))
 
 
 def _checked(name=None):
@@ -62,7 +62,7 @@ def _of_random_pictures(first=1000):
 
 
 COUNTED = {
-    "attribution_shares.points": lambda: lcm(*_denominators()),
+    "attribution_shares.points": _of_shares,
     "bench:frames.scenes": lambda: SCENES,
     "certified_bounds.whole_side": lambda: len(picture("sine").open),
     "enclosed_pixels.pixels": _of_random_pictures,
@@ -73,7 +73,6 @@ COUNTED = {
     "reference_pixels.decided": lambda: np.count_nonzero(kept("reference_pixels")["undecided"] == "False"),
     "stability_symmetry.side": lambda: len(symmetry.about_the_axis(picture(side=symmetry.SIZE))[0]),
     "stability_totals.all_points": lambda: sum(sweep(name).errors.size for name in SWEEPS),
-    "stability_totals.values": lambda: sum(len(sweep(name).errors) for name in SWEEPS),
     "work_precision.checked": lambda: _checked("exact, reduced argument"),
     "work_precision.fewer": lambda: _checked("numdifftools"),
     "work_precision.fewest": _checked,
@@ -96,17 +95,13 @@ ARRAYS = {
 """{a number that a page cites: the array of its figure that is so long}"""
 
 
-def _of_an_array(number):
-    return lambda: len(kept(number.partition(".")[0])[ARRAYS[number]])
-
-
-def _of_a_sweep(name):
-    return lambda: sweep(name).errors.size
-
-
 STABILITY = ("pole", "silhouette", "near_far", "totals", "wave_numbers", "shading")
-COUNTED |= {number: _of_an_array(number) for number in ARRAYS}
-COUNTED |= {f"stability_{page}.{name}_points": _of_a_sweep(name) for page in STABILITY for name in SWEEPS}
+COUNTED |= {number: lambda number=number: len(kept(number.partition(".")[0])[ARRAYS[number]]) for number in ARRAYS}
+COUNTED |= {
+    f"stability_{page}.{name}_points": lambda name=name: sweep(name).errors.size
+    for page in STABILITY
+    for name in SWEEPS
+}
 
 
 def _bound(name):
@@ -117,14 +112,9 @@ def _bound(name):
     return largest
 
 
-def _apart(side: int, eps: float, field: str = "ridges") -> Interval:
+def _apart(side, eps, field="ridges"):
     """Return the largest difference of two pictures of the default scene."""
     return distance_on_a(render(Scene(field=field), side, side, central(eps)), picture(field, side))[0]
-
-
-def _least_eps() -> float:
-    """Return the step at which a page says that sine's largest error is least."""
-    return load_result(BOOK, "image_error")["numbers"]["sine_largest_eps"]
 
 
 OVER_A_RASTER = {
@@ -135,7 +125,9 @@ OVER_A_RASTER = {
     **{f"certified_bounds.{name}_bound": _bound(name) for name in ("sine", "ridges", "rings")},
     **{f"own_fields.{name}_bound": _bound(name) for name in certified_bounds.TEXTS},
     "frontier_angles.metric_largest": lambda side: np.nanmax([*fiction.angle_maps(picture(side=side)).values()][-1]),
-    "image_error.sine_largest_to": lambda side: _apart(side, _least_eps(), "sine").outward()[1],
+    "image_error.sine_largest_to": lambda side: _apart(
+        side, look_up(BOOK, "image_error", "sine_largest_eps"), "sine"
+    ).outward()[1],
     "three_pictures.largest": lambda side: _apart(side, 1e-2),
     "views.steepest": lambda side: picture(side=side).slope.max(),
 }

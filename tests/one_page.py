@@ -2,7 +2,6 @@
 
 import re
 from io import StringIO
-from pathlib import Path
 from unittest.mock import patch
 
 from sphinx.application import Sphinx
@@ -20,7 +19,7 @@ SETTINGS = {
 }
 
 
-def build(folder: Path, text: str) -> tuple[str, str]:
+def build(folder, text):
     """Build a page of this text in `folder`, and leave nothing registered behind; its HTML, and the warnings."""
     (folder / "index.md").write_text(f"# Page\n\n{text}\n", "utf-8")
     out, warnings = folder / "_build", StringIO()
@@ -29,7 +28,7 @@ def build(folder: Path, text: str) -> tuple[str, str]:
     return (out / "index.html").read_text("utf-8"), warnings.getvalue()
 
 
-def refused(folder: Path, mistakes: dict[str, str], more: str = "") -> str:
+def refused(folder, mistakes, more=""):
     """Build one page of mistakes, {what is written: what is said of it, a pattern}: each must be named by its line.
 
     more: what else stands on the page. Returns its HTML.

@@ -56,17 +56,17 @@ def test_it_says_what_drew_it(tmp_path, capsys):
 
 FIELD = {"name": "x", "expression": "__import__('os').system('true')"}
 WRONG = {
-    "width": (0, 1.5, "9", None, True),
-    "crop": ("abcd", [0, 0, 99, 9], {"a": 1}),
-    "gradient": (None, {}, TOLD["gradient"] | {"eps": "1"}, TOLD["gradient"] | {"name": []}),
-    "scene": (None, "Scene()", {"lights": [[]]}, {"field": FIELD}),
+    "width": (1.5,),
+    "crop": ([0, 0, 99, 9],),
+    "gradient": (None, {}, TOLD["gradient"] | {"name": []}),
+    "scene": (None, {"lights": [[]]}, {"field": FIELD}),
     "version": (None, "\n", "x" * 10**3),
     "more": (1,),
 }
 """{name: wrong values}"""
 TEXTS = [json.dumps(TOLD | {name: wrong}) for name, values in WRONG.items() for wrong in values]
 TEXTS += [TEXT.replace("0.1", "NaN"), TEXT.replace("0.1", "1e999"), TEXT.replace("{", '{"width": 30, ', 1)]
-TEXTS += ["[" * 10**4 + "]" * 10**4, '{"a":' * 10**4, "", "null", "{}", "\xff", "9" * 10**4, " " * 10**5]
+TEXTS += ["[" * 10**4 + "]" * 10**4, "", "null", "{}", "\xff", "9" * 10**4, " " * 10**5]
 
 
 @pytest.mark.parametrize("suffix", [".png", ".npz"])
@@ -113,16 +113,11 @@ def test_a_scene_goes_through_its_record_and_its_file(tmp_path_factory, scene):
 
 WRONG_SCENES = {
     "beta = 'a'": "beta = 'a' is not allowed: a finite number",
-    "beta = nan": "beta = nan is not allowed",
     "bet = 1": "scene = 'bet' is not allowed: one of 'radius'",
-    "beta = 1\nbeta = 2": "",
     "ball = 1": "ball = 1 is not allowed: True or False",
-    "ambient = {red = 1}": "ambient = {'red': 1} is not allowed: three",
-    "radius = [[1]]": "radius = [[1]] is not allowed",
     "lights = 3": "",
     "lights = [3]": "",
     "lights = [{color = 'off'}]": "lights[0] = {'color': None} is not allowed: a record with a position",
-    "lights = [{position = [5, 5], color = 'off'}]": "light.position = [5, 5] is not allowed",
     "lights = [{position = [5, 5, 5], power = 1}]": "a record with a position and a color",
     "field = 3": "field = 3 is not allowed: one of",
     "field = {name = 'x'}": "field = {'name': 'x'} is not allowed: one with a expression",
@@ -130,8 +125,6 @@ WRONG_SCENES = {
     "field = {name = 'x', expression = 'v', seam = 'no'}": "field.seam = 'no' is not allowed: a bool",
     "field = {name = 'sine', expression = 'v'}": "name = 'sine' is not allowed: a name that no other formula has",
     f"field = {{name = '{'n' * 61}', expression = 'v'}}": "a name of at most 60 characters, and it has 61",
-    "field = {name = 5, expression = 'v'}": "field.name = 5 is not allowed: a str",
-    "model = {name = 'x', program = 'mu'}": "model.program = 'mu' is not allowed: a list",
     "model = {name = 'x', program = ['mu']}": "program = 'mu' is not allowed: lines such as",
     "model = {name = 'x', program = ['os.a = 1']}": "name = 'os.a' is not allowed: an identifier",
     "model = {name = 'x', program = ['sqrt = 1', 'mu = 1', 'specular_base = 1']}": "'sqrt' is not allowed: a name that",
@@ -140,9 +133,7 @@ WRONG_SCENES = {
     f"model = {{name = 'x', program = {['mu = bumped_z'] * 400}}}": "program = 400 is not allowed: at most",
     "a = " + "[" * 10**4: "",
     "beta =": "",
-    "\0": "",
     "#" * 10**5: "more than 65536 bytes",
-    "[scene]\nbeta = 1": "scene = 'scene' is not allowed: one of",
 }
 """{what a file says: what is said of it}"""
 

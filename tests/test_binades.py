@@ -10,14 +10,9 @@ from verify.accuracy.binades import dies
 SCENE = Scene(field="sine")
 
 
-@pytest.fixture(scope="module", params=STEPS)
-def step_and_points(request):
-    frame = render(SCENE, 256, 256, central(request.param))
-    return request.param, frame.data_on_a
-
-
-def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step_and_points):
-    step, at = step_and_points
+@pytest.mark.parametrize("step", STEPS)
+def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step):
+    at = render(SCENE, 256, 256, central(step)).data_on_a
     for axis in "uv":
         counted, lost = at[f"h_{axis}"] == 0, dies(at[axis], step)
         assert not (lost & ~counted).any()

@@ -5,7 +5,6 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from bs4 import BeautifulSoup
 
 from book.assembly import contents, stamps, website
 from book.drawing import palette
@@ -18,12 +17,12 @@ ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
 
 
 @pytest.fixture(scope="session")
-def pages(page_of) -> dict[str, BeautifulSoup]:
+def pages(page_of):
     """Every page of the table of contents."""
     return {page: page_of(page) for page in PAGES}
 
 
-def placed() -> Counter:
+def placed():
     """How often pages place each figure."""
     first = [id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel")]
     texts = (path.read_text("utf-8") for path in contents.page_files(ROOT / "book").values())

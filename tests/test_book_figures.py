@@ -16,7 +16,7 @@ from renderer.picture.differences import Interval
 from tests.folders import contents
 
 
-def curve() -> Drawing:
+def curve():
     """A falling curve."""
     fig, ax = plot(height=2)
     steps = np.array([1e-6, 1e-3, 1.0])

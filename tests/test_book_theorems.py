@@ -13,7 +13,7 @@ from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
 from book.extension.printed_claims import rows
-from book.extension.theorems import Proofs, certificate, load, placements
+from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.half_turns import sinpi
@@ -26,7 +26,7 @@ CARD = re.compile(r'<section class="theorem [^>]*id="theorem-(\w+)".*?</section>
 
 
 @pytest.fixture(scope="module")
-def proofs(site) -> Proofs:
+def proofs(site):
     """What the site was built from."""
     return load(ROOT / "book")
 
@@ -139,7 +139,7 @@ def test_a_printed_claim_is_the_object_as_written():
     """A number after a factor has a dot, a product of sines has parentheses, and nothing is put in order."""
     x, cos_theta = symbols("x cos_theta", real=True)
     with evaluate(False):
-        claim = Claim("c", (equation(pi * 2 * sinpi(x) * cos_theta**2, 0 + x),), (greater(x, 1),))
+        claim = Claim("c", equation(pi * 2 * sinpi(x) * cos_theta**2, 0 + x), greater(x, 1))
     said, given = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
     assert rows(claim) == [given, ("shows", said)]
     assert rows(claim, by_definition=(str(claim.shows[0]),)) == [given, ("by definition", said)]

@@ -23,16 +23,13 @@ def javascript(browser):
         yield lambda pairs: tab.evaluate(ASK, json.dumps(pairs))
 
 
-def test_every_stored_certificate_is_accepted(javascript):
-    """And that each statement's hypotheses hold at its point."""
-    pairs = {name: (entry["statement"], entry["certificate"]) for name, entry in STORED.items()}
-    for name, entry in STORED.items():
-        if entry["point"] is not None:
-            pairs[f"{name}, its point"] = consistency(entry["statement"]), {"point": entry["point"]}
-    answers = dict(zip(pairs, javascript(list(pairs.values())), strict=True))
-    assert len(STORED) > 200 and len(pairs) - len(STORED) > 180
-    assert {name: answer["reason"] for name, answer in answers.items() if not answer["accepted"]} == {}
-    assert all(answer["work"]["identities"] > 0 for answer in answers.values())
+def test_the_hypotheses_of_every_stored_statement_hold_at_its_point(javascript):
+    """That each certificate is accepted, the page of all claims says: tests/test_checker.py."""
+    entries = {name: entry for name, entry in STORED.items() if entry["point"] is not None}
+    pairs = [(consistency(entry["statement"]), {"point": entry["point"]}) for entry in entries.values()]
+    assert len(pairs) > 180
+    for name, answer in zip(entries, javascript(pairs), strict=True):
+        assert answer["accepted"] and answer["work"]["identities"] > 0, name
 
 
 def test_unsound_or_malformed_steps_are_rejected(javascript):

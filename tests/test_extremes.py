@@ -5,9 +5,7 @@ It names a certificate, a raster or a number of cases: `tests.counted_again` has
 
 import re
 import tomllib
-from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import pytest
 
@@ -59,7 +57,7 @@ def name_of(cited):
     return ".".join(parse(cited)[:2])
 
 
-def objections(sentence: str, number: Callable[..., Any]) -> list[str]:
+def objections(sentence, number):
     """Return what is wrong with what an extreme says that it is one of; number: (id, key) → a figure's number."""
     theorems, cited = THEOREM.findall(sentence), re.findall(NUMBER, sentence)
     found = [f"{id} is no certificate" for id in theorems if all_theorems()[id].expected not in CERTAIN]

@@ -1,6 +1,7 @@
 """The gradient of the height field: both exact forms, creases, the pole, the orders of the differences."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -32,23 +33,20 @@ def test_every_float_beside_every_crease_is_off_it():
             assert (gradient_at(replace(RIDGES, ku=wave_number), u, 0.31, exact())[0] != 0).all()
 
 
-@pytest.mark.parametrize(("factor", "flag"), [(0.0299, 1), (0.0301, 0), (-0.0299, 1), (-0.0301, 0)])
-def test_the_kink_band_is_where_a_factor_is_below_three_hundredths(factor, flag):
-    u, v = 0.125 + np.arcsin(factor) / (8 * np.pi), np.float64(0.47)
-    assert FIELDS["ridges"]["kink"](np.sin(np.pi * v), u, v, RIDGES.ku, RIDGES.kv) == flag
+def test_the_kink_band_is_where_a_factor_is_below_three_hundredths():
+    u, v = 0.125 + np.arcsin([0.0299, 0.0301, -0.0299, -0.0301]) / (8 * np.pi), 0.47
+    assert FIELDS["ridges"]["kink"](np.sin(np.pi * v), u, v, RIDGES.ku, RIDGES.kv).tolist() == [1, 0, 1, 0]
 
 
-@pytest.mark.parametrize("form", ["algebraic", "general"])
-@pytest.mark.parametrize("ku", [-6.0, 2.0, 4.0, 8.0, 64.0])
-def test_a_pixel_on_a_crease(form, ku):
-    record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
-    assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
+def test_a_pixel_on_a_crease():
+    for form, ku in product(("algebraic", "general"), (-6.0, 2.0, 4.0, 8.0, 64.0)):
+        record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
+        assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
 
 
-@pytest.mark.parametrize("scene", [SINE, RIDGES, RINGS], ids=lambda scene: scene.field)
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
-def test_the_pole(scene, method):
-    for beta in (0.0, 0.35, 1e100):
+def test_the_pole(method):
+    for scene, beta in product((SINE, RIDGES, RINGS), (0.0, 0.35, 1e100)):
         record = pixel(replace(scene, beta=beta), *POLE, method)
         assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
         assert record.point == record.normal == (0.0, 0.0, 1.0)
@@ -60,9 +58,8 @@ def test_rings_have_no_slope_in_u_by_any_method(point, eps, kv):
         assert gradient_at(replace(RINGS, kv=kv), *point, method)[0] == 0
 
 
-@pytest.mark.parametrize("v", [5e-324, 1e-310, 1e-200])
-@pytest.mark.parametrize("u", [0.31, 1e-200])
-def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflows(u, v):
+def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflows():
+    u, v = np.array([[0.31], [1e-200]]), np.array([5e-324, 1e-310, 1e-200])
     across = np.abs(gradient_at(SINE, u, v, exact()))
-    assert across[1] > 0.0
+    assert (across[1] > 0).all()
     np.testing.assert_array_equal(np.abs(gradient_at(RIDGES, u, v, exact())), across)

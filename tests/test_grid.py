@@ -23,18 +23,12 @@ from tests.refusals import rejection
 SIZE = (24, 16)
 TASK = Task(Scene(), central(1e-3), *SIZE)
 BETAS = [0.01 * n for n in range(1, 41)]
-MANY = grid.grid(Scene(), [SIZE], ["central"], (1e-2, 1e-3), beta=BETAS)
-LONG = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
+MANY = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
 
 
 @pytest.fixture(scope="module")
 def many():
     return dict(zip(MANY, compared(MANY), strict=True))
-
-
-@pytest.fixture(scope="module")
-def long():
-    return dict(zip(LONG, compared(LONG), strict=True))
 
 
 def test_a_key_is_of_the_content_the_sources_and_the_machine(tmp_path, monkeypatch):
@@ -89,7 +83,7 @@ def lines(path):
     return path.read_bytes().splitlines() if path.exists() else []
 
 
-def test_a_sweep_that_is_killed_goes_on(long, tmp_path, capsys):
+def test_a_sweep_that_is_killed_goes_on(many, tmp_path, capsys):
     """The same command computes what is missing, nothing twice."""
     kept = tmp_path / "a.jsonl"
     options = ["sweep", "--size", "200", "--eps", "1e-2,1e-3", "--beta", ",".join(map(str, BETAS))]
@@ -98,30 +92,30 @@ def test_a_sweep_that_is_killed_goes_on(long, tmp_path, capsys):
         wait_until(lambda: len(lines(kept)) >= 16, child)
         child.kill()
     before = lines(kept)
-    assert 16 <= len(before) < len(LONG)
+    assert 16 <= len(before) < len(MANY)
     assert main(options) == 0
-    assert capsys.readouterr().out == table(long) + "\n"
+    assert capsys.readouterr().out == table(many) + "\n"
     after = lines(kept)
     assert after[: len(before) - 1] == before[:-1]  # the last line may have been torn
     keys = [json.loads(line)["key"] for line in after]
-    assert sorted(keys) == sorted(key_of(task) for task in LONG)  # every one, and none twice
+    assert sorted(keys) == sorted(key_of(task) for task in MANY)  # every one, and none twice
 
 
-def test_a_dask_worker_that_is_killed(long, tmp_path):
+def test_a_dask_worker_that_is_killed(many, tmp_path):
     """A real local cluster; one of its two worker processes is killed while it has work."""
     cluster = LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL")
     for nanny in cluster.workers.values():
         nanny.auto_restart = False
     with cluster, Client(cluster, set_as_default=False) as client, Checkpoint(tmp_path / "a.jsonl") as kept:
         workers = client.run(os.getpid)
-        finished = grid.finished(LONG, client.get_executor(), kept)
+        finished = grid.finished(MANY, client.get_executor(), kept)
         results = [next(finished)]
         killed = workers[next(worker for worker, work in client.processing().items() if work)]
         os.kill(killed, signal.SIGKILL)
         results += finished
         assert killed not in client.run(os.getpid).values()
-    assert len(results) == len(LONG) == len(lines(kept.path))
-    assert dict(results) == long
+    assert len(results) == len(MANY) == len(lines(kept.path))
+    assert dict(results) == many
 
 
 def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):

@@ -97,7 +97,6 @@ REFUSED = {
         ('is = "== 0"', 'is = "about 0"', "flips evidence 1 is: 'about 0' is not a 'relation': allowed is one of =="),
         (SOURCE, '{ hearsay = "x" }', "falls evidence 3: {'hearsay': 'x'} is not valid"),
         ('words = "No', "words = No", "some.toml:"),
-        (EVIDENCE, "", "flips: 'evidence' is a required"),
     ],
     "evidence that the run does not bear out": [
         ('"no_flips"', '"no_flip"', "flips: evidence no_flip: theorem: no theorem has this id"),

@@ -14,9 +14,9 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, exact, pixel, render
 from renderer.kernels import FIELDS
 from renderer.picture.differences import certain_digits, distance_on_a
+from renderer.scene.methods import DIFFERENCES, difference
 from renderer.shader.gradients import gradient_at
 from tests.tabs import CERTAIN, becomes, go, number, says
-from tests.test_simulator_numbers import METHODS
 
 SIDE = 256
 # The loupe's and the certifier's own parts, on the page's data.
@@ -103,7 +103,7 @@ def assert_rows(rows, place, field, method, axis, eps):
     return " ".join(row["note"] for row in rows)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", DIFFERENCES)
 @pytest.mark.parametrize("field", FIELDS)
 def test_the_bits_are_the_kernels(tab, field, method):
     """From the largest step to where nothing of it is left, at the seam and where v is clamped."""
@@ -159,7 +159,7 @@ def test_what_is_certified_is_the_renderers_and_stands_beside_the_pictures(tab, 
     """Hardly more: that a side which is a power of two moves no bit is lost on the page. With all certain digits."""
     wanted = {"field": field, "eps": eps, "method": method, "size": 128}
     found = tab.evaluate(CERTIFIED, wanted)
-    frames = [render(Scene(field=field), 128, 128, way, bounds=True) for way in (METHODS[method](eps), exact())]
+    frames = [render(Scene(field=field), 128, 128, way, bounds=True) for way in (difference(method, eps), exact())]
     of_a = [np.sort(frame.bounds.max(axis=2)[frame.stage.on_a]) for frame in frames]
     shares = np.divide(found["extremes"], [[bounds[-1], bounds[len(bounds) // 2]] for bounds in of_a])
     assert shares.min() >= 1 and shares.max() <= 1.15

@@ -35,7 +35,7 @@ def paper(browser, single, request):
 
 
 @pytest.fixture(scope="module")
-def content(paper) -> bytes:
+def content(paper):
     return chromium.printed(paper)
 
 
@@ -45,7 +45,7 @@ def pdf(content):
 
 
 @pytest.fixture(scope="module")
-def texts(paper, pdf) -> list[str]:
+def texts(paper, pdf):
     """The text of every page, without blanks and without its foot, which has the title and the page's number."""
     shown = [words(page.get_textpage().get_text_bounded()) for page in pdf]
     feet = [words(f"{paper.title()}{number}") for number in range(1, len(shown) + 1)]
@@ -53,13 +53,13 @@ def texts(paper, pdf) -> list[str]:
     return [*map(str.removesuffix, shown, feet)]
 
 
-def texts_of(paper, selector: str) -> list[str]:
+def texts_of(paper, selector):
     """The texts of the document's elements, without blanks."""
     shown = paper.evaluate("selector => [...document.querySelectorAll(selector)].map(e => e.textContent)", selector)
     return [words(text) for text in shown]
 
 
-def words(text: str) -> str:
+def words(text):
     """A text without its blanks, which a reader of PDF may see where letters are kerned, and without pictographs."""
     return "".join(
         c for c in "".join(text.replace("\ufffe", "-").split()) if not "\ud800" <= c <= "\udfff" and c < "\U00010000"

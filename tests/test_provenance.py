@@ -15,7 +15,6 @@ from book.drawing.save import MOST_BYTES, data_file, read_data
 from tests.folders import contents
 from tests.processes import python
 
-MODULES = sorted(path.stem for path in (stamps.ROOT / "book" / "figures").glob("*.py") if path.stem != "__init__")
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
 TRACE = """
 import json, os, sys
@@ -33,13 +32,14 @@ for name in names:
 
 
 @pytest.fixture(scope="module")
-def hashes_of_figures() -> dict[str, dict[str, str]]:
+def hashes_of_figures():
     """Figure → the hashes of its files, while no file looks edited."""
     return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
 
 
 def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_figures):
-    printed, _ = python("-c", TRACE, stamps.ROOT, *MODULES)
+    modules = {keys.source_file(entry).stem for entry in all_figures().values()}
+    printed, _ = python("-c", TRACE, stamps.ROOT, *modules)
     imported = dict(map(json.loads, printed.splitlines()))
     for id, entry in all_figures().items():
         own = keys.source_file(entry)
@@ -73,7 +73,7 @@ def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures
         assert capsys.readouterr().out.count(f"({name} changed") == len(reach)
 
 
-def broken() -> Drawing:
+def broken():
     """A figure that cannot be drawn."""
     raise ZeroDivisionError("no such slope")
 
@@ -97,7 +97,7 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
     assert one == two and len(one) > 2
 
 
-def line(heights) -> Figure:
+def line(heights):
     fig = Figure()
     fig.subplots().plot(range(len(heights)), heights)
     return fig

@@ -27,17 +27,17 @@ STEPS = np.array([1e-1, 1e-2, 1e-3, 1e-4, 1e-5])
 PIXELS = np.arange(8 * 9 * 3, dtype=np.uint8).reshape(8, 9, 3)
 
 
-def draw_into(folder: Path, rms=0.0121, pixels=PIXELS, heights=STEPS**2, width=3.0) -> None:
+def draw_into(folder, rms=0.0121, pixels=PIXELS, heights=STEPS**2, width=3.0):
     """Draw a plot, a render and a table of numbers."""
 
-    def plot() -> Drawing:
+    def plot():
         """A curve."""
         fig = Figure(figsize=(width, 2))
         fig.subplots().plot(STEPS, heights)
         numbers = {"rms_1e-3": rms, "rms_1e-3_at": 1e-3, "flips": 0, "date": "2026-01-01"}
         return Drawing(fig, numbers=numbers, data={"step": STEPS, "pixels": heights})
 
-    def render() -> Drawing:
+    def render():
         """Pixels."""
         return Drawing(pixels)
 
@@ -70,7 +70,7 @@ def notes(places):
     return lambda: (command_line.main(["release-notes"]), (places.out / "notes.md").read_text())
 
 
-def released(places) -> dict[str, bytes]:
+def released(places):
     return {name: path.read_bytes() for name, path in same_bytes.files_of(places.releases).items()}
 
 
@@ -190,7 +190,7 @@ for part in ('html', '../_generated'):
 """
 
 
-def built(root: Path, monkeypatch, files: str) -> None:
+def built(root, monkeypatch, files):
     """Make a project, a stand-in for this one, whose build writes {name: content}; commit and build it."""
     for package in stamps.PACKAGES:
         shutil.rmtree(root / package, ignore_errors=True)

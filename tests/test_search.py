@@ -12,7 +12,7 @@ FOUND = {
 }
 
 
-def search(tab, words: str) -> list[str]:
+def search(tab, words):
     """Type the words into the page's search field; the addresses of what it finds."""
     tab.keyboard.press("Control+KeyK")
     field = tab.locator("input[type=search]:visible")  # in a dialog, or on the page of what was found

@@ -29,7 +29,7 @@ def test_its_parts_are_the_whole_in_order_and_have_a_claim_each():
     assert {f"seed:{place}" for place in found if place} == {claim.where for claim in load().claims if claim.of_seed}
 
 
-def program(cell: str) -> str:
+def program(cell):
     """The printed program of a cell."""
     return parts()[cell].split("paste into colab.new → Run\n")[1]
 

@@ -52,11 +52,10 @@ TYPED = {
     "1.21e−2": 1.21e-2, "10⁻⁸": 1e-8, "3 · 10⁻⁴": 3e-4, "2^-20": 2**-20, "10^-18": 1e-18, "2⁻⁵³": 2**-53,
     "1/16": 1 / 16, " 5 × 10^-3 ": 5e-3, "1/2^30": 2**-30,
 }  # fmt: skip
-REFUSED = ["", "NaN", "0", "-1", "Infinity", "1e-19", "0.2", "0x1", "1e", "ε", "1/0", "1/2/3", "2^2^2", "10^"]
+REFUSED = ["", "NaN", "0", "1e-19", "0.2", "0x1", "1e", "1/0", "1/2/3", "2^2^2", "10^"]
 MALFORMED = {
-    "eps=0": "ε = 0 is", "eps=NaN": "ε = NaN is", "ku=1e9": "ku = 1e9 is", "field=cosine": "field = cosine is",
-    "nothing=1": "nothing", "beta": "β =  is", "beta=1&beta=1": "beta twice", "size=100": "size = 100 is",
-    "lights=2": "lights = 2 is", "left=1": "left = 1 is", "column=999": "column = 999 is",
+    "eps=0": "ε = 0 is", "field=cosine": "field = cosine is", "nothing=1": "nothing", "beta": "β =  is",
+    "beta=1&beta=1": "beta twice", "lights=2": "lights = 2 is", "column=999": "column = 999 is",
 }  # fmt: skip
 """{a fragment: what is said of it}"""
 

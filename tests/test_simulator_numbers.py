@@ -13,15 +13,15 @@ from numpy.testing import assert_array_equal
 from PIL import Image, ImageColor
 
 from book.simulator_module import TERM_COLOURS
-from renderer import Light, Scene, central, central4, exact, forward, render
+from renderer import Light, Scene, central, render
 from renderer.generate.step_terms import BOUNDS
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
+from renderer.scene.methods import DIFFERENCES, GradientMethod
 from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.tabs import go, number, readout
 
-METHODS = {"central": central, "forward": forward, "central4": central4}
 EXACT = {"name": "exact"}
 WHOLE = 256, (0, 0, 256, 256)  # a raster's side, and its part: left, top, width, height
 BASE = {"ku": 8, "kv": 4, "beta": 0.35, "ball": True, "lights": [True, True], "model": "blinn", "field": "ridges"}
@@ -32,7 +32,7 @@ OFTEN = {
     "ku": [8, 7, -4, 7.3],
     "kv": [4, 3, 0, -3.1],
     "model": [*LIGHT_MODELS],
-    "method": [*METHODS],
+    "method": [*DIFFERENCES],
     "size": [128, 256, 512],
     "zoom": [0, 0, 3, 10],
 }
@@ -74,10 +74,10 @@ def drawn(tab, *steps, raster=WHOLE):
 
 def rendered(state, method, raster=WHOLE):
     """Return the same of the renderer."""
-    gradient, (side, crop) = METHODS[method["name"]](method["eps"]) if "eps" in method else exact(), raster
+    side, crop = raster
     lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
     scene = Scene(**{name: state[name] for name in ("field", "ku", "kv", "beta", "model", "ball")}, lights=lights)
-    frame = render(scene, side, side, gradient, crop=crop)
+    frame = render(scene, side, side, GradientMethod(**method), crop)
     return np.moveaxis(frame.rgb, -1, 0).tobytes() + frame.chambers.tobytes()
 
 

@@ -41,12 +41,12 @@ def tab(browser, alone):
         yield page
 
 
-def show(tab, name: str):
+def show(tab, name):
     """Turn to a page."""
     tab.evaluate("n => Chapter.show(Chapter.pages.find(p => p.dataset.page === n))", name)
 
 
-def go(tab, id: str):
+def go(tab, id):
     """Follow an address inside the file."""
     tab.evaluate("id => { location.hash = '#' + id }", id)
     wait_for(tab, f"Chapter.shown().contains(document.getElementById('{id}'))")

@@ -25,9 +25,9 @@ def small_blocks(monkeypatch):
     monkeypatch.setattr(stream, "BLOCK_PIXELS", 300)
 
 
-@pytest.mark.parametrize(("width", "rows"), [(2**24, 1), (2**24, 256), (1001, 1047)])
-def test_blocks_are_bounded(width, rows):
-    assert all(w * h <= stream.BLOCK_PIXELS for *_, w, h in stream.blocks((0, 0, width, 3 * rows), rows))
+def test_blocks_are_bounded():
+    for width, rows in ((2**24, 1), (2**24, 256), (1001, 1047)):
+        assert all(w * h <= stream.BLOCK_PIXELS for *_, w, h in stream.blocks((0, 0, width, 3 * rows), rows))
 
 
 PICTURES = [("a.npy", size, None) for size in ((37, 53), (701, 5), (1, 1), (300, 4))]

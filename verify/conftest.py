@@ -13,8 +13,8 @@ from verify.optional import lacking
 from verify.sources import ROOT
 
 REPORT = ROOT / "book" / "_generated" / "proofs.json"
-EVIDENCE: list[dict] = []
-TOOK: dict[str, str] = {}
+EVIDENCE = []
+TOOK = {}
 """The evidence that tests' reports carry, and {theorem: how long it took}, in the process that controls the workers"""
 
 
@@ -63,7 +63,6 @@ def pytest_collection_modifyitems(config, items):
         kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
         config.hook.pytest_deselected(items=[i for i in items if i not in kept])
         items[:] = kept
-    items.sort(key=lambda item: item.path.name != "test_theorems.py")  # some take long: no worker shall end with one
     if not config.getoption("--long"):
         for item in items:
             if item.get_closest_marker("long"):

@@ -6,7 +6,7 @@ import pytest
 from flint import arb, ctx
 from sympy import And, Or, Piecewise, sign, sqrt
 
-from proofs.engine.program import Program
+from proofs.engine.program import chain
 from proofs.formulas.symbols import real
 from renderer import Scene, render
 from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, problems, truth_of
@@ -45,15 +45,14 @@ LINES = [
 
 @pytest.mark.parametrize(("expression", "values", "contained"), LINES)
 def test_what_is_not_decided_is_enclosed(expression, values, contained):
-    inputs = tuple(sorted(expression.free_symbols, key=str))
-    found = Balls(Program("line", inputs, ((d, expression),), (d,)))(values, 53)["d"]
+    found = Balls(chain("line", {d: expression}))(values, 53)["d"]
     assert all(found.contains(number) for number in contained)
     assert found.is_exact() == (contained in ((0,), (1,), (5,)))
 
 
 def test_a_ball_that_decides_nothing_is_no_reference():
     """1/(a − b) with a = b = 1/3: the ball of the difference is around 0, that of the quotient everywhere."""
-    lines = Program("lines", (a, b), ((c, 1 / (a / 3 - b / 3)), (d, a * b)), (c, d))
+    lines = chain("lines", {c: 1 / (a / 3 - b / 3), d: a * b}, outputs=(c, d))
     assert [found[0] is None for found in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
 
 

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from proofs.formulas.camera import discriminant_a, hit_of_a
-from renderer import Light, Scene, central, exact, forward, render, stage_of
+from renderer import Light, Scene, exact, render, stage_of
 from renderer.generate.kernels import function_of
-from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene import bounds
 from renderer.shader import numbers
 from verify.strict import differing_pixels, image_error, random_raster, random_scene, strict_chambers
@@ -33,19 +32,8 @@ def test_the_image_agrees(field, model, form):
     assert image_error(Scene(field=field, model=model), 96, exact(form)) <= 1e-13
 
 
-@pytest.mark.parametrize("field", FIELDS)
-@pytest.mark.parametrize("model", LIGHT_MODELS)
-def test_no_pixel_flips(field, model):
-    """Theorem bump_moves_no_boundary, counted: no pixel changes its chamber, whatever the field, β, ε and model."""
-    plain = strict_chambers(Scene(beta=0.0), 72, 72)
-    for beta in (-2.0, 0.35, 50.0):
-        for method in (exact(), central(1e-1), central(1e-6), forward(1e-3)):
-            frame = render(Scene(field=field, model=model, beta=beta), 72, 72, method)
-            assert np.count_nonzero(frame.chambers != plain) == 0
-
-
 def test_the_count_sees_a_moved_boundary():
-    """The same count is not zero when a boundary does move: B a little larger."""
+    """That of pixels whose chamber is another is not zero when a boundary does move: B a little larger."""
     assert np.count_nonzero(render(Scene(ball_radius=0.35), 72, 72).chambers != strict_chambers(Scene(), 72, 72)) > 0
 
 
@@ -106,6 +94,6 @@ def test_the_reach_of_a_has_the_sign_of_its_discriminant():
     assert not any(misjudged(*lens) for lens in LENSES)
 
 
-@pytest.mark.parametrize("towards", [0.0, np.inf])
-def test_a_reach_that_is_off_by_one_unit_is_noticed(towards):
-    assert any(misjudged(*lens, towards) for lens in LENSES)
+def test_a_reach_that_is_off_by_one_unit_is_noticed():
+    for towards in (0.0, np.inf):
+        assert any(misjudged(*lens, towards) for lens in LENSES)

@@ -58,7 +58,7 @@ def test_creases_of_a_cosine_are_where_a_sine_is_zero():
 
 def crossed(factors, at):
     """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
-    turns = [function_of(Program("turns", CHART, ((real("turns"), factor.args[0]),)))(*at) for factor in factors]
+    turns = [function_of(Program("turns", CHART, {real("turns"): factor.args[0]}))(*at) for factor in factors]
     return sum((np.diff(np.floor(w)) != 0 for w in turns), np.zeros(len(at[0]) - 1, bool))
 
 
@@ -75,7 +75,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
 @pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
 def test_the_wave_numbers_give_the_gradient_its_factors(field):
     at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
-    named, whole = in_balls(gradient(field), at), Program("slopes", CHART, (((h_u, h_v), field.gradient()),))
+    named, whole = in_balls(gradient(field), at), Program("slopes", CHART, {(h_u, h_v): field.gradient()})
     assert max(distance(named[name], ball).max() for name, ball in in_balls(whole, at).items()) < 1e-60
 
 

@@ -160,7 +160,6 @@ LESS = [
     ("normalising_is_lipschitz__normalise", "length_a <> 0", "length_a ^ 2 >= 0"),
     ("image_derivative__lit_shiny", "(specular_base > 0 -> ", "(~ (specular_base > 0) -> "),
     ("image_derivative__lit_shiny", "  (specular_base > 0 -> specular_base <> 0) /\\\n", ""),
-    ("image_derivative__blinn", "halfway_length <> 0", "True"),
     ("seed_step_in_beta__verifies", " >= 0 ->", " >= 1 ->"),  # of a negation, radicands
     ("seed_step_in_beta__verifies", " <> 0 ->", " <> 0 /\\"),  # and divisors
 ]

@@ -11,7 +11,7 @@ A claim is one `[[claim]]` table in any file of `book/ledger/claims/`:
     evidence = [
       { theorem = "bump_moves_no_boundary" },    # the last run must have given it the grade that it expects
       { number = "eps_table.flips", is = "== 0" },    # a figure's number, or "bench:NAME.key"
-      { test = "verify/test_chambers.py::test_no_pixel_flips" },    # must exist
+      { test = "verify/test_chambers.py::test_random_scenes" },     # must exist
       { source = "Blinn1978" },    # a key of references.bib
     ]
     so = "No pixel changed chamber in {number}`eps_table.frames` frames."     # one sentence: what is so, in MyST

@@ -54,10 +54,9 @@ def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart(monkeypatch)
     assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
 
 
-@pytest.mark.parametrize("side", [64, 256])
-def test_the_numpy_tiles_draw_our_picture(side):
-    frame = render(Scene(), side, side, exact("general"))
-    for threads in (1, 2):
+def test_the_numpy_tiles_draw_our_picture():
+    for side, threads in product((64, 256), (1, 2)):
+        frame = render(Scene(), side, side, exact("general"))
         rgb, surfaces = numpy_tiles(Scene(), side, side, threads)
         assert largest(rgb, frame) < TILES_AGREE
         assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)

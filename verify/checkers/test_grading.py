@@ -6,32 +6,32 @@ import pytest
 from sympy import symbols
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.program import Program
-from proofs.engine.theorem import Mutant, Step, Theorem, all_theorems, in_order, incomplete
+from proofs.engine.program import chain
+from proofs.engine.theorem import Theorem, all_theorems, in_order, incomplete, variant
 from verify.checkers.grades import NOT_RECHECKED, graded
 from verify.checkers.proof_checker import examine
 
 x, y = symbols("x y", real=True)
-FALSE = Claim("quotient", (equation((x * y + x) / x, y + 1),))
-TRUE = FALSE.but(given=(x > 1,))
+FALSE = Claim("quotient", equation((x * y + x) / x, y + 1))
+TRUE = FALSE.but(given=x > 1)
 
 
-def theorem(id, uses=(), claim=TRUE, mutants=None):
-    mutants = mutants or (Mutant("2 for 1", claim.but(shows=(equation((x * y + x) / x, y + 2),))),) * 2
-    return Theorem(id, id, "", (claim,), mutants, (Step("all", "at once"),), uses=uses)
+def theorem(id, uses=(), claim=TRUE):
+    mutants = [variant("2 for 1", claim, equation((x * y + x) / x, y + 2))] * 2
+    return Theorem(id, id, "", claim, mutants, {"all": "at once"}, uses=uses)
 
 
 def test_theorems_that_use_each_other_are_an_error():
     with pytest.raises(ValueError, match=r"cycle: .*first.*"):
-        in_order([theorem("first", ("second",)), theorem("second", ("first",))])
+        in_order([theorem("first", "second"), theorem("second", "first")])
     with pytest.raises(ValueError, match="first uses unknown theorems: third"):
-        in_order([theorem("first", ("third",))])
-    assert list(in_order([theorem("first", ("second",)), theorem("second")])) == ["second", "first"]
+        in_order([theorem("first", "third")])
+    assert list(in_order([theorem("first", "second"), theorem("second")])) == ["second", "first"]
 
 
 def test_a_false_theorem_fails_and_says_why():
     """Of one whose certificate is missing or stale a new one is searched for, and fails it though it may be found."""
-    false = theorem("false", claim=FALSE.but(shows=(equation(x / y, y / x),), given=(x > 0, y > 0)))
+    false = theorem("false", claim=FALSE.but(shows=equation(x / y, y / x), given=(x > 0, y > 0)))
     for anew, of_theorem, why in (
         (True, false, "no certificate found for"),
         (False, false, "searched anew: no certificate found for"),
@@ -46,7 +46,7 @@ def test_a_mutant_that_holds_fails_the_theorem():
     """By a search, by the stored certificate, as no other claim; and no counterexample is found."""
     theorems = all_theorems()
     real = theorems["unit_length"]
-    mutants = (Mutant("the same", real.claims[0]),) * 2
+    mutants = [variant("the same", real.claims[0])] * 2
     found = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
     assert {problem.partition(":")[0] for problem in found.problems} == {
         "a certificate of the theorem proves the mutant",
@@ -76,12 +76,12 @@ def test_a_grade_counts_what_the_theorem_rests_on(run):
 
 def test_uses_is_complete():
     """`uses` has what is borrowed or named in a step, and nothing idle; what could be borrowed has to be."""
-    program = Program("p", (x,), ((y, x**2),), (y,))
-    first = theorem("first", claim=Claim("square", (y >= 0,), lines=program))
-    plain = Claim("sum", (y + 1 > 0,), lines=program)
-    assumed, taken = plain.but(given=(y >= 0,)), plain.but(borrowed=(("first", "square"),))
-    elsewhere = assumed.but(lines=Program("q", (x,), ((y, x**3),), (y,)))  # another y
-    named = Step("y ≥ 0", "a square", uses=("first",))
+    program = chain("p", {y: x**2})
+    first = theorem("first", claim=Claim("square", y >= 0, lines=program))
+    plain = Claim("sum", y + 1 > 0, lines=program)
+    assumed, taken = plain.but(given=y >= 0), plain.but(borrowed=(("first", "square"),))
+    elsewhere = assumed.but(lines=chain("q", {y: x**3}))  # another y
+    named = {"y ≥ 0": ("a square", "first")}
 
     def problems(claim, uses=(), **changes):
         second = replace(theorem("second", uses, claim), **changes)
@@ -89,6 +89,6 @@ def test_uses_is_complete():
 
     assert theorem("second", claim=taken).uses == ("first",)
     assert problems(taken) == problems(elsewhere) == []
-    assert problems(plain, ("first",), steps=(named,)) == []
-    assert "second: uses first, but no claim borrows" in problems(plain, ("first",))[0]
+    assert problems(plain, "first", steps=named) == []
+    assert "second: uses first, but no claim borrows" in problems(plain, "first")[0]
     assert problems(assumed) == ["second/sum: borrow y >= 0 from first/square"]

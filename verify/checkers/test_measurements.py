@@ -10,7 +10,7 @@ from flint import arb
 from sympy import sin, symbols
 
 from proofs.engine.claim import CitedLemma, Claim, at_least
-from proofs.engine.theorem import Mutant, Theorem
+from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.certified import CERTIFIED
 from verify.accuracy.certified_ulps import PIECES, errors_on_pieces
 from verify.checkers import proof_checker
@@ -88,14 +88,12 @@ def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     assert found.grade == grade
 
 
-NOT_MEASURED = [(0, 1.0, 2.0), (math.inf, 1.0, 2.0), (1, math.nan, 2.0), (1, 1.0, math.inf), (1, 3.0, 2.0)]
-
-
 def test_a_measurement_is_of_finite_samples_and_has_a_finite_bound():
     good = Measurement(1, 1.0, 2.0, "something")
     assert good.why_refused() == ""
-    wrong = [replace(good, what=""), replace(good, holds=False)]
-    assert all(bad.why_refused() for bad in (*wrong, *(Measurement(*numbers, "something") for numbers in NOT_MEASURED)))
+    wrong = {"samples": (0, math.inf), "worst": (math.nan, 3.0), "bound": (math.inf,), "what": ("",), "holds": (False,)}
+    for name, values in wrong.items():
+        assert all(replace(good, **{name: value}).why_refused() for value in values), name
 
 
 def test_a_citation_needs_a_source_in_the_bibliography():
@@ -108,10 +106,10 @@ def test_a_citation_needs_a_source_in_the_bibliography():
 
 def test_what_rests_on_a_cited_lemma_says_so():
     """But what Coq has proved here is given by no source; who uses it may still rest on another one."""
-    lemma = CitedLemma(at_least(x, sin(x)), "Blinn1978", (x >= 0,))
-    claim = Claim("sine", (at_least(x + 1, sin(x)),), (x >= 0,), cited=(lemma,))
-    mutants = [Mutant(f"{less}x", claim.but(shows=(at_least(less * x, sin(x)),))) for less in (-1, 0)]
-    theorem = Theorem("lemma", "A lemma", "", (claim,), tuple(mutants))
+    lemma = CitedLemma(at_least(x, sin(x)), "Blinn1978", x >= 0)
+    claim = Claim("sine", at_least(x + 1, sin(x)), x >= 0, cited=lemma)
+    mutants = [variant(f"{less}x", claim, at_least(less * x, sin(x))) for less in (-1, 0)]
+    theorem = Theorem("lemma", "A lemma", "", claim, mutants)
     found = proof_checker.examine(theorem, {"lemma": theorem}, anew=True).record
     user = {"id": "user", "grade": "proved", "uses": ["lemma"], "source": "Dekker1971"}
     for formal, *told in (

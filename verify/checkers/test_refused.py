@@ -9,7 +9,6 @@ from sympy import (
     DiracDelta,
     Dummy,
     E,
-    Heaviside,
     I,
     Max,
     Piecewise,
@@ -31,7 +30,7 @@ from proofs.engine.stored import statements
 from verify.checkers.test_attacks import line, n, x, y
 
 HIDDEN = ["nonnegative", "nonzero", "extended_real", "positive"]
-TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "x y", "", "x^2", "2x", "é", "_x", "x\n"]
+TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "", "2x", "é", "_x", "x\n"]
 with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
 
@@ -39,24 +38,24 @@ with evaluate(False):
 def of_symbols():
     """Yield (a claim, why it has no statement): a symbol is real, nothing more, and has a name of its own."""
     for hidden in (Symbol("q", **{assumption: True}) for assumption in HIDDEN):
-        yield Claim("defined", (equation(Abs(hidden), x - 5),), (), line(hidden, x - 5)), "plain real"
+        yield Claim("defined", equation(Abs(hidden), x - 5), (), line(hidden, x - 5)), "plain real"
     above, bound = greater(hidden, 0), Derivative(hidden**2, hidden)
     for changes in (
-        {"shows": (equation(bound, bound),)},
-        {"given": (above,)},
+        {"shows": equation(bound, bound)},
+        {"given": above},
         {"lines": line(hidden, x)},
-        {"lines": Program("p", (x, hidden), ((y, x),), (y,))},
-        {"cited": (CitedLemma(x <= 10, "Dekker1971", (above,)),)},
-        {"cited": (CitedLemma(above, "Dekker1971"),)},
-        {"ranges": ((hidden, (0, 1)),)},
-        {"example": ((hidden, 1),)},
+        {"lines": Program("p", (x, hidden), {y: x})},
+        {"cited": CitedLemma(x <= 10, "Dekker1971", above)},
+        {"cited": CitedLemma(above, "Dekker1971")},
+        {"ranges": {hidden: (0, 1)}},
+        {"example": {hidden: 1}},
     ):
-        yield Claim("somewhere", (greater(x, 0),)).but(**changes), "plain real"
+        yield Claim("somewhere", greater(x, 0)).but(**changes), "plain real"
     for other in (Symbol("x"), Dummy("x", real=True), Symbol("x", extended_real=True)):
-        yield Claim("another x", (equation(x, other),)), "plain real|two symbols"
+        yield Claim("another x", equation(x, other)), "plain real|two symbols"
     for name in TAKEN:
-        yield Claim("taken", (greater(Symbol(name, real=True), 3),)), "no name"
-    for names in (((n,), (x,)), ((y,), (n,)), ((y,), (x, Symbol("x")))):
+        yield Claim("taken", greater(Symbol(name, real=True), 3)), "no name"
+    for names in ((n, x), (y, n), (y, (x, Symbol("x")))):
         yield Separation("of another name", line(y, x + 1), *names), "has no"
 
 
@@ -69,7 +68,7 @@ def of_values():
         yield equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1), "polynomial"
     for value in (NONE_AT_0, UNORDERED, Piecewise((x, x > 0))):
         yield equation(value, x), "no rule|compar|no value"
-    for corner in (floor(x), Heaviside(x), DiracDelta(x)):
+    for corner in (floor(x), DiracDelta(x)):
         yield equation(Derivative(corner, x), 0), "no rule differentiates"
         yield equation(corner, 0), "no rule translates"
     nested, many = x, symbols("a:40", real=True)
@@ -84,8 +83,8 @@ def of_values():
 def of_states():
     """Yield (a claim, why it has no statement): a line's name may change with x, and a state with n."""
     for changing in (Derivative(y, x), Derivative(y**2, y), Derivative(y * x, x)):
-        yield Claim("of a line", (equation(changing, 0),), (), line(y, x + 1)), "a line defines"
-    none = (equation(x, 0),)
+        yield Claim("of a line", equation(changing, 0), (), line(y, x + 1)), "a line defines"
+    none = equation(x, 0)
     state = Induction("of states", n, none, ((x, 0, x),))
     for why, shown in (
         ("in an angle", equation(cos(x), 1)),
@@ -95,21 +94,21 @@ def of_states():
         ("an angle that occurs", equation(cos(n * y), 1)),
         ("an angle that occurs", equation(cos(n * y / 2) * cos(y), 1)),
     ):
-        yield state.but(shows=(shown,)), why
+        yield state.but(shows=shown), why
     yield state.but(n=Symbol("n", integer=True, zero=False)), "nothing else"
     whole = Symbol("n", integer=True)
     for why, changes in (
-        ("two symbols", {"n": whole, "shows": (equation(cos(y * whole), cos(n * y)),)}),
+        ("two symbols", {"n": whole, "shows": equation(cos(y * whole), cos(n * y))}),
         ("no name", {"n": Symbol("pi", integer=True)}),
         ("twice", {"states": ((x, 1, x), (x, 0, x))}),
         ("starts from", {"states": ((x, y, x), (y, 1, y))}),
         ("what is given", {"given": none}),
-        ("what is given", {"given": (greater(cos(n * y), 0),)}),
+        ("what is given", {"given": greater(cos(n * y), 0)}),
     ):
         yield state.but(**changes), why
 
 
-REFUSED = [*of_symbols(), *((Claim("value", (shown,)), why) for shown, why in of_values()), *of_states()]
+REFUSED = [*of_symbols(), *((Claim("value", shown), why) for shown, why in of_values()), *of_states()]
 
 
 @pytest.mark.parametrize(("claim", "why"), REFUSED)

@@ -8,10 +8,8 @@ import sys
 import pytest
 
 from proofs import check
-from proofs.check import FOLDER
 from proofs.engine import kernel, standalone
 from proofs.engine.standalone import standalone_script
-from proofs.engine.theorem import all_theorems
 from verify.sources import ROOT
 
 
@@ -40,16 +38,11 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
 
 @pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
 def test_the_script_says_its_verdict(id, was, changed, says, tmp_path):
+    """By the checker as it stands."""
     head, certificate, tail = standalone_script(id).partition('"certificate"')
+    assert all(inspect.getsource(part).strip() in head + certificate + tail for part in (kernel, check, standalone.run))
     path = tmp_path / "theorem.py"
     path.write_text(head + certificate + tail.replace(was, changed, 1), "utf-8")
     status, printed, errors = bare(str(path))
     assert (status, errors) == (int(was != ""), "")
     assert says in printed and ("REJECTED" in printed) == (was != "")
-
-
-def test_every_certificate_has_a_script_that_holds_the_checker_as_it_stands():
-    for id in all_theorems().keys() & {path.stem for path in FOLDER.glob("*.json")}:
-        script = standalone_script(id)
-        compile(script, id, "exec")
-        assert all(inspect.getsource(part).strip() in script for part in (kernel, check, standalone.run))

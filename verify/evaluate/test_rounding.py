@@ -40,7 +40,7 @@ def test_what_is_exact_costs_nothing_and_nothing_else():
     assert (x - Rounded(rounding.between(0.1, 0.4))).error > 0
 
 
-@pytest.mark.parametrize("undecided", [lambda x: x > 0.5, lambda x: Rounded(1) / x])
-def test_what_is_not_decided_is_not_guessed(undecided):
-    with pytest.raises(Undecided):
-        undecided(Rounded(rounding.between(-1, 1)))
+def test_what_is_not_decided_is_not_guessed():
+    for undecided in (lambda x: x > 0.5, lambda x: Rounded(1) / x):
+        with pytest.raises(Undecided):
+            undecided(Rounded(rounding.between(-1, 1)))

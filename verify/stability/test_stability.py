@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from proofs.engine.program import Program, chain
+from proofs.engine.program import chain
 from proofs.formulas.camera import point_on_b
 from proofs.formulas.seed_hit import seed_normal
 from proofs.formulas.symbols import ball_center, ball_radius, normal, point
@@ -30,9 +30,8 @@ def test_no_point_escapes_its_bound(name):
 
 def test_formulas_that_cancel_are_above_30_responses():
     """The seed's, though it is the same in exact arithmetic, and P − C of the hit for the normal of B."""
-    outward = tuple((n, (p - c) / ball_radius) for n, p, c in zip(normal, point, ball_center, strict=True))
-    lines = Program("outward", (*point, *ball_center, ball_radius), outward, normal)
-    cancelling = chain("normal_of_b", point_on_b, lines, outputs=normal)
+    outward = {n: (p - c) / ball_radius for n, p, c in zip(normal, point, ball_center, strict=True)}
+    cancelling = chain("normal_of_b", point_on_b, outward, outputs=normal)
     assert smaller_and_smaller_b(normal, cancelling).in_responses() > 30
     for name in ("pole", "near_to_far"):
         assert sweep(name).in_responses("seed") > 30

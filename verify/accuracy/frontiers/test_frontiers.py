@@ -10,12 +10,12 @@ from verify.accuracy.orders import fitted_slope
 SIZES = (65, 129, 257)
 
 
-@pytest.mark.parametrize("kind", ["bilinear", "cubic"])
-def test_a_creased_field_does_not(kind):
+def test_a_creased_field_does_not():
     """The largest error stays between πk and the jump, 2πk; the RMS falls like the root of the texel."""
-    largest, rms = wall.errors("ridges", kind, SIZES)
-    assert (np.abs(largest / (np.pi * wall.KU) - 1.5) < 0.5).all()
-    assert wall.order(rms, SIZES, last=3) == pytest.approx(0.5, abs=0.15)
+    for kind in ("bilinear", "cubic"):
+        largest, rms = wall.errors("ridges", kind, SIZES)
+        assert (np.abs(largest / (np.pi * wall.KU) - 1.5) < 0.5).all()
+        assert wall.order(rms, SIZES, last=3) == pytest.approx(0.5, abs=0.15)
 
 
 def test_the_silhouette_of_a_displaced_surface_to_second_order():

@@ -24,11 +24,11 @@ def test_the_derivative_in_beta_is_lost_between_the_centres():
     assert fine.max() > 0.01
 
 
-@pytest.mark.parametrize("texels", [33, 64])
-def test_it_is_exact_at_the_centres(texels):
-    at = np.mgrid[0:texels, 0:texels].reshape(2, -1) / texels
-    map_ = normal_map.baked(Scene(), texels, exact())
-    np.testing.assert_allclose(normal_map.fetched(map_, *at), map_.reshape(3, -1), atol=1e-12)
+def test_it_is_exact_at_the_centres():
+    for texels in (33, 64):
+        at = np.mgrid[0:texels, 0:texels].reshape(2, -1) / texels
+        map_ = normal_map.baked(Scene(), texels, exact())
+        np.testing.assert_allclose(normal_map.fetched(map_, *at), map_.reshape(3, -1), atol=1e-12)
 
 
 def test_the_pipelines_meet_in_the_map():
