@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from renderer.checks import not_allowed
-from renderer.machines import Job, machine
+from renderer.machines import Job, compiling, machine
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
@@ -121,7 +121,8 @@ class Stage:
         """
         job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
-            from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+            with compiling:
+                from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
 
             job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
