@@ -39,8 +39,10 @@ OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a pic
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
-    bounds = checked_target(options.bounds, (".npz",), "bounds") if options.bounds else None
-    if options.again:
+    bounds = None if options.bounds is None else checked_target(options.bounds, (".npz",), "bounds")
+    if bounds and bounds.resolve() == target.resolve():
+        raise not_allowed("bounds", options.bounds, "another file than --out")
+    if options.again is not None:
         scene, method, raster = _drawn_again(options)
     else:
         scene, method = scene_of(options), method_of(options)
