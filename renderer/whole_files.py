@@ -23,9 +23,9 @@ BEYOND = 2**30  # a byte that no checkpoint reaches
 
 
 def named(name: str, path: str | Path) -> Path:
-    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it holds what no file's name can."""
-    if "\0" in str(path):
-        raise not_allowed(name, str(path), "a name without the character 0")
+    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it is what no file's name can be."""
+    if not isinstance(path, str | os.PathLike) or "\0" in str(path):
+        raise not_allowed(name, path, "a file's name, without the character 0")
     return Path(path)
 
 

@@ -15,8 +15,8 @@ import numpy as np
 
 Job = dict[str, np.ndarray]
 compiling = RLock()
-if hasattr(os, "register_at_fork"):  # a child that began while another thread compiles, or imports what does, would find
-    release = compiling.release  # LLVM half-way, or the import locked for ever
+if hasattr(os, "register_at_fork"):  # else a child that began while another thread compiles, or imports what does so,
+    release = compiling.release  # would find LLVM half-way, or wait for the import for ever
     os.register_at_fork(before=compiling.acquire, after_in_parent=release, after_in_child=release)
 
 

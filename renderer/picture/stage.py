@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import not_allowed
+from renderer.checks import check_kind, not_allowed
 from renderer.machines import Job, compiling, machine
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
@@ -81,6 +81,8 @@ class Stage:
 
     def __init__(self, scene: Scene, raster: Raster):
         """Prepare the planes; they are filled by drawing. Raises ValueError on more than 2**28 drawn pixels."""
+        check_kind("scene", scene, Scene)
+        check_kind("raster", raster, Raster)
         drawn = raster.shape[0] * raster.shape[1]
         if drawn > MAX_DRAWN:
             raise not_allowed("width * height", drawn, f"at most {MAX_DRAWN} drawn pixels")
