@@ -295,10 +295,13 @@ def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):
     with started(*command) as child:
         child.stdout.close()
         assert (child.stderr.read(), child.wait()) == ("", 141)
-    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
-    assert run(*command[2:]) == 2
     told = "out = '-' is not allowed: a file, or standard output that is no terminal"
-    assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
+    for name, other in (("sys.stdout.isatty", lambda: True), ("sys.stdout", None)):
+        monkeypatch.setattr(name, other)
+        assert run(*command[2:]) == 2
+        assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
+    monkeypatch.setattr("sys.stderr", None)
+    assert run("image", "--size", "8", "--out", tmp_path / "a.npy") == 0
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]
