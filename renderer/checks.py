@@ -6,6 +6,8 @@ from contextlib import contextmanager
 from numbers import Integral
 from typing import Any, TypeVar
 
+import numpy as np
+
 T = TypeVar("T")
 
 
@@ -61,6 +63,13 @@ def check_choice(name: str, value: T, choices: Iterable[T]) -> T:
     if not isinstance(value, Hashable) or value not in tuple(choices):  # an array is neither, nor can it say which
         raise not_allowed(name, value, "one of " + ", ".join(map(repr, choices)))
     return value
+
+
+def check_truth(name: str, value: Any) -> bool:
+    """Return `value` as a bool, or raise ValueError unless it is True or False, Python's or NumPy's."""
+    if not isinstance(value, bool | np.bool_):
+        raise not_allowed(name, value, "True or False")
+    return bool(value)
 
 
 def check_kind(name: str, value: Any, kind: type[T], allowed: str = "") -> T:

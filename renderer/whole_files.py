@@ -8,6 +8,7 @@ import os
 import secrets
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -23,9 +24,9 @@ BEYOND = 2**30  # a byte that no checkpoint reaches
 
 
 def named(name: str, path: str | Path) -> Path:
-    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it holds what no file's name can."""
-    if "\0" in str(path):
-        raise not_allowed(name, str(path), "a name without the character 0")
+    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it is what no file's name can be."""
+    if not isinstance(path, str | os.PathLike) or "\0" in str(path):
+        raise not_allowed(name, path, "a file's name, without the character 0")
     return Path(path)
 
 
@@ -48,12 +49,12 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 
 
 @contextmanager
-def _unfinished(path):
+def _unfinished(path, mode=0o666):
     """Make a file beside `path` and yield it, open and locked; remove it at the end if it still has its name."""
     linked = False
     while not linked:  # another process may remove the file before it is locked
         name = path.with_name(f".{path.stem}-{secrets.token_hex(4)}-unfinished{path.suffix}")
-        file = open(name, "xb")  # noqa: SIM115
+        file = open(name, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115
         with suppress(OSError):  # where a file system has no locks, nobody can lock it to remove it either
             if fcntl:
                 fcntl.flock(file, fcntl.LOCK_EX)
@@ -109,21 +110,24 @@ def remove_abandoned(folder: str | Path) -> None:
 
 
 @contextmanager
-def whole_file(path: str | Path) -> Iterator[str]:
-    """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error."""
+def whole_file(path: str | Path, mode: int = 0o666) -> Iterator[str]:
+    """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error.
+
+    mode: who may read and write it, as the user's mask lets them.
+    """
     path = Path(path)
     remove_abandoned(path.parent)
-    with _unfinished(path) as file:
+    with _unfinished(path, mode) as file:
         yield str(file.name)
         if not fcntl:
             file.close()
         os.replace(file.name, path)
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file so that nobody ever sees half of it; its folder is made if there is none."""
+def write_whole(path: Path, content: bytes, mode: int = 0o666) -> None:
+    """Write a file so that nobody ever sees half of it; its folder is made if there is none. mode: see `whole_file`."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as name:
+    with whole_file(path, mode) as name:
         Path(name).write_bytes(content)
 
 

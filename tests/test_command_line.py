@@ -138,6 +138,10 @@ REFUSED = {
         "--out nowhere/a.png": "out = 'nowhere/a.png' is not allowed: a file in a folder that exists",
         "--bounds a.png": "bounds = 'a.png' is not allowed: a file name that ends in .npz",
         "--bounds nowhere/a.npz": "bounds = 'nowhere/a.npz' is not allowed: a file in a folder that exists",
+        "--out a.npz --bounds ./a.npz": "bounds = './a.npz' is not allowed: another file than --out",
+        "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
+        "--again ''": "again = '' is not allowed: no --size beside it",
+        "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
         "--out a.npy --bounds a.npz": "bounds = 'a.npz' is not allowed: no --out that is drawn in bands",
         "--gradient foo": "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'",
         "--field SINE": f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}",
@@ -201,7 +205,7 @@ REFUSED = {
         "--gain -1": "gain = -1.0 is not allowed: a finite number from 0 to 1e+300",
         "--out file": "out = 'file' is not allowed: File exists",
         "--out file/views": "out = 'file/views' is not allowed: Not a directory",
-        "--out 'new/a\0b'": "out = 'new/a\\x00b' is not allowed: a name without the character 0",
+        "--out 'new/a\0b'": "out = 'new/a\\x00b' is not allowed: a file's name, without the character 0",
         "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
         "--crop 0,0,1,1": "unrecognized arguments: --crop 0,0,1,1",
     },
@@ -210,6 +214,8 @@ REFUSED = {
     "sweep": {
         "--eps 1e-3 -1": "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5",
         "--csv a.txt": "csv = 'a.txt' is not allowed: a file name that ends in .csv",
+        "--csv ''": "csv = '' is not allowed: a file name that ends in .csv",
+        "--checkpoint ''": "checkpoint = '' is not allowed: a file name that ends in .jsonl",
         "--csv nowhere/a.csv": "csv = 'nowhere/a.csv' is not allowed: a file in a folder that exists",
         "--field sine,foo": f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}",
         "--size 8,0": "width = 0 is not allowed: a whole number from 1 to 16777216",
@@ -289,10 +295,13 @@ def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):
     with started(*command) as child:
         child.stdout.close()
         assert (child.stderr.read(), child.wait()) == ("", 141)
-    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
-    assert run(*command[2:]) == 2
     told = "out = '-' is not allowed: a file, or standard output that is no terminal"
-    assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
+    for name, other in (("sys.stdout.isatty", lambda: True), ("sys.stdout", None)):
+        monkeypatch.setattr(name, other)
+        assert run(*command[2:]) == 2
+        assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
+    monkeypatch.setattr("sys.stderr", None)
+    assert run("image", "--size", "8", "--out", tmp_path / "a.npy") == 0
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]

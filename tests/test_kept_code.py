@@ -18,12 +18,14 @@ NAME = f"{KEY}.o"
 
 @pytest.fixture
 def place(tmp_path, monkeypatch):
-    """The folder, which is there with one file in it."""
+    """The folder, which is there with one file in it, of a user whose files anybody may write to, unless told."""
+    mask = os.umask(0)
     monkeypatch.setenv(kept_code.VARIABLE, str(tmp_path / "new" / "code"))
     assert load(KEY) is None
     save(KEY, CODE)
     assert load(KEY) == CODE
-    return tmp_path / "new" / "code"
+    yield tmp_path / "new" / "code"
+    os.umask(mask)
 
 
 def test_a_file_that_is_not_whole_is_none(place):

@@ -57,6 +57,9 @@ def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
     with pytest.raises(OSError, match=r"the picture takes 6\.76e\+06 GB, and the disk has .* GB left"):
         stream.stream(Scene(), MAX_SIDE, MAX_SIDE, tmp_path / "a.npy")
     assert rejection(stream.stream, Scene(), 8, 8, tmp_path / "a.png").endswith("ends in .npy or .tif or .tiff")
+    whole = partial(stream.stream, Scene(), 8, 8, tmp_path / "a.npy")
+    for other in (lambda blocks: [], lambda blocks: None, lambda blocks: blocks * 2):
+        assert rejection(whole, progress=other).startswith("progress = <function")
     assert contents(tmp_path) == {}
 
 

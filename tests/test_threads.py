@@ -53,6 +53,21 @@ begun.wait()
 expected = other
 child(lambda: draw("sine"))
 busy.join()""",
+    "in a child that is forked while another thread imports": """
+from renderer import machines
+begun = threading.Event()
+class Slow:
+    def find_spec(*_):
+        begun.set()
+        time.sleep(0.2)
+sys.meta_path.insert(0, Slow)
+machines.machine.cache_clear()
+del machines.native, sys.modules["renderer.machines.native"]
+busy = threading.Thread(target=draw)
+busy.start()
+begun.wait()
+child(draw)
+busy.join()""",
     "from many threads": """
 with ThreadPoolExecutor(8) as several:
     assert all(np.array_equal(found, expected) for found in several.map(lambda _: draw(), range(40)))""",

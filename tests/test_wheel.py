@@ -66,11 +66,14 @@ def pip(*arguments, cwd):
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
-    """The folder of the wheel and of the sources' archive, as the build's own program makes them."""
+    """The folder of the sources' archive, and of the wheel that the build's own program makes from what it holds."""
     folder = tmp_path_factory.mktemp("built")
     pip("install", "--target", folder / "hatchling", *SETTINGS["build-system"]["requires"], cwd=folder)
-    build = [sys.executable, "-m", "hatchling", "build", "-d", folder / "built"]
-    done(*build, cwd=ROOT, PYTHONPATH=str(folder / "hatchling"))
+    build = [sys.executable, "-m", "hatchling", "build", "-d", folder / "built", "-t"]
+    done(*build, "sdist", cwd=ROOT, PYTHONPATH=str(folder / "hatchling"))
+    with tarfile.open(next(folder.glob("built/*"))) as sources:
+        sources.extractall(folder, filter="data")
+    done(*build, "wheel", cwd=next(folder.glob("symbolic*")), PYTHONPATH=str(folder / "hatchling"))
     return folder / "built"
 
 

@@ -157,4 +157,4 @@ def progress_bar(**options: Any) -> Callable:
     """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second."""
     from tqdm import tqdm
 
-    return partial(tqdm, delay=1.0, disable=not sys.stderr.isatty(), leave=False, **options)
+    return partial(tqdm, delay=1.0, disable=not (sys.stderr and sys.stderr.isatty()), leave=False, **options)

@@ -22,7 +22,7 @@ def print_sweep(options: Namespace) -> None:
     Lists of values, such as --field sine,ridges --beta 0.1,0.35 --size 256,1024, make a grid of frames, a line each,
     computed by several workers.
     """
-    target = checked_target(options.csv, (".csv",), "csv") if options.csv else None
+    target = None if options.csv is None else checked_target(options.csv, (".csv",), "csv")
     lists = {name: vars(options).pop(name) for name in MOVE_NO_BOUNDARY if name in options}
     sizes = [size_of(options, size) for size in options.size]
     steps = [step for steps in options.eps for step in steps]
@@ -46,7 +46,7 @@ def print_sweep(options: Namespace) -> None:
 
 def _of_grid(tasks, options):
     """Return the {Task: SweepRow} of a grid of frames, by workers; an error says what the checkpoint keeps."""
-    with grid.Checkpoint(options.checkpoint) if options.checkpoint else nullcontext() as checkpoint:
+    with nullcontext() if options.checkpoint is None else grid.Checkpoint(options.checkpoint) as checkpoint:
         try:
             with _workers(options) as executor:
                 progress = progress_bar(desc="frames", total=len(tasks), unit="frame")

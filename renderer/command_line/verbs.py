@@ -39,8 +39,10 @@ OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a pic
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
-    bounds = checked_target(options.bounds, (".npz",), "bounds") if options.bounds else None
-    if options.again:
+    bounds = None if options.bounds is None else checked_target(options.bounds, (".npz",), "bounds")
+    if bounds and bounds.resolve() == target.resolve():
+        raise not_allowed("bounds", options.bounds, "another file than --out")
+    if options.again is not None:
         scene, method, raster = _drawn_again(options)
     else:
         scene, method = scene_of(options), method_of(options)
@@ -83,7 +85,7 @@ def _checked_out(out):
     """Return the Path that is written to; it is PIPE for standard output, which may not be a terminal."""
     if out != PIPE:
         return checked_target(out, (*files.PICTURE_SUFFIXES, *files.STREAM_SUFFIXES))
-    if sys.stdout.isatty():
+    if sys.stdout is None or sys.stdout.isatty():  # it was closed, or is one
         raise not_allowed("out", out, "a file, or standard output that is no terminal")
     return Path(out)
 
@@ -178,7 +180,7 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
                 print(f"{prog}: {told}", file=sys.stderr)
         with sigterm_stops():
             VERBS[options.verb][0](options)
-        sys.stdout.flush()
+        print(end="", flush=True)  # where there is a standard output
     except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141

@@ -43,7 +43,7 @@ def text_of(drawing: Drawing) -> str:
 def read(path: str | Path) -> Drawing:
     """Return what a PNG or an NPZ says of how it was drawn. Nothing that it says is run.
 
-    Raises ValueError of one sentence unless the file carries one whole record; OSError if it cannot be read.
+    Raises ValueError of one sentence unless the file carries one whole record.
     """
     with distrusted("again", path):
         (text,) = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)

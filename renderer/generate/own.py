@@ -43,7 +43,8 @@ def _formulas(own):
     """Return what is drawn by: a field's expression, or the lines of a model's programs."""
     if isinstance(own, HeightField):
         return own.expression
-    return [program and program.definitions for program in (own.program, own.squared)]
+    check_kind("program", own.program, Program)
+    return [program and check_kind("squared", program, Program).definitions for program in (own.program, own.squared)]
 
 
 def registered(own: HeightField | LightModel) -> str | HeightField | LightModel:

@@ -6,21 +6,28 @@ columns of each row are looked at; the frame's planes by name, (rows, columns of
 uint8. Where bounds are wanted, `x_bound`, `y_bound` and `scene_bounds` are those of the errors of x, y and scene.
 """
 
+import os
 from functools import cache
+from threading import RLock
 from types import ModuleType
 
 import numpy as np
 
 Job = dict[str, np.ndarray]
+compiling = RLock()
+if hasattr(os, "register_at_fork"):  # else a child that began while another thread compiles, or imports what does so,
+    release = compiling.release  # would find LLVM half-way, or wait for the import for ever
+    os.register_at_fork(before=compiling.acquire, after_in_parent=release, after_in_child=release)
 
 
 @cache
 def machine() -> ModuleType:
     """Return the module that draws in this process: its NAME, and `drawer(want, job)`."""
-    try:
-        from renderer.machines import native
-    except ImportError:  # no llvmlite, or one that is too old
-        from renderer.machines import numpy_rows
+    with compiling:
+        try:
+            from renderer.machines import native
+        except ImportError:  # no llvmlite, or one that is too old
+            from renderer.machines import numpy_rows
 
-        return numpy_rows
-    return native
+            return numpy_rows
+        return native

@@ -71,7 +71,7 @@ def save(key: str, code: bytes) -> None:
         kept_in.parent.mkdir(parents=True, exist_ok=True)
         kept_in.mkdir(mode=0o700, exist_ok=True)
         if trusted(kept_in):
-            write_whole(kept_in / f"{key}.o", _digest(key, code) + code)
+            write_whole(kept_in / f"{key}.o", _digest(key, code) + code, mode=0o600)
             _make_room(kept_in)
 
 

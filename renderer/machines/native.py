@@ -5,11 +5,9 @@
 
 import ctypes
 import hashlib
-import os
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from threading import RLock
 from typing import Any
 
 import llvmlite
@@ -18,15 +16,11 @@ import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
 from renderer.kernels import HEIGHT_EVALUATIONS
-from renderer.machines import Job, kept_code
+from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import ARGUMENTS, emit
 from renderer.shader.shader import WORK, Want
 
 NAME = "llvm"
-_compiling = RLock()
-if hasattr(os, "register_at_fork"):  # a child that began while another thread compiles would find LLVM half-way
-    release = _compiling.release
-    os.register_at_fork(before=_compiling.acquire, after_in_parent=release, after_in_child=release)
 
 
 @cache
@@ -107,7 +101,7 @@ def drawer(
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """
     if code is None:
-        with _compiling:
+        with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
     given = {name: array.ctypes.data for name, array in job.items()}
     given |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}

@@ -6,6 +6,7 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 import numpy as np
 
+from renderer.checks import check_kind, not_allowed
 from renderer.operations import UNIT, Number, maximum, where
 from renderer.picture.frame import Frame
 
@@ -65,9 +66,17 @@ def rounded_up(upper: float, digits: int = 1) -> str:
     return f"{float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal(Decimal(upper))):.{digits}g}"
 
 
+def _difference(frame, reference):
+    """Return the differences of two frames, or raise ValueError unless both are some, of one raster."""
+    raster = check_kind("reference", reference, Frame).raster
+    if check_kind("frame", frame, Frame).raster != raster:
+        raise not_allowed("frame", frame, f"one of the reference's raster, {raster}")
+    return frame.rgb - reference.rgb
+
+
 def difference_on_a(frame: Frame, reference: Frame) -> np.ndarray:
-    """Return the differences of two frames of one raster on sphere A: (pixels, 3)."""
-    return (frame.rgb - reference.rgb)[reference.stage.on_a]
+    """Return the differences of two frames of one raster on sphere A, (pixels, 3). Raises ValueError of two rasters."""
+    return _difference(frame, reference)[reference.stage.on_a]
 
 
 def rms(values: np.ndarray) -> float:
@@ -80,13 +89,14 @@ def distance_on_a(frame: Frame, reference: Frame) -> tuple[Interval, Interval]:
 
     A frame that was drawn with bounds stands for its exact picture, one without for the float64 numbers that it holds.
     A pixel that one with bounds leaves open may lie on A or not, whatever it is taken for: both choices are covered.
-    Of no pixel, either is 0.
+    Of no pixel, either is 0. Raises ValueError of two rasters.
     """
+    delta = _difference(frame, reference)
     bounded = [each for each in (frame, reference) if each.bounded]
     on_a, undecided = reference.stage.on_a, np.zeros(reference.raster.shape, bool)
     for each in bounded:
         undecided |= each.open
-    return enclosed_distance(frame.rgb - reference.rgb, sum(each.bounds for each in bounded), on_a, undecided)
+    return enclosed_distance(delta, sum(each.bounds for each in bounded), on_a, undecided)
 
 
 def enclosed_distance(

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from renderer.checks import check_kind, not_allowed
+from renderer.checks import check_kind, check_truth, not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
 from renderer.scene.methods import GradientMethod, checked_method, exact
@@ -17,7 +17,7 @@ def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, th
 
     Raises ValueError that names what is not allowed.
     """
-    stage = Stage(check_kind("scene", scene, Scene), Raster(width, height, crop))
+    stage = Stage(scene, Raster(width, height, crop))
     stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
     return stage
 
@@ -44,7 +44,7 @@ def render(
     """
     method = checked_method("gradient", gradient if gradient is not None else exact())
     check_kind("scene", scene, Scene)
-    check_kind("bounds", bounds, bool, "True or False")
+    bounds = check_truth("bounds", bounds)
     raster, threads = Raster(width, height, crop), checked_threads(threads)
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(scene, raster)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")

@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import not_allowed
-from renderer.machines import Job, machine
+from renderer.checks import check_kind, not_allowed
+from renderer.machines import Job, compiling, machine
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
@@ -81,6 +81,8 @@ class Stage:
 
     def __init__(self, scene: Scene, raster: Raster):
         """Prepare the planes; they are filled by drawing. Raises ValueError on more than 2**28 drawn pixels."""
+        check_kind("scene", scene, Scene)
+        check_kind("raster", raster, Raster)
         drawn = raster.shape[0] * raster.shape[1]
         if drawn > MAX_DRAWN:
             raise not_allowed("width * height", drawn, f"at most {MAX_DRAWN} drawn pixels")
@@ -121,7 +123,8 @@ class Stage:
         """
         job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
-            from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+            with compiling:
+                from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
 
             job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)

@@ -1,8 +1,10 @@
 """Pictures larger than memory: drawn block by block, each written to the file before the next is drawn."""
 
 from collections.abc import Callable, Iterable
+from itertools import zip_longest
 from pathlib import Path
 
+from renderer.checks import check_kind, not_allowed
 from renderer.files.pictures import STREAM_SUFFIXES, TILE, write_npy, write_tiff
 from renderer.picture import views
 from renderer.picture.drawing import render
@@ -48,10 +50,14 @@ def stream(
     written, ModuleNotFoundError where a TIFF is wanted without the extra `tiff`. Returns the picture's (rows, columns).
     """
     path = checked_target(path, STREAM_SUFFIXES)
+    check_kind("progress", progress, Callable, "a function of a list")  # type: ignore[type-abstract,arg-type]
     raster = Raster(width, height, crop)
 
     def frames(rows):
-        for block in progress(blocks(raster.crop, rows)):
+        wanted = blocks(raster.crop, rows)
+        for block, its in zip_longest(progress(wanted) or (), wanted):
+            if block != its:
+                raise not_allowed("progress", progress, "a function that hands every block of a list on")
             yield render(scene, width, height, gradient, block, threads)
 
     if path.suffix.lower() == ".npy":

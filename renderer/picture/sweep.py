@@ -86,7 +86,8 @@ def sweep(
     method: str = "central",
     threads: int | None = None,
 ) -> list[SweepRow]:
-    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient."""
+    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. Raises ValueError as `render`."""
+    check_kind("steps", steps, Iterable, "a sequence of numbers")  # type: ignore[type-abstract]
     return list(compared([Task(scene, difference(method, eps), width, height) for eps in steps], threads))
 
 

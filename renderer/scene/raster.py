@@ -34,11 +34,10 @@ class Raster:
             return (0, 0, width, height)
         allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
         try:
-            left, top, wide, high = whole = tuple(int(number) for number in self.crop)
-            inside = 0 <= left < left + wide <= width and 0 <= top < top + high <= height
-            if tuple(self.crop) == whole and inside:
+            left, top, wide, high = whole = tuple(check_whole("crop", number, MAX_SIDE, low=0) for number in self.crop)
+            if left < left + wide <= width and top < top + high <= height:
                 return whole
-        except (TypeError, ValueError, OverflowError):
+        except (TypeError, ValueError):
             pass
         raise not_allowed("crop", self.crop, allowed)
 

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from renderer.checks import check_choice, check_kind, check_number, check_triple, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene.own import check_own, own_from_record, own_record
 from renderer.scene.text import distrusted, read_toml, toml_of
@@ -79,10 +79,10 @@ class Scene:
 
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
     eye: float = _given(4.0, "height of the eye", check_number)
-    ball: bool = _given(True, "leave sphere B out", check_choice, (True, False))
+    ball: bool = _given(True, "leave sphere B out", check_truth)
     ball_center: tuple = _given((0.5, 0.5, 1.3), "centre of sphere B", check_triple)
     ball_radius: float = _given(0.32, "radius of sphere B", check_number)
-    floor: bool = _given(True, "leave the floor out", check_choice, (True, False))
+    floor: bool = _given(True, "leave the floor out", check_truth)
     lights: tuple = _given(
         DEFAULT_LIGHTS, "a light, in place of the default two; repeat it for more, at most five", _check_lights
     )
@@ -124,12 +124,10 @@ class Scene:
 
         Nothing that a record says is run. Raises ValueError that names what is not allowed.
         """
-        kinds = {each.name: each.type for each in fields(cls)}
+        names = [each.name for each in fields(cls)]
         given = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
         for name, value in given.items():
-            check_choice("scene", name, kinds)
-            if kinds[name] is bool:
-                check_kind(name, value, bool, "True or False")
+            check_choice("scene", name, names)
             given[name] = own_from_record(name, value) if name in ("field", "model") else value
         if "lights" in given:
             check_kind("lights", given["lights"], list, "a list of records")
@@ -142,7 +140,7 @@ class Scene:
 
     @classmethod
     def from_file(cls, path: str | Path) -> "Scene":
-        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError, OSError."""
+        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError."""
         with distrusted("scene", path):
             return cls.from_record(read_toml(path))
 

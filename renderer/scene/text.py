@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 LARGEST = 2**16  # bytes of a text
@@ -11,11 +12,11 @@ OFF = "off"  # what TOML, which has no None, says of a light's colour
 
 @contextmanager
 def distrusted(name: str, path: object) -> Iterator[None]:
-    """Turn whatever a hostile text makes Python raise into a ValueError of one line that names the file."""
+    """Turn whatever Python raises of a hostile text, or no file at all, into a ValueError of one line that names it."""
     try:
         yield
-    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
-        reason = " ".join(str(error).split())[:200]
+    except (OSError, ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
+        reason = " ".join(str(getattr(error, "strerror", error)).split())[:200]
         raise ValueError(
             f"{name} = {str(path)!r} is not allowed: a file with a whole record of a scene ({reason})"
         ) from None
@@ -54,10 +55,10 @@ def toml_of(record: dict[str, Any]) -> str:
 
 
 def read_toml(path: Any) -> dict[str, Any]:
-    """Return the record of a scene that a TOML file says. Raises OSError where it cannot be read."""
+    """Return the record of a scene that a TOML file says."""
     import tomllib  # which a picture does not need
 
-    with open(path, "rb") as file:
+    with open(Path(path), "rb") as file:  # a number would be an open file's
         text = file.read(LARGEST + 1)
     if len(text) > LARGEST:
         raise ValueError(f"more than {LARGEST} bytes")
