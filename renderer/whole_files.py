@@ -120,11 +120,11 @@ def whole_file(path: str | Path) -> Iterator[str]:
         os.replace(file.name, path)
 
 
-def write_whole(path: Path, content: bytes) -> None:
+def write_whole(path: Path, *parts: bytes) -> None:
     """Write a file so that nobody ever sees half of it; its folder is made if there is none."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as name:
-        Path(name).write_bytes(content)
+    with whole_file(path) as name, open(name, "wb") as file:
+        file.writelines(parts)
 
 
 def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:
