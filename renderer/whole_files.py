@@ -124,11 +124,11 @@ def whole_file(path: str | Path, mode: int = 0o666) -> Iterator[str]:
         os.replace(file.name, path)
 
 
-def write_whole(path: Path, content: bytes, mode: int = 0o666) -> None:
+def write_whole(path: Path, *parts: bytes, mode: int = 0o666) -> None:
     """Write a file so that nobody ever sees half of it; its folder is made if there is none. mode: see `whole_file`."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path, mode) as name:
-        Path(name).write_bytes(content)
+    with whole_file(path, mode) as name, open(name, "wb") as file:
+        file.writelines(parts)
 
 
 def write_csv(path: str | Path, records: Sequence[Mapping[str, Any]]) -> None:

@@ -281,7 +281,9 @@ def test_doctor(tmp_path, monkeypatch, capsys):
         monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", kept)
         assert run("doctor") == 0
         out = capsys.readouterr().out
-        assert all(f"{what} ." in out for what in ("symbolic-rendering", "Python", "NumPy", "llvmlite", "threads"))
+        assert all(
+            f"{what} ." in out for what in ("symbolic-rendering", "Python", "NumPy", "zlib-ng", "llvmlite", "threads")
+        )
         assert told in out
 
 

@@ -69,7 +69,13 @@ RECORDS = {
         ),
         Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer")),
         Record("machines", BENCHMARKS, "-m verify.benchmark.machines", ("verify/benchmark/machines.py",)),
-        Record("own", BENCHMARKS, "-m verify.benchmark.own", ("verify/benchmark/own.py", "renderer")),
+        Record(
+            "own",
+            BENCHMARKS,
+            "-m verify.benchmark.own",
+            ("verify/benchmark/own.py", "renderer"),
+            ("numpy", "llvmlite", "zlib-ng"),
+        ),
         Record("texture", BENCHMARKS, "-m verify.benchmark.texture", ("verify/benchmark/texture.py",)),
         Record(
             "work_precision",

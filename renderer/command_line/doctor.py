@@ -22,6 +22,7 @@ def found() -> list[tuple[str, str]]:
         ("symbolic-rendering", renderer.__version__),
         ("Python", f"{platform.python_version()} ({platform.python_implementation()}, {platform.platform()})"),
         ("NumPy", np.__version__),
+        ("zlib-ng", _version("zlib-ng")),
         *_machine(),
         ("threads", f"{available_cores()} at most, unless --threads says otherwise"),
         ("compiled code", _kept()),

@@ -5,7 +5,6 @@ A PNG's rows are deflated by bands, side by side, each from nothing: the bytes d
 
 import shutil
 import struct
-import zlib
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -17,22 +16,20 @@ from renderer.checks import extra
 from renderer.threads import available_cores, run_bands
 from renderer.whole_files import whole_file, write_whole
 
+try:
+    from zlib_ng import zlib_ng as zlib
+except ImportError:  # no wheel for this processor: the same pixels, more slowly
+    import zlib  # type: ignore[no-redef]
+
 PICTURE_SUFFIXES, STREAM_SUFFIXES = (".png", ".npz"), (".npy", ".tif", ".tiff")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
-ADLER = 65521
 BAND, AT_ONCE = 2**19, 2**17  # bytes that are deflated, and filtered, at a time: the latter stay in the cache
-STORED, TRIED, REPEATS = ((level, zlib.Z_DEFAULT_STRATEGY) for level in (0, 4, 6))
-RUNS = (1, zlib.Z_RLE)  # an eighth of level 6's time
-SAMPLE = 64  # a band's bytes over those that are tried: by runs, and by a quick search for what repeats
-STORE, SEARCH = 0.88, 0.8  # stored if less than an eighth were won; searched if the sample is so much shorter then
+RUNS = {"level": 1, "strategy": zlib.Z_RLE}
+STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
+LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
+FAIR = 0.87  # of noise a slower way has to leave less than this share of what a quicker one leaves
 TILE = 256
-
-
-def adler32_combined(one: int, other: int, length: int) -> int:
-    """Return the Adler-32 of two byte strings in a row, of theirs and the second one's length."""
-    low, high = (one & 0xFFFF) - 1, (one >> 16) + (other >> 16)
-    return (high + length * low) % ADLER << 16 | (low + (other & 0xFFFF)) % ADLER
 
 
 def _filter(image, start, lines):
@@ -58,22 +55,55 @@ def _filter(image, start, lines):
     np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
 
 
-def _deflate(data, level, strategy, flush):
-    stream = zlib.compressobj(level, zlib.DEFLATED, -zlib.MAX_WBITS, 9, strategy)
-    return stream.compress(data) + stream.flush(flush)
+def _deflate(data, way):
+    """Return bytes as a part of a deflate stream that ends on a whole byte."""
+    stream = zlib.compressobj(wbits=-zlib.MAX_WBITS, memLevel=9, **way)
+    return stream.compress(data) + stream.flush(zlib.Z_SYNC_FLUSH)
 
 
-def _deflated(lines, last):
-    """Return rows as a part of a deflate stream that ends on a whole byte, by the way that a sample of it asks for."""
-    middle, size = lines.size // 2, lines.size // SAMPLE
-    sample = lines.reshape(-1)[middle : middle + size]
-    runs, repeats = (len(_deflate(sample, *way, zlib.Z_SYNC_FLUSH)) for way in (RUNS, TRIED))
-    way = STORED if min(runs, repeats) > STORE * size else REPEATS if repeats < SEARCH * runs else RUNS
-    return _deflate(lines, *way, zlib.Z_FINISH if last else zlib.Z_SYNC_FLUSH)
+def _way(lines):
+    """Return how a band is deflated, as a sample of it says.
+
+    Paeth's filter leaves so little that runs alone are nearly as short as what a quick search finds, in less time.
+    Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
+    """
+    middle = lines.size // 2
+    for size in (LOOK, SAMPLE):
+        sample = lines.reshape(-1)[middle : middle + size]
+        runs, search = (len(_deflate(sample, way)) / len(sample) for way in (RUNS, QUICK))
+        if noise := runs > 0.5:
+            break
+    if search < runs / 4:
+        return DEEP
+    if min(runs, search) > FAIR:
+        return STORED
+    return RUNS if runs * (FAIR if noise else 1) < search else SEARCH
 
 
 def _chunk(kind, data):
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def _parts(image, text, threads=None):
+    """Return the bytes of a PNG, part by part."""
+    height, width, channels = image.shape
+    rows, few = (max(1, size // (width * channels)) for size in (BAND, AT_ONCE))
+    lines = np.empty((height, 1 + width * channels), np.uint8)
+
+    def band(number):
+        start, stop = number * rows, min(height, (number + 1) * rows)
+        own = lines[start:stop]
+        for at in range(0, stop - start, few):
+            _filter(image, start + at, own[at : at + few])
+        return _chunk(b"IDAT", _deflate(own, _way(own)))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)
+    parts = [SIGNATURE, _chunk(b"IHDR", header), _chunk(b"sRGB", b"\0")]
+    parts += [_chunk(b"tEXt", KEYWORD + b"\0" + text.encode("ascii"))] if text else []
+    parts.append(_chunk(b"IDAT", b"\x78\x5e"))  # zlib's header: deflate, the largest window, a fast level
+    parts += run_bands(band, -(-height // rows), threads or available_cores())
+    parts.append(_chunk(b"IDAT", b"\3\0" + struct.pack(">I", zlib.adler32(lines))))  # a last block, of nothing
+    return [*parts, _chunk(b"IEND", b"")]
 
 
 def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> bytes:
@@ -81,30 +111,12 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
 
     text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes are the same.
     """
-    height, width, channels = image.shape
-    rows, few = (max(1, size // (width * channels)) for size in (BAND, AT_ONCE))
-
-    def band(number):
-        start, stop = number * rows, min(height, (number + 1) * rows)
-        lines = np.empty((stop - start, 1 + width * channels), np.uint8)
-        for at in range(0, stop - start, few):
-            _filter(image, start + at, lines[at : at + few])
-        return _chunk(b"IDAT", _deflated(lines, stop == height)), zlib.adler32(lines), lines.size
-
-    header = struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)
-    parts = [SIGNATURE, _chunk(b"IHDR", header), _chunk(b"sRGB", b"\0")]
-    parts += [_chunk(b"tEXt", KEYWORD + b"\0" + text.encode("ascii"))] if text else []
-    parts.append(_chunk(b"IDAT", b"\x78\x5e"))  # zlib's header: deflate, the largest window, a fast level
-    checksum = 1
-    for chunk, of_band, size in run_bands(band, -(-height // rows), threads or available_cores()):
-        parts.append(chunk)
-        checksum = adler32_combined(checksum, of_band, size)
-    return b"".join([*parts, _chunk(b"IDAT", struct.pack(">I", checksum)), _chunk(b"IEND", b"")])
+    return b"".join(_parts(image, text, threads))
 
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
     """Write what `png_of` returns; the file appears whole or not at all."""
-    write_whole(Path(path), png_of(image, text))
+    write_whole(Path(path), *_parts(image, text))
 
 
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:

@@ -46,10 +46,11 @@ def _encode(channels, into):
         np.subtract(np.add(linear, ROUND, out=cell).view(np.int64), first, out=number)
         if number.view(np.uint64).max() > CELLS:
             np.clip(number, 0, CELLS, out=number)
-        encoded[...] = of_cell.take(number, out=level, mode="wrap")  # no number is outside, and this is the fastest
-        unsure = level >= BEGINS
-        if unsure.any():
-            encoded[unsure] = begins.searchsorted(linear[unsure], "right")
+        of_cell.take(number, out=level, mode="wrap")  # no number is outside, and this is the fastest
+        unsure = np.flatnonzero(level >= BEGINS)
+        below = level.flat[unsure] - BEGINS  # the byte where the cell begins
+        level.flat[unsure] = below + (linear.flat[unsure] >= begins[below])
+        encoded[...] = level
 
 
 def to_bytes(rgb: np.ndarray, threads: int | None = None) -> np.ndarray:
