@@ -2,7 +2,6 @@
 
 import os
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
@@ -74,7 +73,7 @@ def test_where_nothing_can_be_kept_nothing_is(name, tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setattr(kept_code, "folder", lambda: tmp_path / name)
     if name == "full":
-        monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=OSError(28, "No space left on device")))
+        monkeypatch.setattr(os, "replace", Mock(side_effect=OSError(28, "No space left on device")))
     save(KEY, CODE)
     assert load(KEY) is None
     assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["file"]
