@@ -119,6 +119,15 @@ HIDING = [
     "Variable c :> R -> R.",
     "Arguments f {x}.",
     "Definition f {x : R} : R := x.",
+    "Definition f [x : R] : R := x.",
+    "Definition f [x] (y : R) : R := y.",
+    "Lemma f `(x : R) : x = x.",
+    "Theorem f : forall [x : R], x = x.",
+    "Definition f@{u v | u < v} := 0.",
+    "From Coq Require Export Utf8.",
+    "From Coq Require Import -(notations) Reals.",
+    f"Proof. 2 : {{ {AXIOM} }} Qed.",
+    f"Proof. [goal]: {{ {AXIOM} }} Qed.",
     "Theorem f { x y : R} : x = y.",
     "Canonical Structure c := d.",
     "Global Instance precision : Prec_gt_0 53.",
@@ -139,7 +148,8 @@ HIDING = [
 
 @pytest.mark.parametrize("text", HIDING)
 def test_what_could_change_how_a_statement_is_read_is_refused(text):
-    plain = "(* A {comment}. *) Lemma a (x y : R) : {x = y} + {x <> y}.\nProof. { exact (Req_EM_T x y). }\nQed.\n"
+    plain = "(* A {comment}. *) Lemma a (x y : R) : {x = y} + {x <> y}.\nProof. 1: { exact (Req_EM_T x y). }\nQed.\n"
+    plain += "From Coq Require Import Reals Lra. Lemma b (l : list R) : l = [1; 2].\nProof. all: intros [x y]. Qed.\n"
     vernacular.check(plain)
     with pytest.raises(vernacular.Unreadable):
         vernacular.check(plain + text)
