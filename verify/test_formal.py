@@ -265,7 +265,8 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
 
 
 PRINT = """import json
-from renderer.generate.coq import float64_source, formulas_source
+from renderer.generate.coq import formulas_source
+from renderer.generate.float64 import float64_source
 print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))"""
 MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
 
