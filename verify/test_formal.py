@@ -52,6 +52,16 @@ def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
         assert not formal.whole(theorem, {"claims": claims[1:], "statements": {f"{theorem.id}__any": "True"}})
 
 
+def test_coq_is_not_asked_about_statements_that_nobody_printed(written):
+    texts = {name: (ROOT / "proofs" / "formal" / f"{name}.v").read_text("utf-8") for name in formal.PRINTED}
+    for weakened, wrong in (
+        (texts["Statements"], []),
+        (texts["Statements"].replace(" >= ", " > ", 1), ["Statements.v"]),
+    ):
+        written(**texts | {"Statements": weakened})
+        assert formal.printed_otherwise() == wrong
+
+
 @needs_coq
 def test_coq_accepts_what_the_record_says(request):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""

@@ -107,7 +107,8 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
 
 def gradient_pieces(least: float = LEAST_SQUARE) -> list[tuple[arb, arb, Fraction]]:
     """Return the one piece of all ratios of radius to distance: what `gradient_bound` says of it."""
-    return [(*map(arb, RATIOS), gradient_bound(*base_errors(least)))]
+    first, last = RATIOS
+    return [(arb(first), arb(last), gradient_bound(*base_errors(least)))]
 
 
 @cache
