@@ -118,6 +118,8 @@ TRUE_CLAIMS = [
     says(Max(x, y) >= x, abs(x) >= x, at_least(Piecewise((x, x > 0), (-x, True)), 0)),
     says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
 ]
+SINES = ("proved", 0), ("failed", TINY), ("failed", TINY * Rational(1, 10**15))
+"""(grade, what is added to the sine of which x ≥ 0 is said to be one): no kernel knows that there is no such x"""
 CONTRADICTIONS = [(x > 0, x < 0), (equation(x**2, -1),), (x > 5, x**2 < 20)]
 FALSE_LEMMAS = [
     (at_least(x, sin(x)), ()),
@@ -162,6 +164,7 @@ GRADES = [
     *(("proved", claim, {}) for claim in TRUE_CLAIMS),
     *(("failed", says(equation(x, x + 1), given=given), {}) for given in CONTRADICTIONS),
     ("failed", Induction("from a contradiction", n, (equation(x, 0),), ((x, 0, x),), (y > 0, y < 0)), {}),
+    *((g, says(greater(sin(x) + 1, x), given=(equation(sin(x), x + off), x >= 0)), {}) for g, off in SINES),
     ("failed", says(), {}),
     *(("failed", says(r, given=g, cited=(CitedLemma(r, "DLMF", g),), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
     *(("failed", LIKE_ITSELF, {"uses": uses}) for uses in ((), ("attack",))),
