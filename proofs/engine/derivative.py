@@ -5,11 +5,13 @@ from collections.abc import Callable
 from sympy import (
     Abs,
     Add,
+    And,
     Derivative,
     Expr,
     Max,
     Min,
     Mul,
+    Or,
     Piecewise,
     Pow,
     S,
@@ -21,6 +23,7 @@ from sympy import (
     sin,
 )
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
 
 from proofs.formulas.half_turns import cospi, sinpi
 
@@ -116,7 +119,8 @@ def branch(e: Piecewise, side: Callable[[Expr], int]) -> Expr:
             difference = Add(relation.lhs, Mul(-1, relation.rhs, evaluate=False), evaluate=False)
             holding[relation] = S.true if side(difference) in TRUE_FOR[relation.rel_op] else S.false
         holds = condition.xreplace(holding)
-        if holds not in (S.true, S.false):
+        others = [part for part in condition.atoms(BooleanFunction) if not isinstance(part, And | Or)]
+        if others or holds not in (S.true, S.false):
             raise Untranslatable(f"{condition} is no condition of relations")
         if holds:
             return value

@@ -4,6 +4,7 @@ from math import prod
 
 import pytest
 from sympy import (
+    ITE,
     Abs,
     And,
     Contains,
@@ -74,7 +75,7 @@ def of_values():
         yield equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1), "polynomial"
     for value in (NONE_AT_0, UNORDERED, Piecewise((x, x > 0))):
         yield equation(value, x), "no rule|compar|no value"
-    for condition in (y, Contains(x, S.Integers), Xor(Contains(x, S.Integers), x > 0)):
+    for condition in (y, Contains(x, S.Integers), Xor(x > 0, y > 0), ITE(y > 0, x > 1, x > 0)):
         yield equation(Piecewise((1, condition), (0, True)), 0), "no condition of relations"
     for corner in (floor(x), Heaviside(x), DiracDelta(x)):
         yield equation(Derivative(corner, x), 0), "no rule differentiates"

@@ -61,7 +61,10 @@ def sample(
             return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed, slack), Witness()
         for _ in range(points * attempts):
-            values = sampler.inputs_at_random()
+            try:
+                values = sampler.inputs_at_random()
+            except mpmath.libmp.NoConvergence:  # a root that is a double one
+                break
             verdict = None if values is None else sampler.verdict(values)
             if verdict is None:
                 continue
