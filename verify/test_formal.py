@@ -52,6 +52,16 @@ def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
         assert not formal.whole(theorem, {"claims": claims[1:], "statements": {f"{theorem.id}__any": "True"}})
 
 
+def test_coq_is_not_asked_about_statements_that_nobody_printed(written):
+    texts = {name: (ROOT / "proofs" / "formal" / f"{name}.v").read_text("utf-8") for name in formal.PRINTED}
+    for weakened, wrong in (
+        (texts["Statements"], []),
+        (texts["Statements"].replace(" >= ", " > ", 1), ["Statements.v"]),
+    ):
+        written(**texts | {"Statements": weakened})
+        assert formal.printed_otherwise() == wrong
+
+
 @needs_coq
 def test_coq_accepts_what_the_record_says(request):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
@@ -119,6 +129,15 @@ HIDING = [
     "Variable c :> R -> R.",
     "Arguments f {x}.",
     "Definition f {x : R} : R := x.",
+    "Definition f [x : R] : R := x.",
+    "Definition f [x] (y : R) : R := y.",
+    "Lemma f `(x : R) : x = x.",
+    "Theorem f : forall [x : R], x = x.",
+    "Definition f@{u v | u < v} := 0.",
+    "From Coq Require Export Utf8.",
+    "From Coq Require Import -(notations) Reals.",
+    f"Proof. 2 : {{ {AXIOM} }} Qed.",
+    f"Proof. [goal]: {{ {AXIOM} }} Qed.",
     "Theorem f { x y : R} : x = y.",
     "Canonical Structure c := d.",
     "Global Instance precision : Prec_gt_0 53.",
@@ -139,7 +158,8 @@ HIDING = [
 
 @pytest.mark.parametrize("text", HIDING)
 def test_what_could_change_how_a_statement_is_read_is_refused(text):
-    plain = "(* A {comment}. *) Lemma a (x y : R) : {x = y} + {x <> y}.\nProof. { exact (Req_EM_T x y). }\nQed.\n"
+    plain = "(* A {comment}. *) Lemma a (x y : R) : {x = y} + {x <> y}.\nProof. 1: { exact (Req_EM_T x y). }\nQed.\n"
+    plain += "From Coq Require Import Reals Lra. Lemma b (l : list R) : l = [1; 2].\nProof. all: intros [x y]. Qed.\n"
     vernacular.check(plain)
     with pytest.raises(vernacular.Unreadable):
         vernacular.check(plain + text)
@@ -255,7 +275,8 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
 
 
 PRINT = """import json
-from renderer.generate.coq import float64_source, formulas_source
+from renderer.generate.coq import formulas_source
+from renderer.generate.float64 import float64_source
 print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))"""
 MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
 

@@ -9,4 +9,5 @@ def test_what_decides_a_grade_is_counted():
     deciding = ("engine/kernel", "engine/statement", "engine/names", "engine/theorem")
     assert {f"proofs/{name}.py" for name in deciding} | {"verify/survey.py", grade_path.PRINTS_CLAIMS} <= found.keys()
     assert 150 < found["proofs/engine/kernel.py"] < 250  # prose is not counted
-    assert not {"proofs/engine/search.py", "verify/checkers/measured.py"} & found.keys()
+    assert not {"proofs/engine/search.py", "verify/checkers/measured.py", "renderer/kernels.py"} & found.keys()
+    assert "renderer/generate/rules.py" in grade_path.modules(ROOT, grade_path.PRINTS_FLOAT64)

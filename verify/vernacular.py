@@ -10,13 +10,14 @@ from collections.abc import Mapping
 LIBRARIES = {"Coq", "Coquelicot", "Flocq", "Interval", "Formal"}
 FIRST_WORDS = re.compile(
     r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Ltac|Section|End|Variables?|Hypothes[ie]s|Proof|Qed)\b"
-    rf"|From (?:{'|'.join(sorted(LIBRARIES))}) Require\b|Open Scope R_scope$|Import ListNotations$"
+    rf"|From (?:{'|'.join(sorted(LIBRARIES))}) Require (?!Export\b)[\w. ]+$|Open Scope R_scope$|Import ListNotations$"
 )
 GLOBAL = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Ltac) +([\w']+)")
 LOCAL = re.compile(r"(?:Let|Section) +([\w']+)")
 BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
 SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
-HIDDEN = re.compile(r":>|\{\s*[\w' ]+[:}]")  # a coercion, and an argument that is not shown
+HIDDEN = re.compile(r":>|`|@\{|\{\s*[\w' ]+[:}]|\[\s*[\w' ]+[:\]]")  # a coercion, a universe, what is not shown
+OPENING = re.compile(r"\A(?:[{}+*\s-]|(?:\d+|\[[\w']+\]|!|all|par)\s*:\s*(?=\{))+")  # bullets, and braces of some goal
 NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a name
 
 
@@ -41,7 +42,7 @@ def sentences(text: str) -> list[str]:
             bare.append(part)
     if depth:
         raise Unreadable("a comment without an end")
-    found = (sentence.lstrip("{}+-* \t\n") for sentence in re.split(r"\.(?=\s|$)", "".join(bare)))
+    found = (OPENING.sub("", sentence) for sentence in re.split(r"\.(?=\s|$)", "".join(bare)))
     return [" ".join(sentence.split()) for sentence in found if sentence]
 
 

@@ -5,12 +5,12 @@ variables with c² + s² = 1; in an induction, where it is a multiple of n, two 
 """
 
 from collections.abc import Iterable, Iterator
-from math import lcm
+from math import lcm, prod
 
 from sympy import Basic, Expr, Float, Poly, Rational, S, Symbol, cos, expand_mul, pi, sin
 from sympy.polys.polyerrors import BasePolynomialError
 
-from proofs.engine.derivative import LARGEST, Untranslatable
+from proofs.engine.derivative import Untranslatable, small
 from proofs.formulas.half_turns import cospi, sinpi
 
 COSINES, SINES = (cos, cospi), (sin, sinpi)
@@ -27,8 +27,17 @@ def angles_in(expressions: Iterable[Basic]) -> Iterator[Expr]:
         yield from map(angle_of, e.atoms(*COSINES, *SINES))
 
 
+def _written_out(e):
+    """Return how many terms an expression has at most, once its products are written out."""
+    parts = map(_written_out, e.args)
+    if e.is_Pow and e.exp.is_Integer:
+        return max(abs(int(e.exp)), next(parts) ** min(abs(int(e.exp)), 10))
+    return max(prod(parts) if e.is_Mul else sum(parts), 1)
+
+
 def terms_of(angle: Expr) -> list[tuple[Rational, Expr]]:
     """Return [(rational, atom)] of an angle, which has to be a polynomial over the rationals in symbols and π."""
+    small(_written_out(angle))
     terms = [term.as_coeff_Mul() for term in sorted(expand_mul(angle).as_ordered_terms(), key=str)]
     try:
         for _, atom in terms:
@@ -65,6 +74,7 @@ def parts_of(angle: Expr, denominators: dict[Expr, int]) -> Iterator[tuple[int, 
             yield 1, atom, known
         else:
             times = multiple * denominators.get(atom, S.Zero)
-            if not times.is_Integer or not 0 < abs(times) <= LARGEST:
+            small(10 * abs(times))
+            if not times.is_Integer or not times:
                 raise Untranslatable(f"{multiple * atom} is no whole multiple of an angle that occurs")
             yield int(times), atom / denominators[atom], None

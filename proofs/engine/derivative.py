@@ -2,8 +2,28 @@
 
 from collections.abc import Callable
 
-from sympy import Abs, Add, Derivative, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbol, cos, pi, sign, sin
+from sympy import (
+    Abs,
+    Add,
+    And,
+    Derivative,
+    Expr,
+    Max,
+    Min,
+    Mul,
+    Or,
+    Piecewise,
+    Pow,
+    S,
+    Symbol,
+    cos,
+    pi,
+    preorder_traversal,
+    sign,
+    sin,
+)
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
 
 from proofs.formulas.half_turns import cospi, sinpi
 
@@ -15,17 +35,21 @@ OUTER = {
 }
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
 HIGHEST = 3  # derivative of a derivative of …
-LARGEST = 999  # powers, multiples of an angle, cases, terms of a product: the kernel's powers go as far
+LARGEST = 999  # powers, ten times multiples of an angle or cases, terms of a product: the kernel's powers go as far
 
 
-class Untranslatable(ValueError):
-    """The claim has a part that no rule translates."""
+class NotFound(ValueError):
+    """No certificate and no counterexample was found: for what, and what is left of it."""
+
+
+class Untranslatable(NotFound):
+    """The claim has a part that no rule translates: nothing is stated, and nothing found."""
 
 
 def small(number: float) -> None:
-    """Refuse what would take more than seconds to write out: so many terms, powers or cases."""
+    """Refuse what would take more than seconds to write out: so many terms or powers, a tenth as many cases."""
     if number > LARGEST:
-        raise Untranslatable(f"written out, a product has {number} terms or powers, more than {LARGEST}")
+        raise Untranslatable(f"terms, powers, cases or levels come to {number}, more than {LARGEST}")
 
 
 def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
@@ -81,16 +105,23 @@ def inner(e: Derivative, side: Callable[[Expr], int]) -> Expr:
         raise Untranslatable(f"no rule differentiates {len(e.variables)} times")
     for x in e.variables:
         result = derivative(result, x, side)
+        small(sum(1 for _ in preorder_traversal(result)) // 10)
     return result
 
 
 def branch(e: Piecewise, side: Callable[[Expr], int]) -> Expr:
     """Return the value that a Piecewise takes beside the edges of all conditions up to its own."""
     for value, condition in e.args:
-        for relation in sorted(condition.atoms(Relational), key=str):
+        relations = sorted(condition.atoms(Relational), key=str)
+        small(10 * len(relations))
+        holding = {}
+        for relation in relations:
             difference = Add(relation.lhs, Mul(-1, relation.rhs, evaluate=False), evaluate=False)
-            holds = side(difference) in TRUE_FOR[relation.rel_op]
-            condition = condition.xreplace({relation: S.true if holds else S.false})
-        if condition == True:  # noqa: E712  (SymPy's true is not Python's)
+            holding[relation] = S.true if side(difference) in TRUE_FOR[relation.rel_op] else S.false
+        holds = condition.xreplace(holding)
+        others = [part for part in condition.atoms(BooleanFunction) if not isinstance(part, And | Or)]
+        if others or holds not in (S.true, S.false):
+            raise Untranslatable(f"{condition} is no condition of relations")
+        if holds:
             return value
     raise Untranslatable(f"{e} has no value where none of its conditions holds")

@@ -54,14 +54,12 @@ class Ideal:
         return remainder, cofactors
 
     def _buchberger(self):
-        done, pairs = 0, list(combinations(range(len(self.basis)), 2))
+        done, pairs = 0, self._overlapping(combinations(range(len(self.basis)), 2))
         while pairs:
             pairs.sort(key=lambda pair: (sum(self._lcm(*pair)), pair), reverse=True)
             i, j = pairs.pop()
             (f, f_origin), (g, g_origin) = self.basis[i], self.basis[j]
             both = self._lcm(i, j)
-            if both == self.ring.monomial_mul(f.LM, g.LM):
-                continue
             if (done := done + 1) > MAX_PAIRS:
                 return
             up = [self.ring.term_new(self.ring.monomial_ldiv(both, h.LM), 1 / h.LC) for h in (f, g)]
@@ -74,7 +72,11 @@ class Ideal:
                 if max(len(q) for q in (remainder, *cofactors.values())) > MAX_TERMS:
                     return
                 self.basis.append((remainder, {i: q for i, q in cofactors.items() if q}))
-                pairs += [(k, len(self.basis) - 1) for k in range(len(self.basis) - 1)]
+                pairs += self._overlapping((k, len(self.basis) - 1) for k in range(len(self.basis) - 1))
+
+    def _overlapping(self, pairs):
+        """Return the pairs whose leading monomials have a name in common: of others the remainder is 0."""
+        return [p for p in pairs if self._lcm(*p) != self.ring.monomial_mul(*(self.basis[i][0].LM for i in p))]
 
     def _lcm(self, i, j):
         return self.ring.monomial_lcm(self.basis[i][0].LM, self.basis[j][0].LM)

@@ -5,19 +5,19 @@ from collections.abc import Iterable
 
 from sympy import Basic, Symbol
 
-from proofs.engine.derivative import Untranslatable
+from proofs.engine.derivative import Untranslatable, small
 
 TAKEN = r"pi|(?:root|inverse|sum|derivative)_\d+"
 NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 
 
-def plain(symbols: Iterable[Symbol]) -> None:
-    """Raise Untranslatable unless every symbol is real, nothing more, and has a name of its own."""
+def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
+    """Raise Untranslatable unless every symbol is real, or of such a kind, no more, and has a name of its own."""
     seen = set()
     for symbol in sorted(symbols, key=str):
         if not NAME.fullmatch(symbol.name):
             raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
-        if symbol != Symbol(symbol.name, real=True):
+        if symbol not in [Symbol(symbol.name, **{kind: True}) for kind in ("real", *kinds)]:
             raise Untranslatable(
                 f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
             )
@@ -26,6 +26,12 @@ def plain(symbols: Iterable[Symbol]) -> None:
         seen.add(symbol.name)
 
 
+def _depth(e):
+    return 1 + max(map(_depth, e.args), default=0)
+
+
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too."""
+    """Return every symbol of some expressions, bound ones too; refuse one that is nested too deeply."""
+    expressions = [*expressions]
+    small(20 * max(map(_depth, expressions), default=0))
     return set().union(*(e.atoms(Symbol) for e in expressions))

@@ -21,13 +21,16 @@ def search(statement: dict, squares: Iterable = (), effort: int = MAX_EFFORT) ->
     squares: SymPy polynomials in the statement's names whose squares may be used in inequalities. effort: how many of
     EFFORTS to try for an inequality.
     """
-    match statement["kind"]:
-        case "separation":
-            return _separation(statement)
-        case "induction":
-            proofs = _proofs(kernel.carry, statement)
-            return {"base": proofs[::2], "step": proofs[1::2]}
-    return {"proofs": _proofs(kernel.derive, statement, [polynomial_data(s) for s in squares], effort)}
+    try:
+        match statement["kind"]:
+            case "separation":
+                return _separation(statement)
+            case "induction":
+                proofs = _proofs(kernel.carry, statement)
+                return {"base": proofs[::2], "step": proofs[1::2]}
+        return {"proofs": _proofs(kernel.derive, statement, [polynomial_data(s) for s in squares], effort)}
+    except kernel.Rejected as why:  # what is too long
+        raise NotFound(f"no certificate found: {why}") from None
 
 
 def _proofs(goals, statement, *how):
@@ -94,6 +97,7 @@ def _monomials(p, facts):
 def _combine(facts, opposite, ideal, roots, plain_roots, degree):
     """Return the proof Σ σ S + Σ λ s² Π h = Σ q g with Σ σ = 1, by linear programming, or None."""
     last = len(facts) - 1
+    squared = [i for i, (_, relation) in enumerate(facts[:last]) if relation == "!="]
     strict = [i for i, (_, relation) in enumerate(facts) if relation == ">"]
     ordered = [i for i, (_, relation) in enumerate(facts) if relation in (">", ">=")]
     negated, unequal = facts[last][0], [last] if opposite == "!=" else []
@@ -101,6 +105,9 @@ def _combine(facts, opposite, ideal, roots, plain_roots, degree):
     if unequal and len(negated) <= 4:
         square = kernel.multiply(1, negated, negated)
         candidates.append((kernel.multiply(1, square, square), (last, last), ideal.data(ideal.element(square)), ()))
+    for i in squared:
+        p = facts[i][0]
+        candidates.append((kernel.multiply(1, p, p), (i,), ideal.data(ideal.element(p)), ()))
     own_root = ideal.data(ideal.element(negated)) if unequal else {"": "1"}
     for size in range(degree + 1):
         for indices in combinations_with_replacement(strict, size):
@@ -110,8 +117,8 @@ def _combine(facts, opposite, ideal, roots, plain_roots, degree):
         for indices in combinations_with_replacement(ordered, size):
             product = kernel.multiply(1, *(facts[i][0] for i in indices))
             candidates += [(kernel.multiply(1, product, root, root), None, data, indices) for data, root in few]
-    if len(candidates) > 1000:
-        return None
+            if len(candidates) > 1000:
+                return None
     elements = [ideal.element(p) for p, *_ in candidates]
     columns = []
     for element, (_, positive, *_) in zip(elements, candidates, strict=True):

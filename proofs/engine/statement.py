@@ -17,7 +17,24 @@ from functools import cache
 from math import comb, prod
 from typing import Any
 
-from sympy import Abs, And, Basic, Derivative, Expr, Max, Min, Piecewise, Poly, Rational, S, Symbol, expand, pi, sign
+from sympy import (
+    Abs,
+    And,
+    Basic,
+    Derivative,
+    Expr,
+    Max,
+    Min,
+    Piecewise,
+    Poly,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    expand,
+    pi,
+    sign,
+)
 from sympy.core.relational import Relational
 
 from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of, denominators_of, parts_of
@@ -41,6 +58,7 @@ class _Undecided(Untranslatable):
 def polynomial_data(expression: Expr) -> dict[str, str]:
     """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
     expression = expand(expression)
+    small(max((power.exp for power in expression.atoms(Pow)), default=0))
     symbols = sorted(expression.free_symbols, key=lambda s: s.name)
     if not symbols:
         return {} if expression == 0 else {"": str(Rational(expression))}
@@ -49,6 +67,13 @@ def polynomial_data(expression: Expr) -> dict[str, str]:
         factors = (s.name if e == 1 else f"{s.name}^{e}" for s, e in zip(symbols, monomial, strict=True) if e)
         data[" ".join(factors)] = str(coefficient)
     return dict(sorted(data.items()))
+
+
+def _keyed(polynomial):
+    """Return a key of a polynomial and of its multiples, and the key's sign in it."""
+    data = polynomial_data(polynomial)
+    leading = Rational(next(iter(data.values()), 1))
+    return json.dumps({k: str(Rational(c) / leading) for k, c in data.items()}), 1 if leading > 0 else -1
 
 
 def _fact(kind, difference, signs):
@@ -100,11 +125,9 @@ class Translation:
 
     def _known(self, difference):
         """Return a key of a polynomial and of its multiples, the key's sign in it, and the signs that it may have."""
-        data = polynomial_data(self._written_out(difference))
-        leading = Rational(next(iter(data.values()))) if data else S.One
-        orientation = 1 if leading > 0 else -1
-        key = json.dumps({k: str(Rational(c) / abs(leading) * orientation) for k, c in data.items()})
-        known = self.signs.get(key, ANY) if data.keys() - {""} else {int(bool(data))}
+        written_out = self._written_out(difference)
+        key, orientation = _keyed(written_out)
+        known = {int(written_out != 0)} if written_out.is_Rational else self.signs.get(key, ANY)
         return key, orientation, {orientation * s for s in known}
 
     def assume(self, difference: Expr, signs: set[int]) -> None:
@@ -276,6 +299,13 @@ class Translation:
         return c, s
 
 
+def _follows(difference, signs, given):
+    """Return whether a sign is that of 0, or given of the same polynomial or of a multiple."""
+    key, orientation = _keyed(difference)
+    said = [(other, {orientation * turn * s for s in of}) for d, of in given for other, turn in [_keyed(d)]]
+    return expand(difference) == 0 or ANY.intersection(*(of for other, of in said if other == key)) <= signs
+
+
 @cache
 def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
     """Return [(statement, numbers of the relations that read 0 = 0, or are given)], for each choice of conditions."""
@@ -301,7 +331,7 @@ def _case(claim, choices):
     expressions = flat((claim.shows, pending, definitions))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
-    undefined = set(t.lines)
+    undefined, given = set(t.lines), []
     for line in (None, *definitions):
         if line:
             t.line(*line)
@@ -312,14 +342,13 @@ def _case(claim, choices):
             for condition in conditions:
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
-                t.assume(*t.relation(part))
+                given.append(t.relation(part))
+                t.assume(*given[-1])
     t.showing, idle = True, set()
-    given = [step for step in t.steps if step["step"] == "assume"]
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
-        fact = _fact("assume", difference, signs)
-        if (not fact["of"] or fact in given) and before == t.shown:  # no branch was taken
+        if before == t.shown and _follows(difference, signs, given):  # no branch was taken
             idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

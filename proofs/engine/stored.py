@@ -6,8 +6,9 @@ from pathlib import Path
 from proofs.check import FOLDER, contradiction, digest, parsed, text_of
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
-from proofs.engine.derivative import Untranslatable
+from proofs.engine.derivative import NotFound, Untranslatable
 from proofs.engine.induction import induction
+from proofs.engine.names import plain
 from proofs.engine.statement import VERSION, cases_of
 from proofs.engine.theorem import Theorem, Theorems, borrowed
 
@@ -18,10 +19,6 @@ MOST_SHOWN = 12
 
 class Stale(ValueError):
     """A stored certificate is missing, or belongs to an older statement."""
-
-
-class NotFound(ValueError):
-    """No certificate and no counterexample was found: for what, and what is left of it."""
 
 
 def show_polynomial(p: dict) -> str:
@@ -40,13 +37,14 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
         return _statements(claim, theorems)
     except Untranslatable:
         raise
-    except (RecursionError, MemoryError, OverflowError, ValueError) as why:  # too deep, too large; or not borrowed
-        raise Untranslatable(f"{claim.name}: {why}") from None
+    except Exception as why:  # too deep, too large, nothing that can be compared; or not borrowed
+        raise Untranslatable(f"{claim.name}: {why!r}") from None
 
 
 def _statements(claim, theorems):
     if isinstance(claim, Separation):
         known = {*claim.lines.inputs, *dict(claim.lines.definitions)}
+        plain(known, "extended_real")
         if unknown := {*claim.outputs, *claim.avoid} - known:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from renderer.generate.coq import float64_source, formulas_source
+from renderer.generate.coq import formulas_source
+from renderer.generate.float64 import float64_source
 from renderer.generate.kernels import kernels_source
 from renderer.generate.statements import mutants_source, statements_source
 from renderer.whole_files import write_whole

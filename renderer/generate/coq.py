@@ -3,6 +3,7 @@
 A program is a module, each of its lines a definition of those inputs that the line depends on.
 """
 
+from collections.abc import Iterable
 from typing import ClassVar
 
 from sympy import And, Basic, Or, Rational, S
@@ -15,7 +16,6 @@ from proofs.formulas import (
     chart,
     displacement,
     elementary,
-    enclosed,
     exponential,
     finite_difference,
     height_fields,
@@ -27,8 +27,6 @@ from proofs.formulas import (
 )
 from proofs.formulas.registry import by_name
 from renderer.generate.printer import KernelPrinter
-from renderer.generate.programs import ANY_FIELD
-from renderer.generate.rules import carried_out, rule
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -36,15 +34,6 @@ HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries.
-Open Scope R_scope.
-"""
-
-FLOAT64_HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula.
-   The float64 operations of kernels, one after the other as they are carried out, each rounded. *)
-
-From Coq Require Import Reals.
-From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Float.
 Open Scope R_scope.
 """
 
@@ -173,10 +162,11 @@ def module_of(program: Program) -> str:
     inside += [f"Variables {real} : R."] if real else []
     inside += [f"Variables {infinite} : Rbar."] if infinite else []
     inside += [f"Definition {s.name} := {printer.doprint(e)}." for s, e in program.definitions]
-    return _in_module(program.name, inside)
+    return in_module(program.name, inside)
 
 
-def _in_module(name, inside):
+def in_module(name: str, inside: Iterable[str]) -> str:
+    """Return definitions as the text of a Coq module."""
     return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
 
 
@@ -202,13 +192,6 @@ EXPONENTIAL_POLYNOMIAL = Program(
 """What the kernels' exp evaluates once the doublings are taken off."""
 
 
-def exponential_in_range() -> Program:
-    """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
-    *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
-    lines.append((symbol, selection.args[-1].expr))
-    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, lines)
-
-
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
@@ -217,34 +200,6 @@ def programs() -> dict[str, Program]:
     programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
     found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
     return by_name(found)
-
-
-def float64_module(program: Program, *variables: str) -> str:
-    """Return a program's float64 operations as the text of a Coq module; variables: those beside the inputs."""
-    return _in_module(f"{program.name}_float64", [*variables, *carried_out(program)])
-
-
-def float64_source() -> str:
-    """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out."""
-    kernels = [
-        elementary.two_product,
-        HALF_TURN_POLYNOMIALS,
-        elementary.sine_of_half_turns,
-        elementary.cosine_of_half_turns,
-        elementary.angle_in_half_turns,
-        exponential_in_range(),
-        bump.perturbed,
-        shading.light_direction,
-        shading.light_term,
-        shading.clip,
-    ]
-    programs_of = (height_fields.height, height_fields.gradient_from_factors, height_fields.gradient)
-    for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
-        kernels += [program(field) for program in programs_of]
-    modules = [float64_module(program) for program in kernels]
-    modules.append(float64_module(finite_difference.central(ANY_FIELD), "Variable height : R -> R -> R -> R -> R."))
-    modules += [_in_module(f"{program.name}_float64", rule(program)) for program in enclosed.RULES.values()]
-    return FLOAT64_HEADER + "".join(f"\n{module}" for module in modules)
 
 
 def formulas_source() -> str:

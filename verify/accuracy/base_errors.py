@@ -10,6 +10,7 @@ from itertools import product
 from typing import Any, ClassVar
 
 import numpy as np
+from flint import arb
 
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
@@ -92,6 +93,7 @@ def errors_around() -> tuple[float, float]:
     return _largest(*of_u), _largest(of_rho)
 
 
+@cache
 def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     """Return by how much the bases, of u and of v, are off at most where 1 − (ρ/ρ_s)² ≥ `least`."""
     (of_u, of_rho), half = errors_around(), BOXES[0] // 2 + 1
@@ -101,6 +103,12 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     at = {"eye": OverBoxes(1.0), "radius": OverBoxes(radius), "rho": OverBoxes(rho_here, rho_here * of_rho)}
     known = {"discriminant_a": (radius * radius * ((1.0 - share) * (1.0 + share)),)}
     return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, known))
+
+
+def gradient_pieces(least: float = LEAST_SQUARE) -> list[tuple[arb, arb, Fraction]]:
+    """Return the one piece of all ratios of radius to distance: what `gradient_bound` says of it."""
+    first, last = RATIOS
+    return [(arb(first), arb(last), gradient_bound(*base_errors(least)))]
 
 
 @cache

@@ -9,8 +9,9 @@ import mpmath
 
 from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
-from proofs.engine.statement import cases_of
-from proofs.engine.theorem import Mutant, Theorems, borrowed
+from proofs.engine.derivative import Untranslatable
+from proofs.engine.stored import statements
+from proofs.engine.theorem import Mutant, Theorems
 from verify.checkers import witness
 from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
 from verify.checkers.sampler import Sampler
@@ -54,11 +55,14 @@ def exact_counterexample(
     claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
 ) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
-    statements = [statement for statement, _ in cases_of(borrowed(claim, theorems).but(cited=()))]
+    try:
+        said = statements(claim.but(cited=()), theorems)
+    except Untranslatable:
+        return None
     for point in failures:
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):
-            pair = refutation(statements, rational)
+            pair = refutation(said, rational)
             if pair is not None and refused(*pair) is None:
                 return {s.name: str(q) for s, q in sorted(rational.items(), key=str)}
     return None

@@ -82,7 +82,7 @@ class Relations:
     def _holds(self, relation, left, right):
         size = 1 + abs(left) + abs(right)
         if relation in ("==", "!="):
-            return (abs(left - right) <= TOLERANCE * size) == (relation == "==")
+            return (abs(left - right) <= max(self.slack, ROUNDING) * size) == (relation == "==")
         if relation in ("<=", ">="):
             right += (self.slack if relation == "<=" else -self.slack) * size
         return decided(left, relation, right)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
-from verify.checkers.measurement import REGISTERED, Enclosure, record, says
+from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says
 from verify.optional import lacking
 
 FOLDER = Path(__file__).parent / "measurements"
@@ -78,7 +78,7 @@ def _measured(examination, theorem, function, false):
     if why:
         examination.problems.append(f"{seen.what}: {why}: worst {seen.worst}, bound {seen.bound}")
     for text, changes in false.items():
-        rejected.append({"variant": text, "rejected": bool(function(**changes).why_refused())})
+        rejected.append({"variant": text, "rejected": function(**changes).why_refused() == FALSE})
         examination.mutants += 1
         examination.mutants_killed += rejected[-1]["rejected"]
         if not rejected[-1]["rejected"]:

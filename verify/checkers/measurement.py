@@ -15,6 +15,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from verify.optional import arb
 
 DIGITS, SEED, TRIED = 6, 5, 64
 MEASURING = ("verify.accuracy.", "verify.stability.")
+FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 """{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
 
@@ -49,19 +51,20 @@ class Measurement:
             return f"{self.samples} samples of {self.what!r}"
         if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
             return "the worst, or its bound, is no finite number"
-        return "" if self.holds and self.worst <= self.bound else "what is claimed does not hold"
+        return "" if self.holds and self.worst <= self.bound else FALSE
 
 
 @dataclass(frozen=True)
 class Enclosure:
     """What a quantity is at most, on each piece of the ranges of its argument: the statement that is enclosed.
 
-    pieces: (low, high, most), arbs or exact numbers; together they are all of `over`, ranges (low, high) of floats. at:
-    a function of an array of arguments that returns the quantity there, computed in another way. bound: what all of it
-    is at most, exactly, as the theorem says.
+    pieces: a function that returns them, (low, high, most), arbs or exact numbers; together they are all of `over`,
+    ranges (low, high) of floats. at: a function of an array of arguments that returns the quantity there, computed in
+    another way. Both are of `verify`: nobody writes pieces down. bound: what all of it is at most, exactly, as the
+    theorem says.
     """
 
-    pieces: Sequence[tuple[Any, Any, Any]]
+    pieces: Callable[[], Sequence[tuple[Any, Any, Any]]]
     over: tuple[tuple[float, float], ...]
     at: Callable[[np.ndarray], np.ndarray]
     bound: Any
@@ -69,40 +72,46 @@ class Enclosure:
     numbers: dict = field(default_factory=dict)
     seed = None
 
+    @cached_property
+    def enclosed(self) -> Sequence[tuple[Any, Any, Any]]:
+        """The pieces."""
+        return self.pieces()
+
     @property
     def samples(self) -> int:
         """The number of pieces: nothing is sampled."""
-        return len(self.pieces)
+        return len(self.enclosed)
 
     @property
     def worst(self) -> Any:
         """The largest value that a piece allows, as a ball."""
-        return max((_ball(most) for *_, most in self.pieces), key=lambda most: float(most.upper()))
+        return max((_ball(most) for *_, most in self.enclosed), key=lambda most: float(most.upper()))
 
     def why_refused(self) -> str:
         """Return why this encloses nothing, "" where it does."""
-        if not getattr(self.at, "func", self.at).__module__.startswith(MEASURING):
-            return f"the quantity is no function of {' or '.join(MEASURING)}"
-        numbers = [*(number for piece in self.pieces for number in piece), self.bound]
-        if not self.what or not self.pieces or not self.over:
+        functions = [getattr(function, "func", function) for function in (self.at, self.pieces)]
+        if not all(callable(f) and f.__module__.startswith(MEASURING) for f in functions):
+            return f"the quantity, or what encloses it, is no function of {' or '.join(MEASURING)}"
+        numbers = [*(number for piece in self.enclosed for number in piece), self.bound]
+        if not self.what or not self.enclosed or not self.over:
             return "nothing is enclosed"
         if not all(isinstance(n, arb | int | Fraction) and _ball(n).is_finite() for n in numbers):
             return "an end, a value or the bound is no finite ball and no exact number"
         if not all(low < high and self._covers(low, high) for low, high in self.over):
             return f"the pieces are not all of {self.over}"
-        if not all(_ball(most) <= _ball(self.bound) for *_, most in self.pieces):
-            return "a piece may exceed the bound"
+        if not all(_ball(most) <= _ball(self.bound) for *_, most in self.enclosed):
+            return FALSE
         return "" if self._tried() else "a value of the quantity is outside of its piece's enclosure"
 
     def _covers(self, low, high):
         """Return whether one piece begins where another one ended, from `low` to `high`."""
-        for first, last, _ in sorted(self.pieces, key=lambda piece: float(piece[0])):
+        for first, last, _ in sorted(self.enclosed, key=lambda piece: float(piece[0])):
             low = float(last) if float(first) <= low < float(last) else low
         return low >= high
 
     def _tried(self):
         """Return whether the quantity at random points inside the pieces is what these say."""
-        low, high, most = np.array([[float(number) for number in piece] for piece in self.pieces]).T
+        low, high, most = np.array([[float(number) for number in piece] for piece in self.enclosed]).T
         shares = np.random.default_rng(SEED).uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
         return bool((np.abs(self.at(low + (high - low) * shares)) <= most).all())
 

@@ -21,17 +21,18 @@ from collections.abc import Callable
 
 from proofs.check import reasons
 from proofs.engine import kernel
-from proofs.engine.claim import AnyClaim, Induction, Separation
+from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
+from proofs.engine.derivative import Untranslatable
 from proofs.engine.induction import induction
 from proofs.engine.statement import cases_of
-from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, stored
+from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, statements, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
 from verify.checkers.splices import says_the_same, splices
 
-POINTS, LONG_POINTS = 32, 2000
+POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
 CHECKERS = {"the kernel": kernel.check}
 """{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
 try:
@@ -63,6 +64,13 @@ def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: in
         return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
     prove = importlib.import_module("proofs.engine.certificate").prove
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
+    examination.record["grade"] = "failed"
+    try:
+        for claim in theorem.claims:
+            statements(claim, theorems)
+    except Untranslatable as error:  # nor is it sampled
+        examination.problems.append(str(error))
+        return examination
     examination.problems += incomplete(theorem, theorems)
     _check_certificates(examination, theorem, theorems, prove, anew)
     examination.check_sources(theorem)
@@ -141,6 +149,8 @@ def _sampled(examination, theorem, claim, points):
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
     for lemma in getattr(claim, "cited", ()):
+        if not witness.sample(Claim("cited", (lemma.relation,), lemma.given), seed, 1, attempts=SEARCHED).points:
+            examination.problems.append(f"{lemma.text}, from {lemma.source}: no sample satisfies its conditions")
         if failing := witness.lemma_fails_at(lemma, seed, points):
             examination.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
     seen = witness.sample(claim, seed, points, failures=FAILURES)

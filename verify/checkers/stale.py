@@ -7,7 +7,6 @@ searched anew; nothing is searched, and no certificate is checked. It fails wher
 import sys
 from collections.abc import Iterator
 
-from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import NotFound, Stale, stored
 from proofs.engine.theorem import Theorem, Theorems, all_theorems
 from renderer.generate.__main__ import PRINTED
@@ -17,7 +16,7 @@ def why_stale(theorem: Theorem, theorems: Theorems) -> str | None:
     """Return why a theorem's claims are not those of its stored certificates, or None."""
     try:
         stored(theorem, theorems)
-    except (Stale, NotFound, Untranslatable) as error:
+    except (Stale, NotFound) as error:
         return str(error)
     return None
 

@@ -12,6 +12,7 @@ from sympy import sin, symbols
 from proofs.engine.claim import CitedLemma, Claim, at_least
 from proofs.engine.theorem import Theorem, variant
 from proofs.formulas.certified import CERTIFIED
+from verify.accuracy import certified_ulps
 from verify.accuracy.certified_ulps import PIECES, errors_on_pieces
 from verify.checkers import proof_checker
 from verify.checkers.grades import graded, summary
@@ -50,6 +51,7 @@ def test_a_measurement_holds_and_rejects_its_false_variant(measured):
     assert measured(lambda bound=80: squares(bound), false).grade == "failed"
     blind = measured(squares, {"at most 81": {"bound": 81}})
     assert blind.problems == ["squares: does not reject the false variant “at most 81”"]
+    assert measured(squares, {"no bound": {"bound": math.inf}}).mutants_killed == 0  # no claim, and no false one
 
 
 def test_without_a_measurement_nothing_is_measured():
@@ -59,17 +61,28 @@ def test_without_a_measurement_nothing_is_measured():
 
 
 SINE = Enclosure(
-    PIECES["sinpi"](), ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
+    PIECES["sinpi"], ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
 )
+
+
+def forged(pieces):
+    """Return a function that returns pieces, and looks like one of `verify`."""
+    function = lambda: pieces  # noqa: E731
+    function.__module__ = certified_ulps.__name__
+    return function
+
+
 TAMPERED = {
+    "pieces of its own": {"pieces": lambda: [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]},
+    "pieces written down": {"pieces": [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]},
     "no statement": {"what": ""},
-    "nothing": {"pieces": []},
+    "nothing": {"pieces": forged([])},
     "no range": {"over": ()},
     "an infinite bound": {"bound": arb("inf")},
     "a bound that is a float": {"bound": 1.53},
     "a smaller bound": {"bound": Fraction(133, 100)},
-    "one number": {"pieces": [(arb(0.125), arb(0.125), arb(1))], "over": ((0.125, 0.125),)},
-    "a gap": {"pieces": SINE.pieces[:300] + SINE.pieces[301:]},
+    "one number": {"pieces": forged([(arb(0.125), arb(0.125), arb(1))]), "over": ((0.125, 0.125),)},
+    "a gap": {"pieces": forged(SINE.enclosed[:300] + SINE.enclosed[301:])},
     "beyond its pieces": {"over": ((0.001, 0.51),)},
     "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
     "its own function": {"at": lambda points: 0 * points},

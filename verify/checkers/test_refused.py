@@ -4,7 +4,10 @@ from math import prod
 
 import pytest
 from sympy import (
+    ITE,
     Abs,
+    And,
+    Contains,
     Derivative,
     DiracDelta,
     Dummy,
@@ -15,6 +18,7 @@ from sympy import (
     Pow,
     S,
     Symbol,
+    Xor,
     cos,
     evaluate,
     floor,
@@ -27,7 +31,7 @@ from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equati
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.program import Program
 from proofs.engine.stored import statements
-from verify.checkers.test_attacks import line, n, x, y
+from verify.checkers.test_attacks import examined, line, n, x, y
 
 HIDDEN = ["nonnegative", "nonzero", "extended_real", "positive"]
 TAKEN = ["pi", "root_1", "inverse_12", "cos(x)", "", "2x", "é", "_x", "x\n"]
@@ -57,6 +61,8 @@ def of_symbols():
         yield Claim("taken", greater(Symbol(name, real=True), 3)), "no name"
     for names in ((n, x), (y, n), (y, (x, Symbol("x")))):
         yield Separation("of another name", line(y, x + 1), *names), "has no"
+    yield Separation("hidden", Program("p", (x, hidden), {y: x + 1}), y, hidden), "plain real"
+    yield Induction("hidden", n, equation(x, 0), ((x, 0, x),), ranges={hidden: (0, 1)}), "plain real"
 
 
 def of_values():
@@ -68,6 +74,8 @@ def of_values():
         yield equation(cos(angle, evaluate=False) ** 2 + sin(x) ** 2, 1), "polynomial"
     for value in (NONE_AT_0, UNORDERED, Piecewise((x, x > 0))):
         yield equation(value, x), "no rule|compar|no value"
+    for condition in (y, Contains(x, S.Integers), Xor(x > 0, y > 0), ITE(y > 0, x > 1, x > 0)):
+        yield equation(Piecewise((1, condition), (0, True)), 0), "no condition of relations"
     for corner in (floor(x), DiracDelta(x)):
         yield equation(Derivative(corner, x), 0), "no rule differentiates"
         yield equation(corner, 0), "no rule translates"
@@ -76,7 +84,13 @@ def of_values():
         nested = cos(nested, evaluate=False)
     long = (x + y) ** 10**6, x**10**9, cos(x / 10**7) + cos(x), Pow(2, 10**8, evaluate=False) * x
     sums = sum(Max(each, 0) for each in many), Abs(prod(x + each for each in many))
-    for endless in (nested, *long, *sums, Derivative(x * sin(x), (x, 10**5))):
+    wide = Piecewise((1, And(*(x > bound for bound in range(999)), evaluate=False)), (0, True), evaluate=False)
+    angles = cos((x + y) ** 10**6), cos(prod(each + 1 for each in many)), cos(99 * x) * cos(100 * x)
+    derivatives = (Derivative(x * sin(x), (x, 10**5)), Derivative(prod(cos(x * each) for each in many), (x, 3)))
+    squared = x
+    for _ in range(60):
+        squared = Pow(squared, 2, evaluate=False)
+    for endless in (nested, squared, wide, *long, *sums, *angles, *derivatives):
         yield equation(endless, 0), None
 
 
@@ -115,3 +129,8 @@ REFUSED = [*of_symbols(), *((Claim("value", shown), why) for shown, why in of_va
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
         statements(claim, {})
+
+
+def test_what_has_no_translation_fails_and_is_not_sampled():
+    for claim in (claim for claim, _ in REFUSED if not isinstance(claim, Separation)):
+        assert examined(claim).grade == "failed"

@@ -6,7 +6,6 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import product
 from typing import Any
 
 import mpmath
@@ -18,8 +17,8 @@ from renderer.generate.printer import differentiated
 from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
-STARTS, EDGE = 12, mpmath.mpf(10) ** -30
-STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45) for sign in (1, -1))
+STARTS, LEMMA_DIGITS, EDGE = 12, 150, mpmath.mpf(10) ** -30
+STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign in (1, -1))
 
 
 @dataclass
@@ -54,14 +53,18 @@ def sample(
     failures: int | None = None,
     attempts: int = 200,
     slack: mpmath.mpf = TOLERANCE,
+    digits: int = WORKING_DIGITS,
 ) -> Witness:
     """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
-    with mpmath.workdps(WORKING_DIGITS):
+    with mpmath.workdps(digits):
         if isinstance(claim, Induction):
             return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed, slack), Witness()
         for _ in range(points * attempts):
-            values = sampler.inputs_at_random()
+            try:
+                values = sampler.inputs_at_random()
+            except mpmath.libmp.NoConvergence:  # a root that is a double one
+                break
             verdict = None if values is None else sampler.verdict(values)
             if verdict is None:
                 continue
@@ -88,35 +91,60 @@ def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | No
     claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
     sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
     claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
-    found = (sample(claim, seed, points, 1, 50, slack=ROUNDING).smallest for claim in claims)
+    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS).smallest for claim in claims)
     return next((point for point in found if point), None) or _turning_point(lemma, shown, symbols, seed)
 
 
 def _turning_point(lemma, shown, symbols, seed):
-    """Return a point where a lemma is false among those where its sides are equal or turn, along one symbol each."""
-    with mpmath.workdps(WORKING_DIGITS), evaluate(True):
+    """Return a point where a lemma is false among those where its sides are equal, or beside, or turn, or None.
+
+    The sides turn along one symbol, or along all at once.
+    """
+    with mpmath.workdps(LEMMA_DIGITS), evaluate(True):
         sampler = Sampler(Claim("cited", (shown,), lemma.given), seed, ROUNDING)
         difference = lemma.relation.lhs - lemma.relation.rhs
-        for symbol, of in product(symbols, range(2)):
-            sides = Code((differentiated(Derivative(difference, symbol)) if of else difference,))
-            for _ in range(STARTS):
-                values = sampler.inputs_at_random()
-                root = None if values is None else _root(sides, symbol, values)
-                if root is None or any(abs(_difference(c, values | {symbol: root})) < EDGE for c in lemma.given):
-                    continue  # no nearer to an edge than the root itself is known
-                values[symbol] = root
-                if sampler.early(values) and sampler.verdict(values) == "fails":
-                    return values
+        slopes = [differentiated(Derivative(difference, symbol)) for symbol in symbols]
+        sought = [
+            ((symbol,), [of], of is slope)
+            for symbol, slope in zip(symbols, slopes, strict=True)
+            for of in (difference, slope)
+        ]
+        sought += [(symbols, slopes, True)] if len(symbols) > 1 else []
+        for along, expressions, turns in sought:
+            code = Code(expressions)
+            for values in filter(None, (sampler.inputs_at_random() for _ in range(STARTS))):
+                root = _root(code, along, values)
+                beside = (
+                    [] if turns else [{s: at + (EDGE + abs(at)) * step} for s, at in root.items() for step in STEPS]
+                )
+                for point in (values | at for at in (root, *beside) if at):
+                    if _fails(sampler, lemma.given, point):
+                        return point
     return None
 
 
-def _root(code, symbol, values):
-    """Return a root of an expression along a symbol, from where the symbol is now on, or None."""
-    start = values[symbol]
+def _fails(sampler, given, values):
+    """Return whether what is sampled is false; no nearer to an edge than a root is known, nothing is."""
     try:
-        return mpmath.findroot(lambda x: code(values | {symbol: x})[0], (start, start + mpmath.mpf(1) / 8), tol=1e-120)
-    except (ValueError, ZeroDivisionError, Undefined):
-        return None
+        apart = all(abs(_difference(condition, values)) >= EDGE for condition in given)
+        return apart and sampler.early(values) and sampler.verdict(values) == "fails"
+    except Undefined:
+        return False
+
+
+def _root(code, symbols, values):
+    """Return the symbols' values where expressions in them are 0, from where they are now on; {} if none is found."""
+    starts, step = [values[symbol] for symbol in symbols], mpmath.mpf(1) / 8
+    try:
+        if len(starts) == 1:
+            root = [
+                mpmath.findroot(lambda x: code(values | {symbols[0]: x})[0], (*starts, starts[0] + step), tol=1e-120)
+            ]
+        else:
+            root = mpmath.findroot(lambda *x: code(values | dict(zip(symbols, x, strict=True))), starts, tol=1e-120)
+        return dict(zip(symbols, root, strict=True))
+    except (ValueError, TypeError, ZeroDivisionError, Undefined):  # of a singular system mpmath finds no pivot
+        return {}
 
 
 def _difference(condition, values):

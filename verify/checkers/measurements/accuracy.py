@@ -1,9 +1,8 @@
 """How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
-from flint import arb
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
 from verify.accuracy import base_errors, orders
@@ -67,9 +66,8 @@ def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
 def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Enclosure:
     """The algebraic form from the image point: its bases over every box of the hits, and their powers."""
     of_u, of_v = base_errors.base_errors(least)
-    first, last = base_errors.RATIOS
     return Enclosure(
-        pieces=[(arb(first), arb(last), base_errors.gradient_bound(of_u, of_v))],
+        pieces=partial(base_errors.gradient_pieces, least),
         over=(base_errors.RATIOS,),
         at=worst_at_ratios,
         bound=bound,

@@ -48,14 +48,14 @@ def certificate(name: str) -> Callable[..., Enclosure]:
     """Return what encloses a function's error on every piece of its range."""
 
     def enclosed(bound=CERTIFIED[name], off=0):
-        pieces = PIECES[name](program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]()
+        pieces = partial(PIECES[name], program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]
         return Enclosure(
             pieces=pieces,
             over=OVER.get(name, ((FIRST, 0.5 - FIRST),)),
             at=partial(errors_on_pieces, name),
             bound=bound,
             what=f"{name}: the error in ulps over every piece of the reduced range",
-            numbers={f"{name}_ulps": worst(pieces), f"{name}_pieces": len(pieces)},
+            numbers={f"{name}_ulps": worst(pieces()), f"{name}_pieces": len(pieces())},
         )
 
     return enclosed
