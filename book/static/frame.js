@@ -5,6 +5,8 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
 (() => {
   const root = document.documentElement;
   const dark = matchMedia("(prefers-color-scheme: dark)");
+  // Icons come once the text stands: drawn with it, they would be most of what its style takes.
+  requestAnimationFrame(() => setTimeout(() => root.classList.add("drawn")));
 
   /** @param {string} mode */
   function colour(mode) {
