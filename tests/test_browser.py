@@ -138,6 +138,7 @@ def test_page_is_whole_on_a_desktop(visit, page):
     tab.evaluate("document.fonts.ready")
     next_frame(tab)
     assert tab.evaluate("seen.shift") <= 0.05
+    tab.evaluate("document.documentElement.classList.remove('begun')")  # so that all of it is laid out
     assert unseen_focus(tab) == []
     look(tab, page, "dark")
     change_colours(tab, "light")

@@ -5,6 +5,12 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
 (() => {
   const root = document.documentElement;
   const dark = matchMedia("(prefers-color-scheme: dark)");
+  // Who comes to a page's top finds what is below laid out when it is near, and all of it with the first click; who comes
+  // back, or to a part of the page, finds all of it, lest what is above grows.
+  const [{ type }] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
+  root.classList.toggle("begun", type === "navigate" && !location.hash);
+  // Icons come once the text stands: drawn with it, they would be most of what its style takes.
+  requestAnimationFrame(() => setTimeout(() => root.classList.add("drawn")));
 
   /** @param {string} mode */
   function colour(mode) {
@@ -102,7 +108,10 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
 
   colour(root.dataset.mode ?? "auto"); // before anything is in the page, which else gets its colours twice
   dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
-  addEventListener("click", ({ target }) => drop_down(target instanceof Node ? target : null));
+  addEventListener("click", ({ target }) => {
+    root.classList.remove("begun");
+    drop_down(target instanceof Node ? target : null);
+  });
   addEventListener("keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "k") {
       event.preventDefault();
