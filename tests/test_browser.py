@@ -151,7 +151,9 @@ def test_page_is_whole_on_a_desktop(visit, page):
 
 @every_page
 def test_page_is_whole_on_a_phone(visit, page):
-    tab = visit(page, **MODES["phone"])
+    tab = visit(page, prepare=WATCH, **MODES["phone"])
+    next_frame(tab)
+    assert tab.evaluate("seen.shift") <= 0.05
     look(tab, page, "phone")
     assert violations(tab, "phone", formulas=page == "s3") == []
 
