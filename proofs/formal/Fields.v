@@ -35,12 +35,6 @@ Proof. claim. Qed.
 Theorem gradients__same_sign_below : Statements.gradients__same_sign_below.
 Proof. claim. Qed.
 
-(* Sine's slopes need not be 0 where ridges is creased. *)
-Lemma gradients__on_creases__false : ~ forall u v k_u k_v, height_sine.h u v k_u k_v = 0 -> gradient_sine.h_u u v k_u k_v = 0.
-Proof.
-  intro H. generalize (H 0 (1/2) 1 1) PI_RGT_0. unfold_fields. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite !Rmult_0_r, sin_0, cos_0, sin_PI2. lra.
-Qed.
-
 (* The third derivative at k = 8 and k = 4 *)
 Theorem third_derivative_at_eight__at_eight : Statements.third_derivative_at_eight__at_eight.
 Proof. split; [interval | lra]. Qed.

@@ -41,7 +41,5 @@ Theorem ridges_on_creases__no_derivative__point : exists u k_u : R, 0 < k_u /\ s
 Proof. exists (1/2), 1. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem ridges_at_crossings__differentiable__point : exists k_u k_v : R, 0 < k_u /\ 0 < k_v.
 Proof. exists 1, 1. lra. Qed.
-Theorem seam__ridges_jumps__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
-Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
 Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\ is_derive (fun v => h u v) v h_v.
 Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.
