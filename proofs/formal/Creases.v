@@ -68,10 +68,10 @@ Theorem straddling__of_the_difference (u v k_u k_v d epsilon : R) (m : Z) : Rabs
 Proof.
   intro A. assert (E : 0 < epsilon) by (generalize (Rabs_pos d); lra). split; intro K.
   - intros B I. generalize (across_a_crease k_u d epsilon m K A B). set (x := IZR m / k_u + d) in *. intro D.
-    unfold central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus. rewrite !Rabs_mult.
+    central_ridges.lines. rewrite !Rabs_mult.
     rewrite (wrapped k_u (epsilon + x)), (wrapped k_u (x - epsilon)), (Rplus_comm epsilon x), <- Rmult_minus_distr_r, D by (destruct I; [left; assumption | right; lra]). field. lra.
   - intros B I J. generalize (across_a_crease k_v d epsilon m K A B). set (x := IZR m / k_v + d) in *. intro D.
-    unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus. rewrite !Rabs_mult.
+    central_ridges.lines. rewrite !Rabs_mult.
     destruct (both _ _) as [_|[H|H]]; [|lra|lra]. rewrite Rmin_right, Rmax_left, (Rplus_comm epsilon x), <- Rmult_minus_distr_l, D by lra. field. lra.
 Qed.
 (* It is not the slope. *)

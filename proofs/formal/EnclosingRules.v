@@ -67,7 +67,7 @@ Qed.
 
 Theorem enclosing_rules__sum : Statements.enclosing_rules__sum.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. unfold enclosed_sum_float64.total_error, enclosed_sum_float64.total.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. enclosed_sum_float64.lines.
   assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *. assert (T : float64 t) by is_float64.
   assert (C1 := counted_sum ex ey Ex Ey Px Py). set (e := rounded (ex + ey)) in *. assert (E : float64 e) by is_float64. assert (0 <= e) by (apply not_negative_rounded; lra).
   assert (C := counted_sum e (Rabs t) E ltac:(is_float64) ltac:(assumption) (Rabs_pos t)). set (c := rounded (e + Rabs t)) in *.
@@ -93,7 +93,7 @@ Qed.
 
 Theorem enclosing_rules__product : Statements.enclosing_rules__product.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. unfold enclosed_product_float64.product_error, enclosed_product_float64.product. fold ROUNDING.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING.
   destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *.
   assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *.
   assert (F : float64 least) by exact least_is_float64.
@@ -143,7 +143,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__root : Statements.enclosing_rules__root.
 Proof.
-  red. intros s x e x' S1 S2 X E P D X0 X0'. unfold enclosed_root_float64.root_error, enclosed_root_float64.root. destruct underflow_in_least as [T _].
+  red. intros s x e x' S1 S2 X E P D X0 X0'. enclosed_root_float64.lines. destruct underflow_in_least as [T _].
   set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. assert (O : Rabs (r - sqrt x) <= (1 + 4 * unit53) * unit53 * r).
   { destruct (Rle_lt_or_eq_dec 0 x ltac:(lra)) as [Xp|Xz]; [apply (own_rounding_of_root x X Xp)|]. unfold r. rewrite <- Xz, sqrt_0, rounded_0, Rminus_0_r, Rabs_R0. lra. }
   destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
@@ -176,7 +176,7 @@ Qed.
 
 Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. unfold enclosed_quotient_float64.quotient_error, enclosed_quotient_float64.quotient. fold ROUNDING.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. enclosed_quotient_float64.lines. fold ROUNDING.
   destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
   destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Z0 : 0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). assert (Z := not_negative_rounded _ Z0). set (z := rounded (ROUNDING * ey)) in *.
   rewrite (Rabs_pos_eq z) in Oz by exact Z. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
@@ -230,7 +230,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__selection : Statements.enclosing_rules__selection.
 Proof.
-  red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. unfold enclosed_selection_float64.chosen_error, enclosed_selection_float64.chosen. fold ROUNDING.
+  red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. enclosed_selection_float64.lines. fold ROUNDING.
   assert (H := decided_apart s a ea a' b eb b' S1 S2 A Ea Pa Da B Eb Pb Db).
   assert (Wx : s * (ex / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ex / 2 ^ 53)) by (assert (0 <= s * ex) by (apply Rmult_le_pos; lra); lra).
   assert (Wy : s * (ey / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ey / 2 ^ 53)) by (assert (0 <= s * ey) by (apply Rmult_le_pos; lra); lra).
@@ -290,7 +290,7 @@ Lemma rounded_abs (x : R) : Rabs (rounded x) = rounded (Rabs x).
 Proof. symmetry. apply round_NE_abs. typeclasses eauto. Qed.
 Theorem enclosing_rules__floor : Statements.enclosing_rules__floor.
 Proof.
-  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_floor_float64.below_error, enclosed_floor_float64.below. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
+  red. intros s x e x' S1 S2 X E P D U. enclosed_floor_float64.lines. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
   unfold whole_below at 5. unfold whole_below at 5. apply whole_rule with x x' (Zfloor x - Zfloor x')%Z; try assumption; [symmetry; apply minus_IZR | |].
   - generalize (Zfloor_lb x) (Zfloor_ub x) (Zfloor_lb x') (Zfloor_ub x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros. apply Rabs_le. lra.
   - intros [->|N]; [reflexivity|]. f_equal. symmetry. apply Zfloor_imp. rewrite plus_IZR. generalize (nearest_is_nearest x (Zfloor x)) (nearest_is_nearest x (Zfloor x + 1)) (Zfloor_lb x) (Zfloor_ub x) (Rle_abs (x - x')) (Rabs_maj2 (x - x')).
@@ -298,7 +298,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__nearest : Statements.enclosing_rules__nearest.
 Proof.
-  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_nearest_float64.nearest_error, enclosed_nearest_float64.nearest. fold ROUNDING. assert (H := nearest_half x).
+  red. intros s x e x' S1 S2 X E P D U. enclosed_nearest_float64.lines. fold ROUNDING. assert (H := nearest_half x).
   assert (F : rounded (x - rint x) = x - rint x).
   { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
     eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }

@@ -46,7 +46,7 @@ Lemma share_derives (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd
   is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
     (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
 Proof.
-  intros DM DB NM NB. unfold light_term.lit_red, light_term.diffuse, light_term.shine, term_derivative.term_by_beta, term_derivative.diffuse_by_beta, term_derivative.shine_by_beta.
+  intros DM DB NM NB. light_term.lines; term_derivative.lines.
   generalize (clamp_derive mu beta mu_by_beta DM NM) (power_derive base beta base_by_beta p DB NB). intros A B.
   set (m := fun b => Rmax 0 (mu b)) in *. set (s := fun b => highlight_of (Rmax 0 (base b)) p) in *.
   apply (is_derive_ext (fun b => i * (albedo * (kd * m b) + ks * s b) + 0)); [reflexivity|].

@@ -107,8 +107,7 @@ Proof.
   assert (Sx := Rle_0_sqr (b * gx + nx)). assert (Sy := Rle_0_sqr (b * gy + ny)). assert (Sz := Rle_0_sqr (b * gz + nz)). unfold Rsqr in Sx, Sy, Sz.
   assert (Ex := component_rounded b gx nx L Nx L1 ltac:(lra) ltac:(lra)). assert (Ey := component_rounded b gy ny L Ny L1 ltac:(lra) ltac:(lra)). assert (Ez := component_rounded b gz nz L Nz L1 ltac:(lra) ltac:(lra)).
   assert (H := component_normalised _ _ _ _ _ _ L (eq_trans LL V) ltac:(lra) Lu Ex Ey Ez).
-  unfold perturbed_float64.bumped_x, perturbed_float64.bumped_y, perturbed_float64.bumped_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed_float64.m_scale, perturbed.m_scale, perturbed_float64.m_length, perturbed.m_length,
-    perturbed_float64.m_x, perturbed_float64.m_y, perturbed_float64.m_z, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  perturbed_float64.lines; perturbed.lines.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). replace (12 / 9007199254740992) with (12 * unit53) by (unfold unit53; lra).
   cbv zeta in H. rewrite !(Rmult_comm (/ L)). split; [|split]; (apply H; [assumption | lra]).
 Qed.
@@ -128,9 +127,7 @@ Proof.
   assert (I : forall m, m * m <= L * L -> Rabs (m / L) <= 1).
   { intros m M. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]. }
   assert (Ix := I (lx - px) ltac:(lra)). assert (Iy := I (ly - py) ltac:(lra)). assert (Iz := I (lz - pz) ltac:(lra)). clear I.
-  unfold light_direction_float64.mu, light_direction.mu, light_direction_float64.towards_x, light_direction_float64.towards_y, light_direction_float64.towards_z, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
-    light_direction_float64.light_scale, light_direction.light_scale, light_direction_float64.light_distance, light_direction.light_distance, light_direction_float64.to_light_x, light_direction_float64.to_light_y, light_direction_float64.to_light_z,
-    light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z.
+  light_direction_float64.lines; light_direction.lines.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). rewrite !(Rmult_comm (/ L)). fold (Rdiv (lx - px) L) (Rdiv (ly - py) L) (Rdiv (lz - pz) L).
   set (tx := (lx - px) / L) in *. set (ty := (ly - py) / L) in *. set (tz := (lz - pz) / L) in *. set (k := rounded (1 / rounded (sqrt _))) in *. set (hx := rounded (k * rounded (lx - px))) in *. set (hy := rounded (k * rounded (ly - py))) in *. set (hz := rounded (k * rounded (lz - pz))) in *.
   assert (T := underflow_is_small).
@@ -195,10 +192,10 @@ Proof.
   intros m2 d2 mu' mu Nx Ny Nz Gx Gy Gz Fb Px Py Pz Lx Ly Lz M1 M2 Bx By Bz D1 D2 B I A Kd Ks P Iu Au.
   destruct (colour_accuracy__normal nx ny nz gx gy gz beta Nx Ny Nz Gx Gy Gz Fb M1 M2 Bx By Bz) as (Ex & Ey & Ez).
   assert (Ux : Rabs (perturbed.bumped_x nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_y nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_z nx ny nz gx gy gz beta) <= 1).
-  { unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z. unfold m2 in M1.
+  { perturbed.lines. unfold m2 in M1.
     generalize (Rle_0_sqr (beta * gx + nx)) (Rle_0_sqr (beta * gy + ny)) (Rle_0_sqr (beta * gz + nz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
   assert (T : Rabs (light_direction.towards_x px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_y px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_z px py pz lx ly lz) <= 1).
-  { unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. unfold d2 in D1.
+  { light_direction.lines. unfold d2 in D1.
     generalize (Rle_0_sqr (lx - px)) (Rle_0_sqr (ly - py)) (Rle_0_sqr (lz - pz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
   destruct Ux as (Ux & Uy & Uz). destruct T as (Tx & Ty & Tz). set (x := perturbed.bumped_x _ _ _ _ _ _ _) in *. set (y := perturbed.bumped_y _ _ _ _ _ _ _) in *. set (z := perturbed.bumped_z _ _ _ _ _ _ _) in *.
   assert (Fx : float64 (perturbed_float64.bumped_x nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _). assert (Fy : float64 (perturbed_float64.bumped_y nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
@@ -214,7 +211,7 @@ Proof.
   assert (M : Rabs (mu' - mu) <= 81 * unit53).
   { replace (mu' - mu) with ((mu' - light_direction.mu px py pz lx ly lz x' y' z') + (light_direction.mu px py pz lx ly lz x' y' z' - mu)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
   split; [exact M|]. clearbody mu mu'. clear - M B I A Kd Ks P Iu Au. change clip_float64.clipped with clip.clipped. eapply Rle_trans; [apply clip_moves|].
-  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). unfold light_term_float64.lit_red, light_term_float64.diffuse, light_term_float64.shine, light_term.lit_red, light_term.diffuse, light_term.shine.
+  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). light_term_float64.lines; light_term.lines.
   match goal with |- Rabs (?h - ?e) <= _ => replace (h - e) with ((h - (i * (a * (kd * Rmax 0 mu') + ks * p) + b)) + (i * (a * kd * (Rmax 0 mu' - Rmax 0 mu)))) by ring end.
   eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [exact S|]. rewrite Rabs_mult, (Rabs_pos_eq i) by lra. apply Rmult_le_compat_l; [lra|]. assert (0 <= a * kd) by (apply Rmult_le_pos; lra). rewrite Rabs_mult, (Rabs_pos_eq (a * kd)) by assumption.
   apply Rmult_le_compat_l; [assumption|]. eapply Rle_trans; [|exact M]. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
@@ -231,7 +228,6 @@ Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
 Proof.
   assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
   destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
-  unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
-    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  light_direction.lines; perturbed.lines.
   replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. apply Rabs_le_between in M. apply Rabs_le_between in H. unfold unit53 in *. lra.
 Qed.

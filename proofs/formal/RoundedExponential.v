@@ -10,7 +10,7 @@ Open Scope R_scope.
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
 Theorem elementary_functions__exponential (r : R) : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
 Proof.
-  intro B. unfold exponential_polynomial.exponential_near, exponential_polynomial.departure, exponential_polynomial.departure_low, exponential_polynomial.exponential_tail, exponential_polynomial.away_squared.
+  intro B. exponential_polynomial.lines.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
@@ -185,7 +185,7 @@ Proof. exists 0, 0. rewrite Rabs_R0. split; [apply generic_format_0 | lra]. Qed.
 Theorem elementary_functions__exponential__false : ~ forall r, -1 <= r <= 1 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le.
-  unfold exponential_polynomial.exponential_near, exponential_polynomial.departure, exponential_polynomial.departure_low, exponential_polynomial.exponential_tail, exponential_polynomial.away_squared. interval with (i_prec 120).
+  exponential_polynomial.lines. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__exp__false : ~ forall p e, float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
   Rabs (exponential_in_range_float64.exponential p e - exp p) <= 11/5 * (1 / 2 ^ 53) * exp p.

@@ -286,16 +286,16 @@ Proof.
   rewrite !times_sign by first [exact 0 | apply rounded_is_float64]. rewrite !sign_mult.
   change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u))).
   change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
-  rewrite Su, Sv. unfold gradient_ridges.sin_u, gradient_ridges.sin_v. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
+  rewrite Su, Sv. gradient_ridges.lines. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
 Qed.
 Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
   Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs (2 * k_v))).
 Proof.
-  intros V F. destruct (factors_near _ _ V) as (_ & C & _). unfold gradient_rings_float64.h_v, gradient_rings_float64.cos_v.
+  intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
   rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
   set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
   { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
-  unfold gradient_rings.h_v, gradient_rings.cos_v. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
+  gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
   assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
   assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
   generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.

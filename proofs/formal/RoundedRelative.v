@@ -13,7 +13,7 @@ Proof.
   intro B. set (g := fun t => half_turn_polynomials.sine_near t - sin (PI * t)). assert (G : g 0 = 0) by (unfold g; rewrite (proj1 elementary_functions__zero), Rmult_0_r, sin_0; ring).
   replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
   assert (T' : - (1/4) <= t <= 1/4) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
-  - unfold g, half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. auto_derive; [exact I|]. unfold h. reflexivity.
+  - unfold g; half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
   - unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 100).
 Qed.
 Section reduced.
@@ -75,7 +75,7 @@ Proof. exists 0. split; [apply generic_format_0 | left; reflexivity]. Qed.
 (* Over a whole half-turn the polynomial is not so near; nor is the sine the cosine. *)
 Theorem elementary_functions__sine_relative__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. rewrite Rmult_1_r, sin_PI, Rabs_R1. interval with (i_prec 120).
+  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. half_turn_polynomials.lines. rewrite Rmult_1_r, sin_PI, Rabs_R1. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__half_turns_relative__false : ~ forall x, float64 x -> x = 0 \/ bpow radix2 (-1020) <= Rabs x -> Rabs (sine_of_half_turns_float64.sine x 0 - cos (PI * x)) <= 18/5 * (1 / 2 ^ 53) * Rabs (cos (PI * x)).
 Proof.

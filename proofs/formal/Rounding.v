@@ -139,9 +139,7 @@ Proof.
     rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x))).
   { intro x. rewrite (Rmult_comm x). f_equal. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr. ring. }
   rewrite !N.
-  unfold two_product_float64.product, two_product_float64.product_error, two_product_float64.error_3, two_product_float64.error_2, two_product_float64.error_1,
-    two_product_float64.a_low, two_product_float64.a_high, two_product_float64.a_excess, two_product_float64.a_split, two_product_float64.b_low,
-    two_product_float64.b_high, two_product_float64.b_excess, two_product_float64.b_split.
+  two_product_float64.lines.
   f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
 Qed.
 

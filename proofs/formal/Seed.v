@@ -52,7 +52,7 @@ Proof.
     assert (((2 * IZR m - 255) / 256) ^ 2 <= 1) by nra.
     assert (((1083 - 10 * IZR n) / 1280) ^ 2 <= 1345 / 1000) by nra. lra. }
   destruct (V _ _ Q) as [X Y]. pose proof (seed_root _ _ X Y : 0 < seed_t < 1 / 4) as S.
-  split; [exact S |]. unfold nearest.surface, nearest.t_floor.
+  split; [exact S |]. nearest.lines.
   destruct (Rle_lt_dec 0 (hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1)) as [D | D].
   - destruct (t_a_near _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as (t & -> & _ & _ & A & _).
     unfold on_a, distance2 in A. destruct (seed_covers_the_view__behind 4 1 t (pixel_x m) (pixel_y n)) as [_ L]; try lra.
@@ -82,7 +82,7 @@ Proof.
     assert (-1 / 100 <= x <= 1 / 100) by nra. assert (-1 / 100 <= y <= 1 / 100) by nra. nra. }
   rewrite B in F. destruct (t_a_near x y 4 1 ltac:(lra) (pixel_off_axis 127 108)) as (t & T & _ & L & _).
   { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite Q. lra. }
-  rewrite T in F. revert F. unfold nearest.surface, nearest.t_floor. destruct Rlt_dec; [| lra].
+  rewrite T in F. revert F. nearest.lines. destruct Rlt_dec; [| lra].
   destruct both as [_ | [[A | A] | A]]; [lra | destruct (A I) | destruct (A I) | simpl in A; lra].
 Qed.
 
@@ -111,14 +111,7 @@ Proof. intro F. generalize (F 0 1 1 0 ltac:(lra)). lra. Qed.
 Theorem seed_bump_as_displacement__parallel : Statements.seed_bump_as_displacement__parallel.
 Proof. intro F. generalize (F 1 0 1 1 1 1 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. Qed.
 
-Ltac both_normals := unfold displaced_normal.displaced_x, displaced_normal.displaced_y,
-  displaced_normal.displaced_z, displaced_normal.lift, displaced_normal.h_theta, displaced_normal.h_phi,
-  displaced_normal.normal_x, displaced_normal.normal_y, displaced_normal.normal_z, displaced_normal.e_theta_x,
-  displaced_normal.e_theta_y, displaced_normal.e_theta_z, displaced_normal.e_phi_x, displaced_normal.e_phi_y,
-  displaced_normal.e_phi_z, bumped_normal.m_x, bumped_normal.m_y, bumped_normal.m_z, bumped_normal.g_x,
-  bumped_normal.g_y, bumped_normal.g_z, bumped_normal.normal_x, bumped_normal.normal_y, bumped_normal.normal_z,
-  bumped_normal.e_theta_x, bumped_normal.e_theta_y, bumped_normal.e_theta_z, bumped_normal.e_phi_x,
-  bumped_normal.e_phi_y, bumped_normal.e_phi_z, unit_normal.normal_x, unit_normal.normal_y, unit_normal.normal_z.
+Ltac both_normals := displaced_normal.lines; bumped_normal.lines; unit_normal.lines.
 
 (* N' is the normal of the displaced surface, D = k M with k > 0: not at theta = 0, phi = pi/2,
    h = 0, beta = h_u = h_v = 1. *)

@@ -177,7 +177,10 @@ def module_of(program: Program) -> str:
 
 
 def _in_module(name, inside):
-    return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
+    """Return lines as a module, with a tactic that puts the definitions in their place, the last one first."""
+    given = ", ".join(line.split()[1] for line in reversed(inside) if line.startswith("Definition"))
+    unfolded = f"Ltac lines := unfold {given}."
+    return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", unfolded, f"End {name}.", ""])
 
 
 HALF_TURN_POLYNOMIALS = Program(
