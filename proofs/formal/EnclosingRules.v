@@ -28,15 +28,12 @@ Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
 Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.
 Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
 Proof.
-  unfold rounded at 1. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & Z & R).
-  assert (R' : rounded x = x * (1 + d) + e) by exact R. rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
-  assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]).
-  assert (E' : Rabs e <= underflow) by (eapply Rle_trans; [exact E|]; unfold underflow; generalize (bpow_gt_0 radix2 (-1074)); lra).
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E'].
+  destruct (rounding x) as (d & e & D & E & Z & R). rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E]. apply Rabs_le_between in D.
   apply Rmult_integral in Z. destruct Z as [-> | ->].
   - rewrite Rmult_0_r, Rabs_R0. apply Rmult_le_pos; [unfold unit53; lra | apply Rabs_pos].
-  - rewrite R', Rplus_0_r, !Rabs_mult. assert (P : 1 - unit53 <= Rabs (1 + d)) by (apply Rabs_le_between in D'; rewrite Rabs_pos_eq; unfold unit53 in *; lra).
-    assert (0 <= Rabs x * (Rabs (1 + d) - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
+  - rewrite Rplus_0_r, !Rabs_mult, (Rabs_pos_eq (1 + d)) by lra. assert (Rabs d <= unit53) by (unfold unit53; apply Rabs_le; lra).
+    assert (0 <= Rabs x * (1 + d - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | unfold unit53; lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
 Qed.
 Lemma own_rounding_of_sum (a b : R) : float64 a -> float64 b -> Rabs (rounded (a + b) - (a + b)) <= unit53 * Rabs (rounded (a + b)).
 Proof.
@@ -91,28 +88,34 @@ Proof.
   generalize (counted_sum (Rabs y) z ltac:(is_float64) ltac:(is_float64) (Rabs_pos y) Z) (proj1 underflow_in_least). unfold unit53 in *. lra.
 Qed.
 
-Theorem enclosing_rules__product : Statements.enclosing_rules__product.
+(* How far a product moves where its factors do. *)
+Lemma product_moved (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
+  let m := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)) in 0 <= m /\ Rabs (x * y - x' * y') <= s * (m / 2 ^ 53) * (1 + 4 * unit53) + 2 ^ 9 * underflow.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING.
-  destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *.
-  assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *.
-  assert (F : float64 least) by exact least_is_float64.
-  clearbody least. assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
+  intros S1 S2 Y Px Dx Py Dy L. destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. cbv zeta.
+  assert (T := proj1 underflow_in_least). assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
   assert (Sz : 0 <= size) by (apply not_negative_rounded; assert (0 <= rounded (ROUNDING * ey)) by (apply not_negative_rounded; unfold ROUNDING; lra); generalize (Rabs_pos y); lra).
   assert (A0 : 0 <= Rabs x * ey) by (apply Rmult_le_pos; [apply Rabs_pos | assumption]). assert (B0 : 0 <= size * ex) by (apply Rmult_le_pos; assumption). assert (Q0 : 0 <= Y1 * ex) by (apply Rmult_le_pos; assumption).
   assert (A := counted _ A0). set (a := rounded (Rabs x * ey)) in *. assert (B := counted _ B0). set (b := rounded (size * ex)) in *.
   assert (Ba : 0 <= a) by (apply not_negative_rounded; assumption). assert (Bb : 0 <= b) by (apply not_negative_rounded; assumption).
-  assert (C1 := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. assert (Bm : 0 <= m) by (apply not_negative_rounded; lra).
+  assert (C := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. split; [apply not_negative_rounded; lra|].
+  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
+  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
+  replace (x * y - x' * y') with (x * (y - y') + y' * (x - x')) by ring.
+  assert (M : Rabs (x * (y - y') + y' * (x - x')) <= s * ((Rabs x * ey + Y1 * ex) / 2 ^ 53)).
+  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
+  eapply Rle_trans; [exact M|]. assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by (clearbody m a b size Y1; unfold unit53 in *; lra).
+  apply Rmult_le_compat_l with (r := s) in K; [|lra]. assert (s * underflow <= (1 + 3 / 2 ^ 22) * underflow) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+Theorem enclosing_rules__product : Statements.enclosing_rules__product.
+Proof.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING. destruct (product_moved s x ex x' y ey y') as [Bm M]; try assumption. set (m := rounded (rounded (_ * ey) + _)) in *.
+  assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
   assert (C2 := counted_sum (Rabs t) least ltac:(is_float64) F (Rabs_pos t) ltac:(lra)). set (o := rounded (Rabs t + least)) in *. assert (Bo : 0 <= o) by (apply not_negative_rounded; generalize (Rabs_pos t); lra).
   assert (C := counted_sum m o ltac:(is_float64) ltac:(is_float64) Bm Bo). set (c := rounded (m + o)) in *.
   split; [is_float64 | split; [apply not_negative_rounded; lra|]].
-  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
-  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
-  apply enough with (Rabs x * ey + Y1 * ex) (Rabs t) underflow; try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody a b m o c t size Y1; unfold unit53 in *; lra|].
-  replace (t - x' * y') with ((t - x * y) + (x * (y - y') + y' * (x - x'))) by ring. eapply Rle_trans; [apply Rabs_triang|].
-  assert (M : Rabs (x * (y - y') + y' * (x - x')) <= Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))).
-  { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
-  lra.
+  apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody m o c t; unfold unit53 in *; lra|].
+  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. eapply Rle_trans; [apply Rabs_triang|]. lra.
 Qed.
 
 Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).

@@ -92,7 +92,7 @@ End program.
 Ltac lines := unfold angle, half_plane, first_quadrant, first_octant, small_part, arctangent_tail, ratio_squared, ratio, denominator, node_correction, node_value, node, steep, middle, smaller, larger.
 End angle_in_half_turns_float64.
 
-Module exponential_in_range_float64.
+Module exponential_of_sum_float64.
 Section program.
 Variables product product_error : R.
 Definition whole := rint (rounded ((3248660424278399 / 2251799813685248) * product)).
@@ -106,10 +106,10 @@ Definition exponential_tail := rounded (rounded (rounded (away * rounded (rounde
 Definition departure_low := rounded (away_error + rounded (away_squared * exponential_tail)).
 Definition departure := rounded (away + departure_low).
 Definition exponential_near := rounded (departure + 1).
-Definition exponential := rounded (exponential_near * power_of_two whole).
+Definition exponential := (if Rlt_dec 709 product then (real p_infty) else (if Rlt_dec product (-708) then 0 else rounded (exponential_near * power_of_two whole))).
 End program.
 Ltac lines := unfold exponential, exponential_near, departure, departure_low, exponential_tail, away_squared, away_error, away_gained, away, away_low, away_high, whole.
-End exponential_in_range_float64.
+End exponential_of_sum_float64.
 
 Module perturbed_float64.
 Section program.
@@ -322,6 +322,33 @@ Definition nearest_error := rounded (9007199254740992 * (if both (Rle_dec (Rabs 
 End program.
 Ltac lines := unfold nearest_error, nearest.
 End enclosed_nearest_float64.
+
+Module enclosed_sine_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition sine := sine_of_half_turns_float64.sine (two_product_float64.product x y) (two_product_float64.product_error x y).
+Definition sine_error := rounded (9007199254740992 * (rounded ((rounded ((if Rlt_dec (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) 2 then (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) else 2) + (rounded ((rounded ((5674535530486825 / 10141204801825835211973625643008) * (Rabs (sine_of_half_turns_float64.sine (two_product_float64.product x y) (two_product_float64.product_error x y))))) + (1 / 2 ^ 1060))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold sine_error, sine.
+End enclosed_sine_float64.
+
+Module enclosed_cosine_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition cosine := cosine_of_half_turns_float64.cosine (two_product_float64.product x y) (two_product_float64.product_error x y).
+Definition cosine_error := rounded (9007199254740992 * (rounded ((rounded ((if Rlt_dec (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) 2 then (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) else 2) + (rounded ((rounded ((5674535530486825 / 10141204801825835211973625643008) * (Rabs (cosine_of_half_turns_float64.cosine (two_product_float64.product x y) (two_product_float64.product_error x y))))) + (1 / 2 ^ 1060))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold cosine_error, cosine.
+End enclosed_cosine_float64.
+
+Module enclosed_exponential_float64.
+Section program.
+Variables x x_error : R.
+Definition exponential := exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1).
+Definition exponential_error := rounded (9007199254740992 * (rounded ((rounded ((if Rbar_lt_dec (Finite (rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error))))) p_infty then (if Rlt_dec (if Rlt_dec 0 (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else 0) (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else (if Rlt_dec 0 (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else 0)) else (real p_infty)) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (1 / 2 ^ 1020))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold exponential_error, exponential.
+End enclosed_exponential_float64.
 
 Module enclosed_selection_float64.
 Section program.

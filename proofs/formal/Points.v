@@ -12,11 +12,6 @@ Theorem elementary_functions__two_product__point : exists a b : R, float64 a /\ 
 Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
 Theorem roundoff_bound__of_any_height__point : exists (h h1 : R -> R) (L : R), (forall w, is_derive h w (h1 w)) /\ forall w, Rabs (h1 w) <= L.
 Proof. exists sin, cos, 1. split; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound]. Qed.
-Theorem roundoff_bound__of_the_kernel__point : exists a b : R, float64 a /\ float64 b /\ a <> b /\ bpow radix2 (-1021) <= Rabs (a - b).
-Proof.
-  exists (bpow radix2 0), 0. split; [apply generic_format_bpow; easy | split; [apply generic_format_0|]]. rewrite Rminus_0_r, Rabs_pos_eq by apply bpow_ge_0.
-  split; [apply Rgt_not_eq, bpow_gt_0 | apply bpow_le; easy].
-Qed.
 Theorem clamped_difference__of_any_height__point : exists (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\
   forall w x, 0 <= w <= v + epsilon -> 0 <= x <= v + epsilon -> Rabs (h1 w - h1 x) <= S * Rabs (w - x).
 Proof. exists (fun w => w ^ 2 / 2), (fun w => w), 0, 1, 1. split; [intro; auto_derive; trivial; field | split; [lra | split; [lra | intros; lra]]]. Qed.

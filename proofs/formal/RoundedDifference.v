@@ -12,10 +12,7 @@ Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
 Proof. unfold unit_roundoff. change (bpow radix2 (-53 + 1)) with (/ IZR (2 ^ 52)). simpl. lra. Qed.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
-  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & y & D & Y & _ & E). exists d, y. split; [|split; [|exact E]].
-  - rewrite <- unit_roundoff_is. exact D.
-  - eapply Rle_trans; [exact Y|]. apply Rle_trans with (bpow radix2 (-100)); [|simpl; lra].
-    generalize (bpow_le radix2 (-1074) (-100) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+  destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
 Qed.
 Lemma half_near (x : R) : float64 x -> Rabs (rounded (1 / 2 * x) - x / 2) <= 2 / 2 ^ 100.
 Proof.

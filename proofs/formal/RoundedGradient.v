@@ -128,6 +128,16 @@ Proof.
   apply Rabs_le_between in E. lra.
 Qed.
 
+Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
+Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
+(* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
+Lemma in_each_quadrant (F : R -> R -> Prop) (q : Z) (s c s' c' : R) : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) ->
+  F (match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end) (match (q mod 4)%Z with 0%Z => s' | 1%Z => c' | 2%Z => - s' | _ => - c' end) /\
+  F (match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end) (match (q mod 4)%Z with 0%Z => c' | 1%Z => - s' | 2%Z => - c' | _ => s' end).
+Proof.
+  intros S C N. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
+Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Section product.
 Variables a b : R.
@@ -174,15 +184,10 @@ Proof.
   - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
     eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
-Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
-Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
-  destruct (sine_printed p e product_is_float64) as [-> ->]. fold r s c.
-  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
-  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply of_opposites; assumption.
+  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S | exact C | intros; apply of_opposites; assumption].
 Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
@@ -220,10 +225,7 @@ Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
-  destruct (sine_printed p e product_is_float64) as [-> _]. fold r s c.
-  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
-  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K, ?sign_opp, ?sign_of_sine, ?sign_of_cosine; reflexivity.
+  destruct (sine_printed p e product_is_float64) as [-> _]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
 Qed.
 End product.
 
@@ -305,14 +307,15 @@ Proof.
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)
+Lemma not_tiny (w : R) : 10 ^ 285 * Rabs w >= 1 \/ w = 0 -> w = 0 \/ bpow radix2 (-969) <= Rabs w.
+Proof.
+  intros [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [apply pow_lt; lra|]. apply Rle_trans with 1; [|lra].
+  change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
+  apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
+Qed.
 Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) -> carried k x.
 Proof.
-  intros X K L H B U. assert (P : 0 < 10 ^ 285) by (apply pow_lt; lra).
-  split; [exact K|]. split; [exact X|]. split.
-  - destruct U as [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [exact P|]. apply Rle_trans with 1; [|lra].
-    change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
-    apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
-  - rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
+  intros X K L H B U. repeat split; [exact K | exact X | apply not_tiny, U|]. rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
 Qed.
 Theorem gradient_accuracy__sine : Statements.gradient_accuracy__sine.
 Proof.

@@ -707,6 +707,61 @@ Definition enclosing_rules__selection : Prop :=
   0 <= enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error /\
   Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error / 2 ^ 53).
 
+Definition enclosing_rules__sine : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  float64 (enclosed_sine_float64.sine_error x x_error y y_error) /\
+  0 <= enclosed_sine_float64.sine_error x x_error y y_error /\
+  Rabs (enclosed_sine_float64.sine x y - (sin (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sine_float64.sine_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__cosine : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  float64 (enclosed_cosine_float64.cosine_error x x_error y y_error) /\
+  0 <= enclosed_cosine_float64.cosine_error x x_error y y_error /\
+  Rabs (enclosed_cosine_float64.cosine x y - (cos (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_cosine_float64.cosine_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__exponential : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x <= 704 ->
+  x_error <= 2 ^ 55 ->
+  (10 ^ 285 * (Rabs x) >= 1 \/ x = 0) ->
+  float64 (enclosed_exponential_float64.exponential_error x x_error) /\
+  0 <= enclosed_exponential_float64.exponential_error x x_error /\
+  Rabs (enclosed_exponential_float64.exponential x - (exp x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_exponential_float64.exponential_error x x_error / 2 ^ 53).
+
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
   let v_plus := Rmin 1 (epsilon + v) in

@@ -205,13 +205,6 @@ EXPONENTIAL_POLYNOMIAL = Program(
 """What the kernels' exp evaluates once the doublings are taken off."""
 
 
-def exponential_in_range() -> Program:
-    """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
-    *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
-    lines.append((symbol, selection.args[-1].expr))
-    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, lines)
-
-
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
@@ -235,7 +228,7 @@ def float64_source() -> str:
         elementary.sine_of_half_turns,
         elementary.cosine_of_half_turns,
         elementary.angle_in_half_turns,
-        exponential_in_range(),
+        exponential.exponential_of_sum,
         bump.perturbed,
         shading.light_direction,
         shading.light_term,
