@@ -321,34 +321,8 @@ Proof.
   replace (2 / 256) with (sqrt ((2 / 256) ^ 2)) in F by (apply sqrt_pow2; lra). apply sqrt_le_0 in F; lra.
 Qed.
 
-(* A visible point of A has sin phi >= rho (e - R) / (e R). *)
-Lemma pixels_off_the_pole_linear (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  0 <= hit_of_a.discriminant_a x y e r ->
-  sqrt (x ^ 2 + y ^ 2) * (e - r) / (e * r) <= angles_on_a.sin_phi x y e r.
-Proof.
-  intros H O D. destruct (stable_frame__true_angles x y e r H O D) as
-    (t & a & b & _ & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _ & C).
-  pose proof (COS_bound b). pose proof (sqrt_pos (x ^ 2 + y ^ 2)). set (rho := sqrt (x ^ 2 + y ^ 2)) in *.
-  assert (e * (1 - t) <= r).
-  { apply (Rmult_le_reg_r (/ r)); [apply Rinv_0_lt_compat; lra |]. rewrite Rinv_r by lra. unfold Rdiv in C. lra. }
-  apply (Rmult_le_reg_r (e * r)); [nra |].
-  replace (rho * (e - r) / (e * r) * (e * r)) with (rho * (e - r)) by (field; lra).
-  replace (t * rho / r * (e * r)) with (rho * (e * t)) by (field; lra). apply Rmult_le_compat_l; lra.
-Qed.
-
 Lemma pixel_off_axis m n : off_axis (pixel_x m) (pixel_y n) 4.
 Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
-
-(* So sin phi > 0.0044 at every pixel that shows A: the seed's fallback below 10^-4 is never taken. *)
-Lemma pixels_off_the_pole_far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
-  44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 /\
-  ~ angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
-Proof.
-  intros D. pose proof (pixels_off_the_pole_linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
-  pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)).
-  pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
-  assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
-Qed.
 
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.

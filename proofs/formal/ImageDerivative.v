@@ -60,19 +60,6 @@ Qed.
 Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun t => f t * c) x (l * c).
 Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
 
-(* (base^p)' base = p base^p base', for every whole p. *)
-Theorem image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
-  exists slope, is_derive (fun b => base b ^ p) beta slope /\ slope * base beta = INR p * base beta ^ p * base_by_beta.
-Proof.
-  intro D. eexists. split; [apply is_derive_pow, D|]. destruct p as [|p]; [simpl; ring|]. cbn [pred pow]. ring.
-Qed.
-Theorem image_derivative__power__point : exists (base : R -> R) (beta d : R), is_derive base beta d.
-Proof. exists (fun b => b), 0, 1. auto_derive; trivial. Qed.
-Theorem image_derivative__power__false : ~ forall (beta : R) (p : nat), is_derive (fun b => b ^ p) beta (INR p * beta ^ p).
-Proof.
-  intro H. generalize (is_derive_unique _ _ _ (H 2 1%nat)). rewrite (is_derive_unique _ _ 1) by (auto_derive; trivial; simpl; ring). simpl. lra.
-Qed.
-
 Section lines.
 Variables nx ny nz : R -> R.
 Variables beta dx dy dz : R.

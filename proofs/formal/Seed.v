@@ -89,58 +89,11 @@ Qed.
 Theorem seed_pole_rows__beside : Statements.seed_pole_rows__beside.
 Proof. intro F. generalize (F 127 108 ltac:(lra) ltac:(lra) ltac:(lra)). lra. Qed.
 
-(* In the two rows beside the axis the fallback, sin phi < 10^-4, is taken: not at the pixel nearest the axis. *)
-Theorem seed_pole_rows__fallback : ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
-  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
-    angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
-Proof.
-  intros F. assert (D : 0 <= hit_of_a.discriminant_a (pixel_x 127) (pixel_y 108) 4 1).
-  { rewrite discriminant_a_value by (lra || apply pixel_off_axis). rewrite pixel_value. lra. }
-  apply (proj2 (pixels_off_the_pole_far 127 108 D)). apply F; lia || exact D.
-Qed.
-
-(* sin phi is more than 0.0044 there, as everywhere. *)
-Theorem seed_pole_rows__fallback__false : ~ ~ forall m n : Z, (0 <= m <= 255)%Z -> (108 <= n <= 109)%Z ->
-  0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
-    44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1.
-Proof. intros N. apply N. intros m n _ _ D. apply (pixels_off_the_pole_far m n D). Qed.
-
 Theorem seed_orientation__left_handed : Statements.seed_orientation__left_handed.
 Proof. intro F. generalize (F 0 1 1 0 ltac:(lra)). lra. Qed.
 
 Theorem seed_bump_as_displacement__parallel : Statements.seed_bump_as_displacement__parallel.
 Proof. intro F. generalize (F 1 0 1 1 1 1 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra. Qed.
-
-Ltac both_normals := displaced_normal.lines; bumped_normal.lines; unit_normal.lines.
-
-(* N' is the normal of the displaced surface, D = k M with k > 0: not at theta = 0, phi = pi/2,
-   h = 0, beta = h_u = h_v = 1. *)
-Theorem seed_bump_as_displacement__same_direction : ~ forall theta phi h_u h_v beta h : R,
-  0 < sin phi -> 0 < 1 + beta * h -> exists k, 0 < k /\
-  displaced_normal.displaced_x (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h =
-    k * bumped_normal.m_x (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta /\
-  displaced_normal.displaced_y (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta h =
-    k * bumped_normal.m_y (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta /\
-  displaced_normal.displaced_z (cos phi) (sin phi) h_u h_v beta h =
-    k * bumped_normal.m_z (cos phi) (sin phi) h_u h_v beta.
-Proof.
-  intros F. destruct (F 0 (PI / 2) 1 1 1 0) as (k & P & _ & Y & _); rewrite ?sin_PI2; try lra. revert Y. both_normals.
-  rewrite cos_0, sin_0, cos_PI2, sin_PI2. pose proof PI_RGT_0. intro Y. field_simplify in Y; [| lra].
-  assert (0 < 1 / (2 * PI)) by (apply Rdiv_lt_0_compat; lra). lra.
-Qed.
-
-(* They have the same direction where h_u = h_v = 0. *)
-Theorem seed_bump_as_displacement__same_direction__false : ~ ~ forall theta phi beta h : R,
-  0 < sin phi -> 0 < 1 + beta * h -> exists k, 0 < k /\
-  displaced_normal.displaced_x (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta h =
-    k * bumped_normal.m_x (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta /\
-  displaced_normal.displaced_y (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta h =
-    k * bumped_normal.m_y (cos theta) (sin theta) (cos phi) (sin phi) 0 0 beta /\
-  displaced_normal.displaced_z (cos phi) (sin phi) 0 0 beta h = k * bumped_normal.m_z (cos phi) (sin phi) 0 0 beta.
-Proof.
-  intros N. apply N. intros theta phi beta h S L. exists (1 + beta * h). pose proof PI_RGT_0. split; [exact L |].
-  both_normals. repeat split; field; lra.
-Qed.
 
 Theorem seed_step_in_beta__verifies : Statements.seed_step_in_beta__verifies.
 Proof.
