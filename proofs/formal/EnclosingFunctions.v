@@ -38,33 +38,33 @@ Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra).
 
 (* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
 Section half_turns.
-Variables (f g : R -> R) (F : R).
-Hypothesis derivative : forall x, is_derive f x (g x).
-Hypothesis slope : forall x, -1 <= g x <= 1.
-Hypothesis range : forall x, -1 <= f x <= 1.
+Variables (wave wave_slope : R -> R) (computed_wave : R).
+Hypothesis wave_derivative : forall x, is_derive wave x (wave_slope x).
+Hypothesis wave_steep : forall x, -1 <= wave_slope x <= 1.
+Hypothesis wave_range : forall x, -1 <= wave x <= 1.
 Lemma half_turns_rule (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
-  near_relative (19/4) F (f (PI * (x * y))) ->
+  near_relative (19/4) computed_wave (wave (PI * (x * y))) ->
   let moved := rounded (7074237752028453 / 2251799813685248 * rounded (ROUNDING * rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)))) in
-  let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5674535530486825 / 10141204801825835211973625643008 * Rabs F) + least)) * SLACK)) in
-  float64 c /\ 0 <= c /\ Rabs (F - f (PI * (x' * y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+  let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5674535530486825 / 10141204801825835211973625643008 * Rabs computed_wave) + least)) * SLACK)) in
+  float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' * y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
   intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded (rounded (_ * ey) + _)) in *.
   destruct (bound_of s m S1 S2 M0) as [B _]. assert (T := proj1 underflow_in_least).
   assert (P : 0 <= ROUNDING * m) by (unfold ROUNDING; lra). assert (C1 := counted _ P). assert (N1 := not_negative_rounded _ P). set (b := rounded (ROUNDING * m)) in *.
   set (h := 7074237752028453 / 2251799813685248) in *. assert (C2 := counted (h * b) ltac:(unfold h; lra)). assert (N2 := not_negative_rounded (h * b) ltac:(unfold h; lra)). set (t := rounded (h * b)) in *.
   assert (Q : PI <= h * (1 - 2 * unit53)) by (unfold h, unit53; interval with (i_prec 100)).
-  assert (D : Rabs (f (PI * (x * y)) - f (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
-  { eapply Rle_trans; [exact (moved_by_at_most f g 1 _ _ derivative (fun x => Rabs_le _ _ (slope x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
+  assert (D : Rabs (wave (PI * (x * y)) - wave (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
+  { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
     apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h, unit53 in *; lra].
     apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. unfold ROUNDING, unit53 in *. lra. }
-  unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := f (PI * (x * y))) in *.
-  assert (G : Rabs e <= Rabs F + Rabs (F - e)) by (generalize (Rabs_triang_inv e F); rewrite (Rabs_minus_sym e F); lra). assert (A := Rabs_pos F).
-  assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least F least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
+  unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := wave (PI * (x * y))) in *.
+  assert (G : Rabs e <= Rabs computed_wave + Rabs (computed_wave - e)) by (generalize (Rabs_triang_inv e computed_wave); rewrite (Rabs_minus_sym e computed_wave); lra). assert (A := Rabs_pos computed_wave).
+  assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least computed_wave least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
   apply made_a_count; [exact S1 | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | exact Fo | exact Po |].
-  set (own := rounded (rounded (_ * Rabs F) + least)) in *. apply Rle_trans with (Rabs (F - e) + Rabs (e - f (PI * (x' * y'))) + 4 * underflow).
-  { apply Rplus_le_compat_r. replace (F - f (PI * (x' * y'))) with ((F - e) + (e - f (PI * (x' * y')))) by ring. apply Rabs_triang. }
-  assert (H : Rabs (e - f (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
-  { destruct Rlt_dec; [exact D|]. generalize (range (PI * (x * y))) (range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
+  set (own := rounded (rounded (_ * Rabs computed_wave) + least)) in *. apply Rle_trans with (Rabs (computed_wave - e) + Rabs (e - wave (PI * (x' * y'))) + 4 * underflow).
+  { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
+  assert (H : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
+  { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
   set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. unfold unit53 in *. lra.
 Qed.
 End half_turns.

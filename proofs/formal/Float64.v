@@ -142,6 +142,23 @@ End program.
 Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End light_direction_float64.
 
+Module blinn_highlight_float64.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R.
+Definition halfway_length := rounded (sqrt (rounded (rounded (rounded (halfway_x * halfway_x) + rounded (halfway_y * halfway_y)) + rounded (halfway_z * halfway_z)))).
+Definition specular_base := (if Rlt_dec 0 halfway_length then Rmax 0 (rounded (rounded (rounded (rounded (bumped_x * halfway_x) + rounded (bumped_y * halfway_y)) + rounded (bumped_z * halfway_z)) / halfway_length)) else 0).
+End program.
+Ltac lines := unfold specular_base, halfway_length.
+End blinn_highlight_float64.
+
+Module phong_highlight_float64.
+Section program.
+Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.
+Definition specular_base := Rmax 0 (rounded (rounded (rounded (rounded (rounded (2 * mu) * rounded (rounded (rounded (bumped_x * view_x) + rounded (bumped_y * view_y)) + rounded (bumped_z * view_z))) - rounded (towards_x * view_x)) - rounded (towards_y * view_y)) - rounded (towards_z * view_z))).
+End program.
+Ltac lines := unfold specular_base.
+End phong_highlight_float64.
+
 Module light_term_float64.
 Section program.
 Variables red green blue light_red light_green light_blue albedo_red albedo_green albedo_blue kd ks mu specular : R.

@@ -447,6 +447,23 @@ End program.
 Ltac lines := unfold specular_base, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End phong.
 
+Module blinn_highlight.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R.
+Definition halfway_length := sqrt (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2).
+Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) 0 else 0.
+End program.
+Ltac lines := unfold specular_base, halfway_length.
+End blinn_highlight.
+
+Module phong_highlight.
+Section program.
+Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.
+Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z).
+End program.
+Ltac lines := unfold specular_base.
+End phong_highlight.
+
 Module highlight.
 Section program.
 Variables specular_base shininess : R.

@@ -3,16 +3,15 @@
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Relative.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding EnclosingRules.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential EnclosingRules.
 From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
 Proof.
-  unfold rounded. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & _ & ->).
-  replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. apply Rplus_le_compat.
-  - apply Rmult_le_compat_r; [apply Rabs_pos | eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]].
-  - eapply Rle_trans; [exact E|]. unfold underflow. generalize (bpow_gt_0 radix2 (-1074)). lra.
+  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
+  apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | unfold unit53; lra] | exact E].
 Qed.
 Lemma rounding_of_positive (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
 Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
@@ -58,13 +57,17 @@ Proof.
   assert (M : (p1 + p2 + p3) * (1 - unit53) - underflow <= s + p3 <= (p1 + p2 + p3) * (1 + unit53) + underflow) by (unfold unit53 in *; lra).
   apply Rabs_le. unfold unit53 in *. lra.
 Qed.
-Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
+Lemma length_rounded : L * (1 - 67/10 * unit53) <= r <= L * (1 + 67/10 * unit53).
 Proof.
   assert (Q := square_of_length). apply Rabs_le_between in Q. assert (V : 0 < L * L) by (apply Rmult_lt_0_compat; lra). assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
-  assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). set (w := sqrt q) in *. unfold c, r.
+  assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). unfold r. set (w := sqrt q) in *.
   assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [unfold unit53; lra | rewrite W; unfold unit53 in *; nra]).
   assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
-  assert (R := rounding_of_positive w Wp). fold w. set (l := rounded w) in *. assert (B : L * (1 - 67/10 * unit53) <= l <= L * (1 + 67/10 * unit53)) by (clearbody l w; unfold unit53 in *; lra).
+  assert (R := rounding_of_positive w Wp). set (l := rounded w) in *. clearbody l w. unfold unit53 in *. lra.
+Qed.
+Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
+Proof.
+  assert (B := length_rounded). unfold c. set (l := r) in *. assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
   assert (lp : 0 < l) by (unfold unit53 in *; lra). assert (J : 1 / l * l = 1) by (field; lra). assert (Jp : 0 < 1 / l) by (apply Rdiv_lt_0_compat; lra). assert (C := rounding_of_positive (1 / l) ltac:(lra)). set (j := 1 / l) in *. set (i := rounded j) in *.
   assert (JL : 1 - 68/10 * unit53 <= j * L <= 1 + 68/10 * unit53).
   { assert (j * (L * (1 - 67/10 * unit53)) <= j * l) by (apply Rmult_le_compat_l; lra). assert (j * l <= j * (L * (1 + 67/10 * unit53))) by (apply Rmult_le_compat_l; lra). unfold unit53 in *. lra. }
@@ -110,6 +113,39 @@ Proof.
   perturbed_float64.lines; perturbed.lines.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). replace (12 / 9007199254740992) with (12 * unit53) by (unfold unit53; lra).
   cbv zeta in H. rewrite !(Rmult_comm (/ L)). split; [|split]; (apply H; [assumption | lra]).
+Qed.
+Lemma positive_part (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
+Proof. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
+(* The highlight's base: Phong's is made of sums and products, *)
+Ltac sums := lazymatch goal with
+  | |- Rabs (rounded (_ + _) - (_ + _)) <= _ => eapply both_error; [find_bound | sums | sums]
+  | |- Rabs (rounded (_ - _) - (_ - _)) <= _ => eapply difference_error; [find_bound | sums | sums]
+  | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply times_error; [find_bound | find_bound | sums | sums]
+  | |- _ => apply no_error end.
+Theorem colour_accuracy__phong : Statements.colour_accuracy__phong.
+Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply positive_part|]. eapply Rle_trans; [sums | interval]. Qed.
+(* and Blinn's divides by a length. *)
+Theorem colour_accuracy__blinn : Statements.colour_accuracy__blinn.
+Proof.
+  red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = hx * hx + hy * hy + hz * hz) by (unfold v; ring). clearbody v.
+  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 / 2 ^ 20 <= L) by (rewrite <- (sqrt_square (1 / 2 ^ 20)) by lra; apply sqrt_le_1_alt; lra).
+  assert (O : forall h, Rabs (h - h) <= 9/4 * unit53 * L) by (intro h; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; unfold unit53; lra).
+  assert (Sx := Rle_0_sqr hx). assert (Sy := Rle_0_sqr hy). assert (Sz := Rle_0_sqr hz). unfold Rsqr in Sx, Sy, Sz. assert (T := underflow_is_small).
+  assert (R := length_rounded hx hy hz hx hy hz L (eq_trans LL V) L1 (O hx) (O hy) (O hz)). blinn_highlight_float64.lines; blinn_highlight.lines. replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring).
+  set (l := rounded (sqrt _)) in *. assert (l0 : 0 < l) by (unfold unit53 in *; lra). destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply positive_part|].
+  assert (P : forall n h, Rabs n <= / 1099511627776 + 1 -> h * h <= L * L -> Rabs (rounded (n * h) - n * h) <= 101/100 * unit53 * L /\ Rabs (n * h) <= 1001/1000 * L).
+  { intros n h N S. assert (A : Rabs h <= L) by (apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]). assert (G : Rabs (n * h) <= 1001/1000 * L) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; lra).
+    split; [|exact G]. assert (E := rounding_error (n * h)). unfold unit53 in *. lra. }
+  destruct (P nx hx Bx ltac:(lra)) as [Ax Gx]. destruct (P ny hy By ltac:(lra)) as [Ay Gy]. destruct (P nz hz Bz ltac:(lra)) as [Az Gz].
+  apply Rabs_le_between in Ax. apply Rabs_le_between in Ay. apply Rabs_le_between in Az. apply Rabs_le_between in Gx. apply Rabs_le_between in Gy. apply Rabs_le_between in Gz.
+  set (a := rounded (nx * hx)) in *. set (b := rounded (ny * hy)) in *. set (c := rounded (nz * hz)) in *. set (gx := nx * hx) in *. set (gy := ny * hy) in *. set (gz := nz * hz) in *. clearbody a b c gx gy gz l. clear - Ax Ay Az Gx Gy Gz T R L1 l0.
+  assert (O1 := rounding_error (a + b)). assert (B1 : Rabs (a + b) <= 201/100 * L) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O1. set (s := rounded (a + b)) in *.
+  assert (O2 := rounding_error (s + c)). assert (B2 : Rabs (s + c) <= 302/100 * L) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O2. set (d := rounded (s + c)) in *.
+  set (z := (gx + gy + gz) / L). assert (Z : z * L = gx + gy + gz) by (unfold z; field; lra). assert (Bz : Rabs z <= 301/100) by (apply Rabs_le; split; apply Rmult_le_reg_r with L; lra).
+  assert (D : - (81/10 * unit53 * L) <= d - z * L <= 81/10 * unit53 * L) by (unfold unit53 in *; lra). assert (E : Rabs (z * (L - l)) <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; [exact Bz | apply Rabs_le; lra]). apply Rabs_le_between in Bz. apply Rabs_le_between in E.
+  assert (Y : - (285/10 * unit53) <= d / l - z <= 285/10 * unit53).
+  { assert (I : (d / l - z) * l = (d - z * L) + z * (L - l)) by (field; lra). set (w := d / l - z) in *. clearbody w z d. unfold unit53 in *. split; apply Rmult_le_reg_r with l; lra. }
+  assert (O3 := rounding_error (d / l)). assert (B3 : Rabs (d / l) <= 302/100) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O3. apply Rabs_le. unfold unit53 in *. lra.
 Qed.
 Theorem colour_accuracy__cosine : Statements.colour_accuracy__cosine.
 Proof.

@@ -279,6 +279,45 @@ Definition colour_accuracy__cosine : Prop :=
   Rabs bumped_z <= / 1099511627776 + 1 ->
   Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 / 9007199254740992.
 
+Definition colour_accuracy__blinn : Prop :=
+  forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 halfway_x ->
+  float64 halfway_y ->
+  float64 halfway_z ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y >= / 1099511627776 ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y <= 2 ^ 900 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z - blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= 32 / 9007199254740992.
+
+Definition colour_accuracy__phong : Prop :=
+  forall bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 view_x ->
+  float64 view_y ->
+  float64 view_z ->
+  float64 towards_x ->
+  float64 towards_y ->
+  float64 towards_z ->
+  float64 mu ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs view_x <= / 1099511627776 + 1 ->
+  Rabs view_y <= / 1099511627776 + 1 ->
+  Rabs view_z <= / 1099511627776 + 1 ->
+  Rabs towards_x <= / 1099511627776 + 1 ->
+  Rabs towards_y <= / 1099511627776 + 1 ->
+  Rabs towards_z <= / 1099511627776 + 1 ->
+  Rabs mu <= / 1099511627776 + 1 ->
+  Rabs (phong_highlight_float64.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu - phong_highlight.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu) <= 56 / 9007199254740992.
+
 Definition colour_accuracy__share_red : Prop :=
   forall red light_red albedo_red kd ks mu specular : R,
   float64 red ->

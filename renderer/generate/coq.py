@@ -231,6 +231,8 @@ def float64_source() -> str:
         exponential.exponential_of_sum,
         bump.perturbed,
         shading.light_direction,
+        shading.blinn_highlight,
+        shading.phong_highlight,
         shading.light_term,
         shading.clip,
     ]
