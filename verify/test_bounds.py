@@ -99,7 +99,7 @@ OPERATIONS = {
     "log": (kernels.log, arb.log, (1.0, 50.0)),
     "power": (kernels.power, arb.__pow__, (1e-6, 1.0), (1e-3, 100.0)),
 }
-"""What is not among the rules that Coq proves (`enclosing_rules`), and what false bounds are of."""
+"""What Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and what false bounds are of."""
 
 
 def escapes(name, count=2000):

@@ -13,7 +13,7 @@ from sympy import Derivative, sqrt
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
-from renderer.generate.statements import proposition
+from renderer.generate.statements import mutants, proposition
 from renderer.whole_files import write_whole
 from verify import formal, survey, vernacular
 from verify.sources import ROOT
@@ -38,12 +38,13 @@ def written(tmp_path, monkeypatch):
 
 
 def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
-    """Each addition has a false variant that is refuted, but of a theorem that is refuted itself."""
+    """Each addition, and each bound, has a false variant that is refuted; but not what a refuted theorem adds."""
     theorems, named = all_theorems(), formal.statements()
     assert formal.PARTLY.keys() <= named.keys()
     for id, found in named.items():
         said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
         assert theorems[id].expected == "refuted" or {f"{name}__false" for name in said} <= {*found.additions}, id
+        assert {name for name in mutants(theorems[id]) if "nearer" in name} <= found.mutants.keys(), id
     for id, accepted in formal.record().items():
         assert formal.whole(theorems[id], accepted) != (id in formal.PARTLY), id
     for theorem in (theorems["normal_limits"], theorems["gradient_accuracy"]):

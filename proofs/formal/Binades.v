@@ -91,7 +91,7 @@ Qed.
 Lemma arguments_in_v (v e : R) : float64 e -> rounded (e + v) <= 1 -> 0 <= rounded (v - e) ->
   central_any_float64.v_plus v e = rounded (e + v) /\ central_any_float64.v_minus v e = rounded (v - e) /\ central_any_float64.span_v v e = 2 * e.
 Proof.
-  intros E A B. unfold central_any_float64.span_v, central_any_float64.v_plus, central_any_float64.v_minus. rewrite Rmin_right, Rmax_right by assumption.
+  intros E A B. central_any_float64.lines. rewrite Rmin_right, Rmax_right by assumption.
   split; [reflexivity | split; [reflexivity|]]. destruct (both _ _) as [_|N]; [apply kept, twice_float64, E|]. exfalso.
   replace (e - v) with (- (v - e)) in N by ring. rewrite rounded_opp in N. lra.
 Qed.

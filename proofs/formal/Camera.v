@@ -36,7 +36,7 @@ Qed.
 
 Lemma rho_a x y e : off_axis x y e -> hit_of_a.rho x y e = sqrt (x ^ 2 + y ^ 2).
 Proof.
-  intros H. unfold hit_of_a.rho, hit_of_a.rho_raw. destruct Rle_dec as [_ | N]; [reflexivity | destruct N; exact H].
+  intros H. hit_of_a.lines. destruct Rle_dec as [_ | N]; [reflexivity | destruct N; exact H].
 Qed.
 
 Lemma rho_a_squared x y e : off_axis x y e -> hit_of_a.rho x y e ^ 2 = x ^ 2 + y ^ 2.
@@ -48,7 +48,7 @@ Proof. nra. Qed.
 Lemma rho_silhouette_squared e r : 0 < r < e ->
   0 < silhouette_of_a.rho_silhouette e r /\ silhouette_of_a.rho_silhouette e r ^ 2 * (e ^ 2 - r ^ 2) = e ^ 2 * r ^ 2.
 Proof.
-  intros H. unfold silhouette_of_a.rho_silhouette, silhouette_of_a.tangent_squared.
+  intros H. silhouette_of_a.lines.
   assert (P : 0 < (e - r) * (e + r)) by nra. pose proof (sqrt_lt_R0 _ P). pose proof (sqrt_sqrt _ (Rlt_le _ _ P)).
   split; [apply Rdiv_lt_0_compat; nra |].
   replace (e ^ 2 - r ^ 2) with ((e - r) * (e + r)) by ring. rewrite <- H1 at 2. field. lra.
@@ -170,7 +170,7 @@ Proof.
   destruct (angle_of (e * (1 - t) / r) (t * rho / r)) as (phi & _ & C2 & S2 & R2).
   { replace (_ + _) with ((e ^ 2 * (1 - t) ^ 2 + t ^ 2 * (rho * rho)) / r ^ 2) by (field; lra). rewrite S.
     unfold on_a, distance2 in M. replace (_ + _) with (r ^ 2) by (rewrite <- M; ring). field. lra. }
-  exists t, theta, phi. unfold point_on_a.point_x, point_on_a.point_y, point_on_a.point_z.
+  exists t, theta, phi. point_on_a.lines.
   rewrite CT, ST, SP, CP, C1, S1, C2, S2. split; [exact T |]. split; [exact M |]. split; [exact R1 |].
   split; [apply R2, N |]. repeat split; try exact N; try (field; lra).
 Qed.
@@ -272,7 +272,7 @@ Definition pixel_y (n : Z) := image_point.y (IZR n) 256 (image_extent.half 4 1).
 Lemma pixel_value m n : pixel_x m ^ 2 + pixel_y n ^ 2 =
   5 / 3 * (((2 * IZR m - 255) / 256) ^ 2 + ((1083 - 10 * IZR n) / 1280) ^ 2).
 Proof.
-  unfold pixel_x, pixel_y, image_point.x, image_point.y, image_extent.half, image_extent.tangent_squared.
+  unfold pixel_x, pixel_y; image_point.lines; image_extent.lines.
   replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
   pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
   replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
@@ -282,7 +282,7 @@ Qed.
 Theorem pixels_off_the_pole__centre (m n : Z) : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\
   pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
 Proof.
-  unfold pixel_x, pixel_y, image_point.x, image_point.y, image_extent.half, image_extent.tangent_squared.
+  unfold pixel_x, pixel_y; image_point.lines; image_extent.lines.
   replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
   pose proof (sqrt_sqrt 15 ltac:(lra)) as Q. set (q := sqrt 15) in *.
   replace (5 / 4 * 4 * 1 / q) with (q / 3).
@@ -321,34 +321,8 @@ Proof.
   replace (2 / 256) with (sqrt ((2 / 256) ^ 2)) in F by (apply sqrt_pow2; lra). apply sqrt_le_0 in F; lra.
 Qed.
 
-(* A visible point of A has sin phi >= rho (e - R) / (e R). *)
-Lemma pixels_off_the_pole_linear (x y e r : R) : 0 < r < e -> off_axis x y e ->
-  0 <= hit_of_a.discriminant_a x y e r ->
-  sqrt (x ^ 2 + y ^ 2) * (e - r) / (e * r) <= angles_on_a.sin_phi x y e r.
-Proof.
-  intros H O D. destruct (stable_frame__true_angles x y e r H O D) as
-    (t & a & b & _ & _ & _ & _ & (_ & _ & _ & <-) & _ & _ & _ & _ & -> & _ & C).
-  pose proof (COS_bound b). pose proof (sqrt_pos (x ^ 2 + y ^ 2)). set (rho := sqrt (x ^ 2 + y ^ 2)) in *.
-  assert (e * (1 - t) <= r).
-  { apply (Rmult_le_reg_r (/ r)); [apply Rinv_0_lt_compat; lra |]. rewrite Rinv_r by lra. unfold Rdiv in C. lra. }
-  apply (Rmult_le_reg_r (e * r)); [nra |].
-  replace (rho * (e - r) / (e * r) * (e * r)) with (rho * (e - r)) by (field; lra).
-  replace (t * rho / r * (e * r)) with (rho * (e * t)) by (field; lra). apply Rmult_le_compat_l; lra.
-Qed.
-
 Lemma pixel_off_axis m n : off_axis (pixel_x m) (pixel_y n) 4.
 Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
-
-(* So sin phi > 0.0044 at every pixel that shows A: the seed's fallback below 10^-4 is never taken. *)
-Lemma pixels_off_the_pole_far (m n : Z) : 0 <= hit_of_a.discriminant_a (pixel_x m) (pixel_y n) 4 1 ->
-  44 / 10000 < angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 /\
-  ~ angles_on_a.sin_phi (pixel_x m) (pixel_y n) 4 1 < 1 / 10000.
-Proof.
-  intros D. pose proof (pixels_off_the_pole_linear _ _ 4 1 ltac:(lra) (pixel_off_axis m n) D) as L.
-  pose proof (pixels_off_the_pole__raster m n) as P. pose proof (sqrt_pos (34 / 15)).
-  pose proof (sqrt_sqrt (34 / 15) ltac:(lra)).
-  assert (1503 / 1000 < sqrt (34 / 15)) by nra. split; lra.
-Qed.
 
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
@@ -445,7 +419,7 @@ Qed.
 Theorem bump_moves_no_boundary__checker (x y : R) : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
 Proof.
   assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
-  unfold checker.dark, checker.square. rewrite <- plus_IZR.
+  checker.lines. rewrite <- plus_IZR.
   destruct both as [[[X Y] S] | [[X | Y] | S]].
   - split; [intros _ | reflexivity]. apply half_floor in S. apply floor_between in X, Y.
     destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].

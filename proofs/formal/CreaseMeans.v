@@ -77,7 +77,7 @@ Lemma error_in_u (u v k_v epsilon : R) (k : Z) : 0 < IZR k -> 0 < epsilon -> let
   central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v = of_a_hump k_u epsilon (u - nearest k_u u) * Rabs (sin (PI * (k_v * v))).
 Proof.
   intros K E k_u. change (0 < k_u) in K. destruct (near_the_nearest k_u u K) as (m & -> & D). set (d := u - IZR m / k_u) in *. replace u with (IZR m / k_u + d) by (unfold d; ring).
-  rewrite slope_at by assumption. unfold central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus, of_a_hump.
+  rewrite slope_at by assumption. central_ridges.lines; unfold of_a_hump.
   rewrite !Rabs_mult, !wrapped by (left; exists k; reflexivity). replace (epsilon + (IZR m / k_u + d)) with (d + epsilon + IZR m / k_u) by ring. replace (IZR m / k_u + d - epsilon) with (d - epsilon + IZR m / k_u) by ring.
   rewrite !beyond_a_crease by (apply sine_of_whole || lra). replace ((d + epsilon) * PI * k_u) with (PI * (k_u * (d + epsilon))) by ring. replace ((d - epsilon) * PI * k_u) with (PI * (k_u * (d - epsilon))) by ring.
   field. lra.
@@ -87,7 +87,7 @@ Lemma error_in_v (u v k_u k_v epsilon : R) : 0 < k_v -> 0 < epsilon -> 0 <= v - 
 Proof.
   intros K E A B. destruct (near_the_nearest k_v v K) as (m & -> & D). set (d := v - IZR m / k_v) in *.
   assert (V : v = IZR m / k_v + d) by (unfold d; ring). rewrite swapped. clearbody d. subst v. rewrite slope_at by assumption.
-  unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus, of_a_hump.
+  central_ridges.lines; unfold of_a_hump.
   destruct (both _ _) as [_|[H|H]]; [|lra|lra]. rewrite Rmin_right, Rmax_left by lra. rewrite !Rabs_mult.
   replace (epsilon + (IZR m / k_v + d)) with (d + epsilon + IZR m / k_v) by ring. replace (IZR m / k_v + d - epsilon) with (d - epsilon + IZR m / k_v) by ring.
   rewrite !beyond_a_crease by (apply sine_of_whole || lra). replace ((d + epsilon) * PI * k_v) with (PI * (k_v * (d + epsilon))) by ring. replace ((d - epsilon) * PI * k_v) with (PI * (k_v * (d - epsilon))) by ring.
@@ -112,8 +112,8 @@ Proof.
   assert (S : forall w, Rabs (sin (PI * (k_v * (1 - w)))) = Rabs (sin (PI * (k_v * w)))).
   { intro w. replace (PI * (k_v * (1 - w))) with (PI * IZR k + - (PI * (k_v * w))) by (unfold k_v; ring). rewrite sine_of_a_shift, sin_neg. apply Rabs_Ropp. }
   unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus. rewrite !Rabs_mult.
-  assert (A : central_ridges.v_plus (1 - v) epsilon = 1 - central_ridges.v_minus v epsilon) by (unfold central_ridges.v_plus, central_ridges.v_minus, Rmin, Rmax; repeat destruct Rle_dec; lra).
-  assert (B : central_ridges.v_minus (1 - v) epsilon = 1 - central_ridges.v_plus v epsilon) by (unfold central_ridges.v_plus, central_ridges.v_minus, Rmin, Rmax; repeat destruct Rle_dec; lra).
+  assert (A : central_ridges.v_plus (1 - v) epsilon = 1 - central_ridges.v_minus v epsilon) by (central_ridges.lines; unfold Rmin, Rmax; repeat destruct Rle_dec; lra).
+  assert (B : central_ridges.v_minus (1 - v) epsilon = 1 - central_ridges.v_plus v epsilon) by (central_ridges.lines; unfold Rmin, Rmax; repeat destruct Rle_dec; lra).
   assert (D : central_ridges.span_v (1 - v) epsilon = central_ridges.span_v v epsilon) by (unfold central_ridges.span_v; rewrite A, B; destruct (both _ _) as [[]|[]], (both _ _) as [[]|[]]; lra).
   rewrite A, B, D, !S. replace (PI * (k_v * (1 - v))) with (- (PI * (k_v * v)) + PI * IZR k) by (unfold k_v; ring). rewrite sin_plus, cos_plus, sin_neg, cos_neg, sine_of_whole.
   set (c := cos (PI * IZR k)) in *. set (s := sin (PI * (k_v * v))). set (w := sin (PI * (k_u * u))). rewrite !Rmult_0_r, Rminus_0_r, Rplus_0_r.
@@ -267,7 +267,7 @@ Lemma factor_of_u (u v k_u k_v epsilon : R) : central_ridges.h_u u v k_u k_v eps
 Proof.
   unfold error_along_u, central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus. unfold_fields. rewrite !Rabs_mult, sine_of_a_right_angle, Rabs_R1, !Rmult_1_r, sign_mult.
   set (s := sin (PI * (k_v * v))). assert (S := times_its_sign s).
-  rewrite <- S at 3. rewrite <- S. unfold central_ridges.u_plus, central_ridges.u_minus, Rdiv. ring.
+  rewrite <- S at 3. rewrite <- S. central_ridges.lines; unfold Rdiv. ring.
 Qed.
 Lemma factor_of_v (u v k_u k_v epsilon : R) : central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v = error_along_v k_v epsilon v * Rabs (sin (PI * (k_u * u))).
 Proof.
@@ -317,7 +317,7 @@ Lemma mean_in_u : ex_RInt (fun u => error_along_u (INR k) epsilon u ^ 2) 0 1.
 Proof.
   apply (square_has_a_mean k _ (fun u => (Rabs (sin (PI * (INR k * (epsilon + u)))) - Rabs (sin (PI * (INR k * (u - epsilon))))) * / (2 * epsilon)) K).
   - intros x _. reg.
-  - intros u U. unfold error_along_u, central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus. unfold_fields.
+  - intros u U. unfold error_along_u; central_ridges.lines. unfold_fields.
     rewrite !Rabs_mult, !wrapped, sine_of_a_right_angle, Rabs_R1, !Rmult_1_r by (left; exists (Z.of_nat k); apply whole). field. lra.
 Qed.
 Lemma mean_in_v : ex_RInt (fun v => error_along_v (INR k) epsilon v ^ 2) 0 1.

@@ -68,10 +68,10 @@ Theorem straddling__of_the_difference (u v k_u k_v d epsilon : R) (m : Z) : Rabs
 Proof.
   intro A. assert (E : 0 < epsilon) by (generalize (Rabs_pos d); lra). split; intro K.
   - intros B I. generalize (across_a_crease k_u d epsilon m K A B). set (x := IZR m / k_u + d) in *. intro D.
-    unfold central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus. rewrite !Rabs_mult.
+    central_ridges.lines. rewrite !Rabs_mult.
     rewrite (wrapped k_u (epsilon + x)), (wrapped k_u (x - epsilon)), (Rplus_comm epsilon x), <- Rmult_minus_distr_r, D by (destruct I; [left; assumption | right; lra]). field. lra.
   - intros B I J. generalize (across_a_crease k_v d epsilon m K A B). set (x := IZR m / k_v + d) in *. intro D.
-    unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus. rewrite !Rabs_mult.
+    central_ridges.lines. rewrite !Rabs_mult.
     destruct (both _ _) as [_|[H|H]]; [|lra|lra]. rewrite Rmin_right, Rmax_left, (Rplus_comm epsilon x), <- Rmult_minus_distr_l, D by lra. field. lra.
 Qed.
 (* It is not the slope. *)
@@ -249,69 +249,4 @@ Theorem ridges_at_crossings__differentiable__false : ~ forall u v, differentiabl
 Proof.
   intro H. apply (no_derivative_in_u (1/2) 1 1 0); [lra | rewrite sine_of_a_right_angle; lra|]. exists (0 * 1 + 0 * 0). apply is_derive_Reals.
   apply (derivable_pt_lim_comp_2d (fun u v => height_ridges.h u v 1 1) (fun u => u) (fun _ => 1/2)); [apply H | apply derivable_pt_lim_id | apply derivable_pt_lim_const].
-Qed.
-
-(* The seam *)
-
-(* sin(pi k (u + 1)) = (-1)^k sin(pi k u) for whole k. *)
-Lemma seam_parity (k : nat) (u : R) : sin (PI * (INR k * (u + 1))) = (-1) ^ k * sin (PI * (INR k * u)).
-Proof.
-  assert (H : forall n x, sin (PI * INR n + x) = (-1) ^ n * sin x).
-  { induction n as [|n IH]; intro x; [simpl; rewrite Rmult_1_l; f_equal; ring|]. rewrite S_INR.
-    replace (PI * (INR n + 1) + x) with (PI * INR n + x + PI) by ring. rewrite neg_sin, IH. simpl. ring. }
-  rewrite <- H. f_equal. ring.
-Qed.
-(* Across u = 0 sine's height jumps by -sin(pi k_u) sin(pi k_v v), and its slope by pi k_u (1 - cos(pi k_u)) sin(pi k_v v). *)
-Theorem seam__sine_jump (v k_u k_v : R) :
-  height_sine.h 0 v k_u k_v - height_sine.h 1 v k_u k_v = - sin (PI * k_u) * sin (PI * (k_v * v)) /\
-  gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = PI * k_u * (1 - cos (PI * k_u)) * sin (PI * (k_v * v)).
-Proof. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sin_0, cos_0. split; ring. Qed.
-Theorem seam__sine_jump__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
-Proof.
-  intro H. generalize (H (1/2) 1 1) (proj2 (seam__sine_jump (1/2) 1 1)). intros -> E. replace (PI * (1 * (1/2))) with (PI / 2) in E by field.
-  rewrite Rmult_1_r, sin_PI2, cos_PI in E. generalize PI_RGT_0. lra.
-Qed.
-(* cos(pi n) = (-1)^n and sin(pi n) = 0 for whole n. *)
-Theorem seam__whole (n : nat) : cos (PI * INR n) = (-1) ^ n /\ sin (PI * INR n) = 0.
-Proof.
-  induction n as [|n [C S]]; [simpl; rewrite Rmult_0_r, sin_0, cos_0; split; reflexivity|]. rewrite S_INR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, neg_sin, C, S. simpl. split; ring.
-Qed.
-Theorem seam__whole__false : ~ forall n, cos (PI * INR n) = 1.
-Proof. intro H. generalize (H 1%nat). rewrite (proj1 (seam__whole 1)). simpl. lra. Qed.
-Lemma cosine_of_even (n : Z) : cos (PI * IZR (2 * n)) = 1.
-Proof. rewrite mult_IZR. replace (PI * (2 * IZR n)) with (2 * (PI * IZR n)) by ring. rewrite cos_2a_sin, sine_of_whole. ring. Qed.
-Lemma cosine_of_odd (n : Z) : cos (PI * IZR (2 * n + 1)) = -1.
-Proof. rewrite plus_IZR, Rmult_plus_distr_l, Rmult_1_r, neg_cos, cosine_of_even. reflexivity. Qed.
-(* For even k_u, of either sign, nothing jumps; for odd k_u the slope in u alone does, by 2 pi k_u sin(pi k_v v). *)
-Theorem seam__even_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n) in
-  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v /\
-  gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v.
-Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_even, sin_0, cos_0. repeat split; ring. Qed.
-Theorem seam__odd_slopes (v k_v : R) (n : Z) : let k_u := IZR (2 * n + 1) in
-  height_sine.h 0 v k_u k_v = height_sine.h 1 v k_u k_v /\ gradient_sine.h_v 0 v k_u k_v = gradient_sine.h_v 1 v k_u k_v /\
-  gradient_sine.h_u 0 v k_u k_v - gradient_sine.h_u 1 v k_u k_v = 2 * PI * k_u * sin (PI * (k_v * v)).
-Proof. cbv zeta. unfold_fields. rewrite !Rmult_0_r, !Rmult_1_r, sine_of_whole, cosine_of_odd, sin_0, cos_0. repeat split; ring. Qed.
-(* Ridges is 0 on the seam for whole k_u, and even about it, as on a crease. *)
-Theorem seam__ridges_even (s v k_v : R) (k : Z) :
-  height_ridges.h 0 v (IZR k) k_v = 0 /\ height_ridges.h 1 v (IZR k) k_v = 0 /\ height_ridges.h (1 - s) v (IZR k) k_v = height_ridges.h s v (IZR k) k_v /\
-  height_ridges.h s v (IZR k) k_v ^ 2 = sin (PI * (IZR k * s)) ^ 2 * sin (PI * (k_v * v)) ^ 2.
-Proof.
-  assert (H : forall t, Rabs (sin (PI * (IZR k * (1 - t)))) = Rabs (sin (PI * (IZR k * t)))).
-  { intro t. replace (PI * (IZR k * (1 - t))) with (PI * IZR k + - (PI * (IZR k * t))) by ring. rewrite sine_of_a_shift, sin_neg, Rabs_Ropp. reflexivity. }
-  unfold_fields. rewrite pow2_abs, !Rabs_mult, (H s), <- (H 1). replace (1 - 1) with 0 by ring. rewrite !Rmult_0_r, sin_0, Rabs_R0. repeat split; ring.
-Qed.
-(* Rings does not depend on u: u is in no line of its height, and its slope in u and its central difference are 0. *)
-Theorem seam__rings_whole (v k_v epsilon : R) : height_rings.h v k_v = sin (PI * (2 * k_v * v)) /\ gradient_rings.h_u = 0 /\ central_rings.h_u v k_v epsilon = 0.
-Proof. unfold central_rings.h_u, central_rings.h_u_plus, central_rings.h_u_minus, Rdiv. repeat split; ring. Qed.
-(* Sine does. *)
-Theorem seam__rings_whole__false : ~ forall u v k_u k_v, gradient_sine.h_u u v k_u k_v = 0.
-Proof. intro H. apply gradients__on_creases__false. intros u v k_u k_v _. apply H. Qed.
-(* Sine's height is periodic for even k_u: h(u + 1, v) = h(u, v). *)
-Theorem seam__even_period (u v k_v : R) (n : Z) : height_sine.h (u + 1) v (IZR (2 * n)) k_v = height_sine.h u v (IZR (2 * n)) k_v.
-Proof. unfold_fields. rewrite Rmult_plus_distr_l, Rmult_1_r, Rmult_plus_distr_l, sin_plus, sine_of_whole, cosine_of_even. ring. Qed.
-(* Ridges jumps where neither sin(pi k_u) nor sin(pi k_v v) is 0. *)
-Theorem seam__ridges_jumps (v k_u k_v : R) : sin (PI * k_u) <> 0 -> sin (PI * (k_v * v)) <> 0 -> height_ridges.h 0 v k_u k_v = 0 /\ 0 < height_ridges.h 1 v k_u k_v.
-Proof.
-  intros A B. unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0, Rmult_1_r. split; [reflexivity|].
-  apply Rabs_pos_lt. intro E. apply Rmult_integral in E. destruct E; contradiction.
 Qed.

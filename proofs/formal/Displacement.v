@@ -101,10 +101,7 @@ Definition G : vector := vector_sum (scaled (h_u / (2 * PI * sin phi)) (e_theta 
 End displaced.
 
 Ltac unfold_displaced :=
-  unfold displaced, G, displaced_normal.displaced_x, displaced_normal.displaced_y, displaced_normal.displaced_z, displaced_normal.lift,
-    displaced_normal.normal_x, displaced_normal.normal_y, displaced_normal.normal_z, displaced_normal.e_theta_x, displaced_normal.e_theta_y,
-    displaced_normal.e_theta_z, displaced_normal.e_phi_x, displaced_normal.e_phi_y, displaced_normal.e_phi_z, displaced_normal.h_theta,
-    displaced_normal.h_phi.
+  unfold displaced, G; displaced_normal.lines.
 
 Lemma displaced_in_frame (theta phi h_u h_v beta h : R) : 0 < sin phi ->
   displaced theta phi h_u h_v beta h = vector_sum (scaled (1 + beta * h) (normal_at theta phi)) (scaled (- beta) (G theta phi h_u h_v)).

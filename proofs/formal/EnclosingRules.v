@@ -28,15 +28,12 @@ Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
 Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.
 Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
 Proof.
-  unfold rounded at 1. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & Z & R).
-  assert (R' : rounded x = x * (1 + d) + e) by exact R. rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
-  assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]).
-  assert (E' : Rabs e <= underflow) by (eapply Rle_trans; [exact E|]; unfold underflow; generalize (bpow_gt_0 radix2 (-1074)); lra).
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E'].
+  destruct (rounding x) as (d & e & D & E & Z & R). rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
+  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E]. apply Rabs_le_between in D.
   apply Rmult_integral in Z. destruct Z as [-> | ->].
   - rewrite Rmult_0_r, Rabs_R0. apply Rmult_le_pos; [unfold unit53; lra | apply Rabs_pos].
-  - rewrite R', Rplus_0_r, !Rabs_mult. assert (P : 1 - unit53 <= Rabs (1 + d)) by (apply Rabs_le_between in D'; rewrite Rabs_pos_eq; unfold unit53 in *; lra).
-    assert (0 <= Rabs x * (Rabs (1 + d) - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
+  - rewrite Rplus_0_r, !Rabs_mult, (Rabs_pos_eq (1 + d)) by lra. assert (Rabs d <= unit53) by (unfold unit53; apply Rabs_le; lra).
+    assert (0 <= Rabs x * (1 + d - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | unfold unit53; lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
 Qed.
 Lemma own_rounding_of_sum (a b : R) : float64 a -> float64 b -> Rabs (rounded (a + b) - (a + b)) <= unit53 * Rabs (rounded (a + b)).
 Proof.
@@ -67,7 +64,7 @@ Qed.
 
 Theorem enclosing_rules__sum : Statements.enclosing_rules__sum.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. unfold enclosed_sum_float64.total_error, enclosed_sum_float64.total.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. enclosed_sum_float64.lines.
   assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *. assert (T : float64 t) by is_float64.
   assert (C1 := counted_sum ex ey Ex Ey Px Py). set (e := rounded (ex + ey)) in *. assert (E : float64 e) by is_float64. assert (0 <= e) by (apply not_negative_rounded; lra).
   assert (C := counted_sum e (Rabs t) E ltac:(is_float64) ltac:(assumption) (Rabs_pos t)). set (c := rounded (e + Rabs t)) in *.
@@ -91,28 +88,34 @@ Proof.
   generalize (counted_sum (Rabs y) z ltac:(is_float64) ltac:(is_float64) (Rabs_pos y) Z) (proj1 underflow_in_least). unfold unit53 in *. lra.
 Qed.
 
-Theorem enclosing_rules__product : Statements.enclosing_rules__product.
+(* How far a product moves where its factors do. *)
+Lemma product_moved (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
+  let m := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)) in 0 <= m /\ Rabs (x * y - x' * y') <= s * (m / 2 ^ 53) * (1 + 4 * unit53) + 2 ^ 9 * underflow.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. unfold enclosed_product_float64.product_error, enclosed_product_float64.product. fold ROUNDING.
-  destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *.
-  assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *.
-  assert (F : float64 least) by exact least_is_float64.
-  clearbody least. assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
+  intros S1 S2 Y Px Dx Py Dy L. destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. cbv zeta.
+  assert (T := proj1 underflow_in_least). assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
   assert (Sz : 0 <= size) by (apply not_negative_rounded; assert (0 <= rounded (ROUNDING * ey)) by (apply not_negative_rounded; unfold ROUNDING; lra); generalize (Rabs_pos y); lra).
   assert (A0 : 0 <= Rabs x * ey) by (apply Rmult_le_pos; [apply Rabs_pos | assumption]). assert (B0 : 0 <= size * ex) by (apply Rmult_le_pos; assumption). assert (Q0 : 0 <= Y1 * ex) by (apply Rmult_le_pos; assumption).
   assert (A := counted _ A0). set (a := rounded (Rabs x * ey)) in *. assert (B := counted _ B0). set (b := rounded (size * ex)) in *.
   assert (Ba : 0 <= a) by (apply not_negative_rounded; assumption). assert (Bb : 0 <= b) by (apply not_negative_rounded; assumption).
-  assert (C1 := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. assert (Bm : 0 <= m) by (apply not_negative_rounded; lra).
+  assert (C := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. split; [apply not_negative_rounded; lra|].
+  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
+  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
+  replace (x * y - x' * y') with (x * (y - y') + y' * (x - x')) by ring.
+  assert (M : Rabs (x * (y - y') + y' * (x - x')) <= s * ((Rabs x * ey + Y1 * ex) / 2 ^ 53)).
+  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
+  eapply Rle_trans; [exact M|]. assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by (clearbody m a b size Y1; unfold unit53 in *; lra).
+  apply Rmult_le_compat_l with (r := s) in K; [|lra]. assert (s * underflow <= (1 + 3 / 2 ^ 22) * underflow) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+Theorem enclosing_rules__product : Statements.enclosing_rules__product.
+Proof.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING. destruct (product_moved s x ex x' y ey y') as [Bm M]; try assumption. set (m := rounded (rounded (_ * ey) + _)) in *.
+  assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
   assert (C2 := counted_sum (Rabs t) least ltac:(is_float64) F (Rabs_pos t) ltac:(lra)). set (o := rounded (Rabs t + least)) in *. assert (Bo : 0 <= o) by (apply not_negative_rounded; generalize (Rabs_pos t); lra).
   assert (C := counted_sum m o ltac:(is_float64) ltac:(is_float64) Bm Bo). set (c := rounded (m + o)) in *.
   split; [is_float64 | split; [apply not_negative_rounded; lra|]].
-  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
-  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
-  apply enough with (Rabs x * ey + Y1 * ex) (Rabs t) underflow; try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody a b m o c t size Y1; unfold unit53 in *; lra|].
-  replace (t - x' * y') with ((t - x * y) + (x * (y - y') + y' * (x - x'))) by ring. eapply Rle_trans; [apply Rabs_triang|].
-  assert (M : Rabs (x * (y - y') + y' * (x - x')) <= Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))).
-  { eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
-  lra.
+  apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody m o c t; unfold unit53 in *; lra|].
+  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. eapply Rle_trans; [apply Rabs_triang|]. lra.
 Qed.
 
 Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).
@@ -143,7 +146,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__root : Statements.enclosing_rules__root.
 Proof.
-  red. intros s x e x' S1 S2 X E P D X0 X0'. unfold enclosed_root_float64.root_error, enclosed_root_float64.root. destruct underflow_in_least as [T _].
+  red. intros s x e x' S1 S2 X E P D X0 X0'. enclosed_root_float64.lines. destruct underflow_in_least as [T _].
   set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. assert (O : Rabs (r - sqrt x) <= (1 + 4 * unit53) * unit53 * r).
   { destruct (Rle_lt_or_eq_dec 0 x ltac:(lra)) as [Xp|Xz]; [apply (own_rounding_of_root x X Xp)|]. unfold r. rewrite <- Xz, sqrt_0, rounded_0, Rminus_0_r, Rabs_R0. lra. }
   destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
@@ -176,7 +179,7 @@ Qed.
 
 Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. unfold enclosed_quotient_float64.quotient_error, enclosed_quotient_float64.quotient. fold ROUNDING.
+  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. enclosed_quotient_float64.lines. fold ROUNDING.
   destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
   destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Z0 : 0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). assert (Z := not_negative_rounded _ Z0). set (z := rounded (ROUNDING * ey)) in *.
   rewrite (Rabs_pos_eq z) in Oz by exact Z. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
@@ -230,7 +233,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__selection : Statements.enclosing_rules__selection.
 Proof.
-  red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. unfold enclosed_selection_float64.chosen_error, enclosed_selection_float64.chosen. fold ROUNDING.
+  red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. enclosed_selection_float64.lines. fold ROUNDING.
   assert (H := decided_apart s a ea a' b eb b' S1 S2 A Ea Pa Da B Eb Pb Db).
   assert (Wx : s * (ex / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ex / 2 ^ 53)) by (assert (0 <= s * ex) by (apply Rmult_le_pos; lra); lra).
   assert (Wy : s * (ey / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ey / 2 ^ 53)) by (assert (0 <= s * ey) by (apply Rmult_le_pos; lra); lra).
@@ -290,7 +293,7 @@ Lemma rounded_abs (x : R) : Rabs (rounded x) = rounded (Rabs x).
 Proof. symmetry. apply round_NE_abs. typeclasses eauto. Qed.
 Theorem enclosing_rules__floor : Statements.enclosing_rules__floor.
 Proof.
-  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_floor_float64.below_error, enclosed_floor_float64.below. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
+  red. intros s x e x' S1 S2 X E P D U. enclosed_floor_float64.lines. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
   unfold whole_below at 5. unfold whole_below at 5. apply whole_rule with x x' (Zfloor x - Zfloor x')%Z; try assumption; [symmetry; apply minus_IZR | |].
   - generalize (Zfloor_lb x) (Zfloor_ub x) (Zfloor_lb x') (Zfloor_ub x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros. apply Rabs_le. lra.
   - intros [->|N]; [reflexivity|]. f_equal. symmetry. apply Zfloor_imp. rewrite plus_IZR. generalize (nearest_is_nearest x (Zfloor x)) (nearest_is_nearest x (Zfloor x + 1)) (Zfloor_lb x) (Zfloor_ub x) (Rle_abs (x - x')) (Rabs_maj2 (x - x')).
@@ -298,7 +301,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__nearest : Statements.enclosing_rules__nearest.
 Proof.
-  red. intros s x e x' S1 S2 X E P D U. unfold enclosed_nearest_float64.nearest_error, enclosed_nearest_float64.nearest. fold ROUNDING. assert (H := nearest_half x).
+  red. intros s x e x' S1 S2 X E P D U. enclosed_nearest_float64.lines. fold ROUNDING. assert (H := nearest_half x).
   assert (F : rounded (x - rint x) = x - rint x).
   { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
     eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }

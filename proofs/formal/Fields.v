@@ -35,12 +35,6 @@ Proof. claim. Qed.
 Theorem gradients__same_sign_below : Statements.gradients__same_sign_below.
 Proof. claim. Qed.
 
-(* Sine's slopes need not be 0 where ridges is creased. *)
-Lemma gradients__on_creases__false : ~ forall u v k_u k_v, height_sine.h u v k_u k_v = 0 -> gradient_sine.h_u u v k_u k_v = 0.
-Proof.
-  intro H. generalize (H 0 (1/2) 1 1) PI_RGT_0. unfold_fields. replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite !Rmult_0_r, sin_0, cos_0, sin_PI2. lra.
-Qed.
-
 (* The third derivative at k = 8 and k = 4 *)
 Theorem third_derivative_at_eight__at_eight : Statements.third_derivative_at_eight__at_eight.
 Proof. split; [interval | lra]. Qed.
@@ -104,8 +98,7 @@ Theorem central_difference_of_sine__nothing_wraps (u v k_u k_v epsilon : R) : 0 
   central_sine.h_u u v k_u k_v epsilon = difference (fun u => height_sine.h u v k_u k_v) /\
   central_ridges.h_u u v k_u k_v epsilon = difference (fun u => height_ridges.h u v k_u k_v).
 Proof.
-  intros E A B. cbv zeta. unfold central_sine.h_u, central_sine.h_u_plus, central_sine.h_u_minus, central_sine.u_plus, central_sine.u_minus,
-    central_ridges.h_u, central_ridges.h_u_plus, central_ridges.h_u_minus, central_ridges.u_plus, central_ridges.u_minus.
+  intros E A B. cbv zeta. central_sine.lines; central_ridges.lines.
   rewrite !floor_of_a_fraction, !Rminus_0_r by lra. split; reflexivity.
 Qed.
 Theorem central_difference_of_sine__nothing_clamps (u v k_u k_v epsilon : R) : 0 < epsilon -> 0 <= v - epsilon -> epsilon + v <= 1 ->
@@ -115,9 +108,7 @@ Theorem central_difference_of_sine__nothing_clamps (u v k_u k_v epsilon : R) : 0
   central_rings.h_v v k_v epsilon = difference (fun v => height_rings.h v k_v).
 Proof.
   intros E A B. cbv zeta. destruct (central_difference_of_sine__no_clamp epsilon v) as (P & M & S); try lra.
-  unfold central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus,
-    central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus,
-    central_rings.h_v, central_rings.h_v_plus, central_rings.h_v_minus, central_rings.span_v, central_rings.v_plus, central_rings.v_minus.
+  central_sine.lines; central_ridges.lines; central_rings.lines.
   rewrite S, P, M. repeat split; reflexivity.
 Qed.
 Theorem central_difference_of_sine__nothing_wraps__point : exists u epsilon : R, 0 < epsilon /\ 0 <= u - epsilon /\ epsilon + u < 1.
@@ -127,7 +118,7 @@ Proof. exists (1/2), (1/4). lra. Qed.
 Theorem central_difference_of_sine__nothing_wraps__false : ~ forall u v k_u k_v epsilon, 0 < epsilon ->
   central_sine.h_u u v k_u k_v epsilon = 1/2 * (height_sine.h (epsilon + u) v k_u k_v - height_sine.h (u - epsilon) v k_u k_v) / epsilon.
 Proof.
-  intro H. generalize (H 0 (1/2) 1 1 (1/2) ltac:(lra)). unfold central_sine.h_u, central_sine.h_u_plus, central_sine.h_u_minus, central_sine.u_plus, central_sine.u_minus.
+  intro H. generalize (H 0 (1/2) 1 1 (1/2) ltac:(lra)). central_sine.lines.
   rewrite floor_of_a_fraction, (floor_is (-1)) by lra. replace (0 - 1/2 - -1) with (1/2) by field. replace (1/2 + 0 - 0) with (1/2) by ring. unfold_fields.
   replace (PI * (1 * (0 - 1/2))) with (- (PI * (1 * (1/2)))) by field. rewrite Rplus_0_r, sin_neg, !sine_of_a_right_angle. lra.
 Qed.
@@ -135,7 +126,7 @@ Theorem central_difference_of_sine__nothing_clamps__false : ~ forall v k_v epsil
   central_rings.h_v v k_v epsilon = (height_rings.h (epsilon + v) k_v - height_rings.h (v - epsilon) k_v) / (2 * epsilon).
 Proof.
   intro H. generalize (H (1/4) (1/2) (3/4) ltac:(lra)).
-  unfold central_rings.h_v, central_rings.h_v_plus, central_rings.h_v_minus, central_rings.span_v, central_rings.v_plus, central_rings.v_minus.
+  central_rings.lines.
   destruct (both _ _) as [[]|_]; [lra|]. rewrite Rmin_left, Rmax_right by lra. unfold_fields. replace (PI * (2 * (1/2) * 1)) with PI by field.
   replace (PI * (2 * (1/2) * (3/4 + 1/4))) with PI by field. replace (PI * (2 * (1/2) * (1/4 - 3/4))) with (- (PI / 2)) by field. rewrite !Rmult_0_r, sin_0, sin_neg, sin_PI, sin_PI2. lra.
 Qed.

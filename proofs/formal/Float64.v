@@ -23,6 +23,7 @@ Definition error_2 := rounded (rounded (a_high * b_low) + error_1).
 Definition error_3 := rounded (rounded (a_low * b_high) + error_2).
 Definition product_error := rounded (rounded (a_low * b_low) + error_3).
 End program.
+Ltac lines := unfold product_error, error_3, error_2, error_1, b_low, b_high, b_excess, b_split, a_low, a_high, a_excess, a_split, product.
 End two_product_float64.
 
 Module half_turn_polynomials_float64.
@@ -33,6 +34,7 @@ Definition sine_tail := rounded (rounded (z * rounded (rounded (z * rounded (rou
 Definition sine_near := rounded (remainder * rounded (sine_tail + (884279719003555 / 281474976710656))).
 Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
 End program.
+Ltac lines := unfold cosine_near, sine_near, sine_tail, z.
 End half_turn_polynomials_float64.
 
 Module sine_of_half_turns_float64.
@@ -48,6 +50,7 @@ Definition sine_near := rounded (remainder * rounded (sine_tail + (8842797190035
 Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
 Definition sine := (if Rlt_dec quadrant (1 / 2) then sine_near else (if Rlt_dec quadrant (3 / 2) then cosine_near else (if Rlt_dec quadrant (5 / 2) then - sine_near else - cosine_near))).
 End program.
+Ltac lines := unfold sine, cosine_near, sine_near, sine_tail, z, quadrant, remainder, remainder_high, quarters.
 End sine_of_half_turns_float64.
 
 Module cosine_of_half_turns_float64.
@@ -63,6 +66,7 @@ Definition sine_near := rounded (remainder * rounded (sine_tail + (8842797190035
 Definition cosine_near := rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded (z * rounded (rounded ((5080167897815029 / 1180591620717411303424) * z) - (7720929367626383 / 73786976294838206464))) + (8898590864194755 / 4611686018427387904))) - (1859582503162531 / 72057594037927936))) + (8478679513545403 / 36028797018963968))) - (3006744454127613 / 2251799813685248))) + (1142425901258417 / 281474976710656))) - (2778046668940015 / 562949953421312))) + 1).
 Definition cosine := (if Rlt_dec quadrant (1 / 2) then cosine_near else (if Rlt_dec quadrant (3 / 2) then - sine_near else (if Rlt_dec quadrant (5 / 2) then - cosine_near else sine_near))).
 End program.
+Ltac lines := unfold cosine, cosine_near, sine_near, sine_tail, z, quadrant, remainder, remainder_high, quarters.
 End cosine_of_half_turns_float64.
 
 Module angle_in_half_turns_float64.
@@ -85,9 +89,10 @@ Definition first_quadrant := (if Rlt_dec (Rabs abscissa) (Rabs ordinate) then ro
 Definition half_plane := (if Rlt_dec abscissa 0 then rounded (1 - first_quadrant) else first_quadrant).
 Definition angle := (if Rlt_dec ordinate 0 then - half_plane else half_plane).
 End program.
+Ltac lines := unfold angle, half_plane, first_quadrant, first_octant, small_part, arctangent_tail, ratio_squared, ratio, denominator, node_correction, node_value, node, steep, middle, smaller, larger.
 End angle_in_half_turns_float64.
 
-Module exponential_in_range_float64.
+Module exponential_of_sum_float64.
 Section program.
 Variables product product_error : R.
 Definition whole := rint (rounded ((3248660424278399 / 2251799813685248) * product)).
@@ -101,9 +106,10 @@ Definition exponential_tail := rounded (rounded (rounded (away * rounded (rounde
 Definition departure_low := rounded (away_error + rounded (away_squared * exponential_tail)).
 Definition departure := rounded (away + departure_low).
 Definition exponential_near := rounded (departure + 1).
-Definition exponential := rounded (exponential_near * power_of_two whole).
+Definition exponential := (if Rlt_dec 709 product then (real p_infty) else (if Rlt_dec product (-708) then 0 else rounded (exponential_near * power_of_two whole))).
 End program.
-End exponential_in_range_float64.
+Ltac lines := unfold exponential, exponential_near, departure, departure_low, exponential_tail, away_squared, away_error, away_gained, away, away_low, away_high, whole.
+End exponential_of_sum_float64.
 
 Module perturbed_float64.
 Section program.
@@ -117,6 +123,7 @@ Definition bumped_x := rounded (m_scale * m_x).
 Definition bumped_y := rounded (m_scale * m_y).
 Definition bumped_z := rounded (m_scale * m_z).
 End program.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x.
 End perturbed_float64.
 
 Module light_direction_float64.
@@ -132,7 +139,25 @@ Definition towards_y := rounded (light_scale * to_light_y).
 Definition towards_z := rounded (light_scale * to_light_z).
 Definition mu := rounded (rounded (rounded (bumped_x * towards_x) + rounded (bumped_y * towards_y)) + rounded (bumped_z * towards_z)).
 End program.
+Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End light_direction_float64.
+
+Module blinn_highlight_float64.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R.
+Definition halfway_length := rounded (sqrt (rounded (rounded (rounded (halfway_x * halfway_x) + rounded (halfway_y * halfway_y)) + rounded (halfway_z * halfway_z)))).
+Definition specular_base := (if Rlt_dec 0 halfway_length then Rmax 0 (rounded (rounded (rounded (rounded (bumped_x * halfway_x) + rounded (bumped_y * halfway_y)) + rounded (bumped_z * halfway_z)) / halfway_length)) else 0).
+End program.
+Ltac lines := unfold specular_base, halfway_length.
+End blinn_highlight_float64.
+
+Module phong_highlight_float64.
+Section program.
+Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.
+Definition specular_base := Rmax 0 (rounded (rounded (rounded (rounded (rounded (2 * mu) * rounded (rounded (rounded (bumped_x * view_x) + rounded (bumped_y * view_y)) + rounded (bumped_z * view_z))) - rounded (towards_x * view_x)) - rounded (towards_y * view_y)) - rounded (towards_z * view_z))).
+End program.
+Ltac lines := unfold specular_base.
+End phong_highlight_float64.
 
 Module light_term_float64.
 Section program.
@@ -143,6 +168,7 @@ Definition lit_red := rounded (rounded (light_red * rounded (rounded (albedo_red
 Definition lit_green := rounded (green + rounded (light_green * rounded (rounded (albedo_green * diffuse) + shine))).
 Definition lit_blue := rounded (blue + rounded (light_blue * rounded (rounded (albedo_blue * diffuse) + shine))).
 End program.
+Ltac lines := unfold lit_blue, lit_green, lit_red, shine, diffuse.
 End light_term_float64.
 
 Module clip_float64.
@@ -150,6 +176,7 @@ Section program.
 Variables color : R.
 Definition clipped := Rmin 1 (Rmax 0 color).
 End program.
+Ltac lines := unfold clipped.
 End clip_float64.
 
 Module height_sine_float64.
@@ -157,6 +184,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := rounded (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u) * sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v)).
 End program.
+Ltac lines := unfold h.
 End height_sine_float64.
 
 Module gradient_from_factors_sine_float64.
@@ -165,6 +193,7 @@ Variables sin_u cos_u sin_v cos_v k_u k_v : R.
 Definition h_u := rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v).
 Definition h_v := rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u).
 End program.
+Ltac lines := unfold h_v, h_u.
 End gradient_from_factors_sine_float64.
 
 Module gradient_sine_float64.
@@ -177,6 +206,7 @@ Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product
 Definition h_u := rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v).
 Definition h_v := rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u).
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, sin_u, cos_v, cos_u.
 End gradient_sine_float64.
 
 Module height_ridges_float64.
@@ -184,6 +214,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := Rabs (rounded (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u) * sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
 End program.
+Ltac lines := unfold h.
 End height_ridges_float64.
 
 Module gradient_from_factors_ridges_float64.
@@ -192,6 +223,7 @@ Variables sin_u cos_u sin_v cos_v k_u k_v : R.
 Definition h_u := rounded (rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v) * rounded (sign sin_u * sign sin_v)).
 Definition h_v := rounded (rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u) * rounded (sign sin_u * sign sin_v)).
 End program.
+Ltac lines := unfold h_v, h_u.
 End gradient_from_factors_ridges_float64.
 
 Module gradient_ridges_float64.
@@ -204,6 +236,7 @@ Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product
 Definition h_u := rounded (rounded (rounded (rounded (rounded PI * cos_u) * k_u) * sin_v) * rounded (sign sin_u * sign sin_v)).
 Definition h_v := rounded (rounded (rounded (rounded (rounded PI * cos_v) * k_v) * sin_u) * rounded (sign sin_u * sign sin_v)).
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, sin_u, cos_v, cos_u.
 End gradient_ridges_float64.
 
 Module height_rings_float64.
@@ -211,6 +244,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := sine_of_half_turns_float64.sine (two_product_float64.product (rounded (2 * k_v)) v) (two_product_float64.product_error (rounded (2 * k_v)) v).
 End program.
+Ltac lines := unfold h.
 End height_rings_float64.
 
 Module gradient_from_factors_rings_float64.
@@ -219,6 +253,7 @@ Variables sin_u cos_u sin_v cos_v k_u k_v : R.
 Definition h_u := 0.
 Definition h_v := rounded (rounded (rounded (2 * rounded PI) * cos_v) * k_v).
 End program.
+Ltac lines := unfold h_v, h_u.
 End gradient_from_factors_rings_float64.
 
 Module gradient_rings_float64.
@@ -229,6 +264,7 @@ Definition sin_v := sine_of_half_turns_float64.sine (two_product_float64.product
 Definition h_u := 0.
 Definition h_v := rounded (rounded (rounded (2 * rounded PI) * cos_v) * k_v).
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, cos_v.
 End gradient_rings_float64.
 
 Module central_any_float64.
@@ -247,6 +283,7 @@ Definition h_v_minus := height u v_minus k_u k_v.
 Definition h_u := rounded (rounded ((1 / 2) * rounded (h_u_plus - h_u_minus)) / epsilon).
 Definition h_v := rounded (rounded (h_v_plus - h_v_minus) / span_v).
 End program.
+Ltac lines := unfold h_v, h_u, h_v_minus, h_v_plus, h_u_minus, h_u_plus, span_v, v_minus, v_plus, u_minus, u_plus.
 End central_any_float64.
 
 Module enclosed_sum_float64.
@@ -255,6 +292,7 @@ Variables x x_error y y_error : R.
 Definition total := rounded (x + y).
 Definition total_error := rounded ((rounded (x_error + y_error)) + (Rabs (rounded (x + y)))).
 End program.
+Ltac lines := unfold total_error, total.
 End enclosed_sum_float64.
 
 Module enclosed_product_float64.
@@ -263,6 +301,7 @@ Variables x x_error y y_error : R.
 Definition product := rounded (x * y).
 Definition product_error := rounded ((rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))) + (rounded ((Rabs (rounded (x * y))) + (1 / 2 ^ 1007)))).
 End program.
+Ltac lines := unfold product_error, product.
 End enclosed_product_float64.
 
 Module enclosed_quotient_float64.
@@ -271,6 +310,7 @@ Variables x x_error y y_error : R.
 Definition quotient := rounded (x / y).
 Definition quotient_error := rounded ((rounded ((rounded (x_error + (rounded ((rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007))) * y_error)))) * (if Rlt_dec 0 (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))) then (rounded (1 / (rounded ((Rabs y) - (rounded ((1048577 / 9444732965739290427392) * y_error)))))) else (real p_infty)))) + (rounded ((Rabs (rounded (x / y))) + (1 / 2 ^ 1007)))).
 End program.
+Ltac lines := unfold quotient_error, quotient.
 End enclosed_quotient_float64.
 
 Module enclosed_root_float64.
@@ -279,6 +319,7 @@ Variables x x_error : R.
 Definition root := rounded (sqrt x).
 Definition root_error := rounded ((if Rlt_dec x_error (rounded (x * 9007199254740992)) then (rounded (x_error / (rounded (sqrt x)))) else (rounded ((rounded (sqrt x_error)) * (398065740123893 / 4194304)))) + (rounded (sqrt x))).
 End program.
+Ltac lines := unfold root_error, root.
 End enclosed_root_float64.
 
 Module enclosed_floor_float64.
@@ -287,6 +328,7 @@ Variables x x_error : R.
 Definition below := whole_below x.
 Definition below_error := rounded (9007199254740992 * (if both (Rle_dec (Rabs (rounded (x - (rint x)))) (rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) * (562949953421313 / 562949953421312)))) (Rlt_dec 0 x_error) then (rounded (1 + (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))) else (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))).
 End program.
+Ltac lines := unfold below_error, below.
 End enclosed_floor_float64.
 
 Module enclosed_nearest_float64.
@@ -295,7 +337,35 @@ Variables x x_error : R.
 Definition nearest := rint x.
 Definition nearest_error := rounded (9007199254740992 * (if both (Rle_dec (Rabs (rounded ((Rabs (rounded (x - (rint x)))) - (1 / 2)))) (rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) * (562949953421313 / 562949953421312)))) (Rlt_dec 0 x_error) then (rounded (1 + (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))) else (whole_below (rounded ((1048577 / 9444732965739290427392) * x_error))))).
 End program.
+Ltac lines := unfold nearest_error, nearest.
 End enclosed_nearest_float64.
+
+Module enclosed_sine_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition sine := sine_of_half_turns_float64.sine (two_product_float64.product x y) (two_product_float64.product_error x y).
+Definition sine_error := rounded (9007199254740992 * (rounded ((rounded ((if Rlt_dec (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) 2 then (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) else 2) + (rounded ((rounded ((5674535530486825 / 10141204801825835211973625643008) * (Rabs (sine_of_half_turns_float64.sine (two_product_float64.product x y) (two_product_float64.product_error x y))))) + (1 / 2 ^ 1060))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold sine_error, sine.
+End enclosed_sine_float64.
+
+Module enclosed_cosine_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition cosine := cosine_of_half_turns_float64.cosine (two_product_float64.product x y) (two_product_float64.product_error x y).
+Definition cosine_error := rounded (9007199254740992 * (rounded ((rounded ((if Rlt_dec (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) 2 then (rounded ((7074237752028453 / 2251799813685248) * (rounded ((1048577 / 9444732965739290427392) * (rounded ((rounded ((Rabs x) * y_error)) + (rounded ((rounded ((Rabs y) + (rounded ((1048577 / 9444732965739290427392) * y_error)))) * x_error)))))))) else 2) + (rounded ((rounded ((5674535530486825 / 10141204801825835211973625643008) * (Rabs (cosine_of_half_turns_float64.cosine (two_product_float64.product x y) (two_product_float64.product_error x y))))) + (1 / 2 ^ 1060))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold cosine_error, cosine.
+End enclosed_cosine_float64.
+
+Module enclosed_exponential_float64.
+Section program.
+Variables x x_error : R.
+Definition exponential := exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1).
+Definition exponential_error := rounded (9007199254740992 * (rounded ((rounded ((if Rbar_lt_dec (Finite (rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error))))) p_infty then (if Rlt_dec (if Rlt_dec 0 (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else 0) (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else (if Rlt_dec 0 (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) then (rounded ((Rabs (rounded ((exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0) - (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (rounded ((rounded (x * 1)) - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * (rounded (1 * x_error)))) + (rounded ((1 / 4503599627370496) * (Rabs (rounded (x * 1))))))) * (562949953421313 / 562949953421312))))) 0)))) + (1 / 2 ^ 1020))))) else 0)) else (real p_infty)) + (rounded ((rounded ((1 / 4503599627370496) * (Rabs (exponential_of_sum_float64.exponential (two_product_float64.product x 1) (two_product_float64.product_error x 1))))) + (1 / 2 ^ 1020))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold exponential_error, exponential.
+End enclosed_exponential_float64.
 
 Module enclosed_selection_float64.
 Section program.
@@ -303,4 +373,5 @@ Variables left left_error right right_error x x_error y y_error : R.
 Definition chosen := if Rlt_dec left right then x else y.
 Definition chosen_error := if either (Rlt_dec (rounded ((rounded (left_error + right_error)) * (1048577 / 9444732965739290427392))) (Rabs (rounded (left - right)))) (Req_EM_T (rounded (left_error + right_error)) 0) then (if Rlt_dec left right then x_error else y_error) else (rounded ((rounded ((rounded ((Rabs (rounded (x - y))) * 9007199254740992)) + x_error)) + y_error)).
 End program.
+Ltac lines := unfold chosen_error, chosen.
 End enclosed_selection_float64.

@@ -12,6 +12,7 @@ Variables eye radius : R.
 Definition tangent_squared := (eye - radius) * (eye + radius).
 Definition half := (5 / 4) * eye * radius / sqrt tangent_squared.
 End program.
+Ltac lines := unfold half, tangent_squared.
 End image_extent.
 
 Module image_point.
@@ -20,6 +21,7 @@ Variables column row width height half : R.
 Definition x := half * (2 * column - width + 1) / height.
 Definition y := half * ((-3 / 20) + (height - 2 * row - 1) / height).
 End program.
+Ltac lines := unfold y, x.
 End image_point.
 
 Module image_radius.
@@ -28,6 +30,7 @@ Variables x y eye : R.
 Definition rho_raw := sqrt (x ^ 2 + y ^ 2).
 Definition rho := if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0.
 End program.
+Ltac lines := unfold rho, rho_raw.
 End image_radius.
 
 Module silhouette_of_a.
@@ -36,6 +39,7 @@ Variables eye radius : R.
 Definition tangent_squared := (eye - radius) * (eye + radius).
 Definition rho_silhouette := eye * radius / sqrt tangent_squared.
 End program.
+Ltac lines := unfold rho_silhouette, tangent_squared.
 End silhouette_of_a.
 
 Module hit_of_a.
@@ -49,6 +53,7 @@ Definition discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + r
 Definition root_a := sqrt (Rmax 0 discriminant_a).
 Definition t_a := if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty.
 End program.
+Ltac lines := unfold t_a, root_a, discriminant_a, rho_silhouette, tangent_squared, rho, rho_raw.
 End hit_of_a.
 
 Module hit_of_b.
@@ -60,6 +65,7 @@ Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball
 Definition root_b := sqrt (Rmax 0 discriminant_b).
 Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty.
 End program.
+Ltac lines := unfold t_b, root_b, discriminant_b, toward_b, distance.
 End hit_of_b.
 
 Module nearest.
@@ -69,6 +75,7 @@ Variables t_a t_b : Rbar.
 Definition t_floor := if Rlt_dec 0 floor_on then Finite 1 else p_infty.
 Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1 else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3 else 0.
 End program.
+Ltac lines := unfold surface, t_floor.
 End nearest.
 
 Module visible_surface.
@@ -89,6 +96,7 @@ Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) 
 Definition t_floor := if Rlt_dec 0 floor_on then Finite 1 else p_infty.
 Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1 else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3 else 0.
 End program.
+Ltac lines := unfold surface, t_floor, t_b, root_b, discriminant_b, toward_b, distance, t_a, root_a, discriminant_a, rho_silhouette, tangent_squared, rho, rho_raw.
 End visible_surface.
 
 Module angles_on_a.
@@ -108,6 +116,7 @@ Definition sin_theta := rho_inverse * y.
 Definition sin_phi := hit_scale * rho * tangent_squared.
 Definition cos_phi := eye * hit_scale * (radius ^ 2 + root_a).
 End program.
+Ltac lines := unfold cos_phi, sin_phi, sin_theta, cos_theta, hit_scale, rho_inverse, t_a, root_a, discriminant_a, rho_silhouette, tangent_squared, rho, rho_raw.
 End angles_on_a.
 
 Module point_on_a.
@@ -117,6 +126,7 @@ Definition point_x := cos_theta * radius * sin_phi.
 Definition point_y := radius * sin_phi * sin_theta.
 Definition point_z := cos_phi * radius.
 End program.
+Ltac lines := unfold point_z, point_y, point_x.
 End point_on_a.
 
 Module point_on_b.
@@ -131,6 +141,7 @@ Definition point_x := (real t_b) * x.
 Definition point_y := (real t_b) * y.
 Definition point_z := eye * (1 - (real t_b)).
 End program.
+Ltac lines := unfold point_z, point_y, point_x, t_b, root_b, discriminant_b, toward_b, distance.
 End point_on_b.
 
 Module normal_of_b.
@@ -154,6 +165,7 @@ Definition point_x := ball_center_x + ball_radius * normal_x.
 Definition point_y := ball_center_y + ball_radius * normal_y.
 Definition point_z := ball_center_z + ball_radius * normal_z.
 End program.
+Ltac lines := unfold point_z, point_y, point_x, normal_z, normal_y, normal_x, radius_length, radius_vector_z, radius_vector_y, radius_vector_x, ray_length_squared, moment_z, moment_y, moment_x, root_b, discriminant_b, distance.
 End normal_of_b.
 
 Module point_on_floor.
@@ -163,6 +175,7 @@ Definition point_x := x.
 Definition point_y := y.
 Definition point_z := 0.
 End program.
+Ltac lines := unfold point_z, point_y, point_x.
 End point_on_floor.
 
 Module normal_of_floor.
@@ -175,6 +188,7 @@ Definition bumped_x := 0.
 Definition bumped_y := 0.
 Definition bumped_z := 1.
 End program.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, point_z, point_y, point_x.
 End normal_of_floor.
 
 Module view_length.
@@ -182,6 +196,7 @@ Section program.
 Variables x y eye : R.
 Definition view_scale := / (sqrt (eye ^ 2 + x ^ 2 + y ^ 2)).
 End program.
+Ltac lines := unfold view_scale.
 End view_length.
 
 Module view_direction.
@@ -191,6 +206,7 @@ Definition view_x := -view_scale * x.
 Definition view_y := -view_scale * y.
 Definition view_z := eye * view_scale.
 End program.
+Ltac lines := unfold view_z, view_y, view_x.
 End view_direction.
 
 Module parallel_radius.
@@ -198,6 +214,7 @@ Section program.
 Variables sin_phi cos_phi eye radius : R.
 Definition rho := eye * radius * sin_phi / (eye - cos_phi * radius).
 End program.
+Ltac lines := unfold rho.
 End parallel_radius.
 
 Module chart.
@@ -207,6 +224,7 @@ Definition u_closed := (1 / 2) * (atan2pi sin_theta cos_theta) + (1 / 2).
 Definition u := if Rlt_dec u_closed 1 then u_closed else 0.
 Definition v := atan2pi sin_phi cos_phi.
 End program.
+Ltac lines := unfold v, u, u_closed.
 End chart.
 
 Module chart_inverse.
@@ -217,6 +235,7 @@ Definition sin_theta := -(sin (PI * (2 * u))).
 Definition cos_phi := cos (PI * v).
 Definition sin_phi := sin (PI * v).
 End program.
+Ltac lines := unfold sin_phi, cos_phi, sin_theta, cos_theta.
 End chart_inverse.
 
 Module chart_radians.
@@ -225,6 +244,7 @@ Variables u v : R.
 Definition theta := PI * (2 * u - 1).
 Definition phi := PI * v.
 End program.
+Ltac lines := unfold phi, theta.
 End chart_radians.
 
 Module seed_chart.
@@ -233,6 +253,7 @@ Variables normal_x normal_y normal_z : R.
 Definition u := (1 / 2) * (atan2 normal_y normal_x + PI) / PI.
 Definition v := (acos normal_z) / PI.
 End program.
+Ltac lines := unfold v, u.
 End seed_chart.
 
 Module unit_normal.
@@ -242,6 +263,7 @@ Definition normal_x := cos_theta * sin_phi.
 Definition normal_y := sin_phi * sin_theta.
 Definition normal_z := cos_phi.
 End program.
+Ltac lines := unfold normal_z, normal_y, normal_x.
 End unit_normal.
 
 Module tangent_frame.
@@ -254,6 +276,7 @@ Definition e_phi_x := cos_phi * cos_theta.
 Definition e_phi_y := cos_phi * sin_theta.
 Definition e_phi_z := -sin_phi.
 End program.
+Ltac lines := unfold e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x.
 End tangent_frame.
 
 Module seed_frame.
@@ -267,6 +290,7 @@ Definition e_phi_x := normal_x * normal_z / seed_sin_phi.
 Definition e_phi_y := normal_y * normal_z / seed_sin_phi.
 Definition e_phi_z := -seed_sin_phi.
 End program.
+Ltac lines := unfold e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, seed_sin_phi.
 End seed_frame.
 
 Module perturbed.
@@ -281,6 +305,7 @@ Definition bumped_x := m_scale * m_x.
 Definition bumped_y := m_scale * m_y.
 Definition bumped_z := m_scale * m_z.
 End program.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x.
 End perturbed.
 
 Module bumped_normal.
@@ -307,6 +332,7 @@ Definition bumped_x := m_scale * m_x.
 Definition bumped_y := m_scale * m_y.
 Definition bumped_z := m_scale * m_z.
 End program.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x, g_z, g_y, g_x, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End bumped_normal.
 
 Module normal_by_beta.
@@ -324,6 +350,7 @@ Definition bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_
 Definition bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length.
 Definition bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length.
 End program.
+Ltac lines := unfold bumped_by_beta_z, bumped_by_beta_y, bumped_by_beta_x, bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x.
 End normal_by_beta.
 
 Module light_direction.
@@ -339,6 +366,7 @@ Definition towards_y := light_scale * to_light_y.
 Definition towards_z := light_scale * to_light_z.
 Definition mu := bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z.
 End program.
+Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End light_direction.
 
 Module halfway_vector.
@@ -357,6 +385,7 @@ Definition halfway_x := towards_x + view_x.
 Definition halfway_y := towards_y + view_y.
 Definition halfway_z := towards_z + view_z.
 End program.
+Ltac lines := unfold halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End halfway_vector.
 
 Module blinn.
@@ -377,6 +406,7 @@ Definition halfway_z := towards_z + view_z.
 Definition halfway_length := sqrt (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2).
 Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) 0 else 0.
 End program.
+Ltac lines := unfold specular_base, halfway_length, halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End blinn.
 
 Module blinn_squared.
@@ -397,6 +427,7 @@ Definition light_scale := if Rlt_dec 0 halfway_squared then 1 / (halfway_squared
 Definition mu := if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z.
 Definition specular_base := along_halfway ^ 2 * light_distance * light_scale.
 End program.
+Ltac lines := unfold specular_base, mu, light_scale, along_halfway, along_light, halfway_squared, halfway_z, halfway_y, halfway_x, light_distance, distance_squared, to_light_z, to_light_y, to_light_x.
 End blinn_squared.
 
 Module phong.
@@ -413,13 +444,32 @@ Definition towards_z := light_scale * to_light_z.
 Definition mu := bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z.
 Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z).
 End program.
+Ltac lines := unfold specular_base, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End phong.
+
+Module blinn_highlight.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R.
+Definition halfway_length := sqrt (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2).
+Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) 0 else 0.
+End program.
+Ltac lines := unfold specular_base, halfway_length.
+End blinn_highlight.
+
+Module phong_highlight.
+Section program.
+Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.
+Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z).
+End program.
+Ltac lines := unfold specular_base.
+End phong_highlight.
 
 Module highlight.
 Section program.
 Variables specular_base shininess : R.
 Definition specular := power specular_base shininess.
 End program.
+Ltac lines := unfold specular.
 End highlight.
 
 Module ambient_term.
@@ -427,6 +477,7 @@ Section program.
 Variables ka ambient : R.
 Definition color := ambient * ka.
 End program.
+Ltac lines := unfold color.
 End ambient_term.
 
 Module light_term.
@@ -438,6 +489,7 @@ Definition lit_red := light_red * (albedo_red * diffuse + shine) + red.
 Definition lit_green := green + light_green * (albedo_green * diffuse + shine).
 Definition lit_blue := blue + light_blue * (albedo_blue * diffuse + shine).
 End program.
+Ltac lines := unfold lit_blue, lit_green, lit_red, shine, diffuse.
 End light_term.
 
 Module clip.
@@ -445,6 +497,7 @@ Section program.
 Variables color : R.
 Definition clipped := Rmin 1 (Rmax 0 color).
 End program.
+Ltac lines := unfold clipped.
 End clip.
 
 Module floor_albedo.
@@ -454,6 +507,7 @@ Definition floor_base := if Rlt_dec 0 floor_dark then (3 / 20) else (17 / 20).
 Definition floor_red := floor_base * (1 - floor_tint).
 Definition floor_blue := floor_base.
 End program.
+Ltac lines := unfold floor_blue, floor_red, floor_base.
 End floor_albedo.
 
 Module shadow.
@@ -470,6 +524,7 @@ Definition toward_center := offset_x * segment_x + offset_y * segment_y + offset
 Definition shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2.
 Definition occluded := if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0 toward_center) then 1 else 0.
 End program.
+Ltac lines := unfold occluded, shadow_discriminant, toward_center, segment_squared, offset_z, offset_y, offset_x, segment_z, segment_y, segment_x.
 End shadow.
 
 Module checker.
@@ -478,6 +533,7 @@ Variables point_x point_y : R.
 Definition square := IZR (Int_part point_x) + IZR (Int_part point_y).
 Definition dark := if both (both (differ point_x (IZR (Int_part point_x))) (differ point_y (IZR (Int_part point_y)))) (differ square (2 * (IZR (Int_part ((1 / 2) * square))))) then 1 else 0.
 End program.
+Ltac lines := unfold dark, square.
 End checker.
 
 Module shadow_clearance.
@@ -499,6 +555,7 @@ Definition at_an_end := if Rlt_dec at_ball at_light then at_ball else at_light.
 Definition shortest := if Rlt_dec at_turning at_an_end then at_turning else at_an_end.
 Definition clearance := shortest / (along_x ^ 2 + along_y ^ 2 + along_z ^ 2 + from_body_x ^ 2 + from_body_y ^ 2 + from_body_z ^ 2).
 End program.
+Ltac lines := unfold clearance, shortest, at_an_end, at_turning, at_ball, turning, curvature, half_slope, at_light, along_z, along_y, along_x, from_body_z, from_body_y, from_body_x.
 End shadow_clearance.
 
 Module complex_square.
@@ -507,6 +564,7 @@ Variables real_part imaginary_part : R.
 Definition product_real := (real_part - imaginary_part) * (imaginary_part + real_part).
 Definition product_imaginary := 2 * imaginary_part * real_part.
 End program.
+Ltac lines := unfold product_imaginary, product_real.
 End complex_square.
 
 Module complex_product.
@@ -515,6 +573,7 @@ Variables real_part imaginary_part other_real other_imaginary : R.
 Definition product_real := other_real * real_part - imaginary_part * other_imaginary.
 Definition product_imaginary := imaginary_part * other_real + other_imaginary * real_part.
 End program.
+Ltac lines := unfold product_imaginary, product_real.
 End complex_product.
 
 Module algebraic_bases.
@@ -525,6 +584,7 @@ Definition base_u_imaginary := -sin_theta.
 Definition base_v_real := cos_phi.
 Definition base_v_imaginary := sin_phi.
 End program.
+Ltac lines := unfold base_v_imaginary, base_v_real, base_u_imaginary, base_u_real.
 End algebraic_bases.
 
 Module angular_slopes.
@@ -533,6 +593,7 @@ Variables h_u h_v : R.
 Definition h_theta := (1 / 2) * h_u / PI.
 Definition h_phi := h_v / PI.
 End program.
+Ltac lines := unfold h_phi, h_theta.
 End angular_slopes.
 
 Module displaced_normal.
@@ -554,6 +615,7 @@ Definition displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x 
 Definition displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi).
 Definition displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi).
 End program.
+Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End displaced_normal.
 
 Module blinn_normal.
@@ -575,6 +637,7 @@ Definition displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x 
 Definition displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi).
 Definition displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi).
 End program.
+Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End blinn_normal.
 
 Module mu_derivative.
@@ -582,6 +645,7 @@ Section program.
 Variables towards_x towards_y towards_z bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z : R.
 Definition mu_by_beta := bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
 End program.
+Ltac lines := unfold mu_by_beta.
 End mu_derivative.
 
 Module term_derivative.
@@ -591,6 +655,7 @@ Definition diffuse_by_beta := if Rlt_dec 0 mu then kd * mu_by_beta else 0.
 Definition shine_by_beta := if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * power specular_base (shininess - 1) else 0.
 Definition term_by_beta := light_red * (albedo_red * diffuse_by_beta + shine_by_beta).
 End program.
+Ltac lines := unfold term_by_beta, shine_by_beta, diffuse_by_beta.
 End term_derivative.
 
 Module clip_derivative.
@@ -598,6 +663,7 @@ Section program.
 Variables color term_by_beta : R.
 Definition clipped := if both (Rlt_dec color 1) (Rlt_dec 0 color) then term_by_beta else 0.
 End program.
+Ltac lines := unfold clipped.
 End clip_derivative.
 
 Module blinn_base_derivative.
@@ -605,6 +671,7 @@ Section program.
 Variables halfway_x halfway_y halfway_z halfway_length bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z : R.
 Definition base_by_beta := (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
 End program.
+Ltac lines := unfold base_by_beta.
 End blinn_base_derivative.
 
 Module phong_base_derivative.
@@ -612,6 +679,7 @@ Section program.
 Variables view_x view_y view_z bumped_x bumped_y bumped_z bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z mu mu_by_beta : R.
 Definition base_by_beta := 2 * mu * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) + 2 * mu_by_beta * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z).
 End program.
+Ltac lines := unfold base_by_beta.
 End phong_base_derivative.
 
 Module half_turn_polynomials.
@@ -622,6 +690,7 @@ Definition sine_tail := z * (z * (z * (z * (z * (z * (z * ((7510502657307481 / 9
 Definition sine_near := remainder * (sine_tail + (884279719003555 / 281474976710656)).
 Definition cosine_near := z * (z * (z * (z * (z * (z * (z * ((5080167897815029 / 1180591620717411303424) * z + (-7720929367626383 / 73786976294838206464)) + (8898590864194755 / 4611686018427387904)) + (-1859582503162531 / 72057594037927936)) + (8478679513545403 / 36028797018963968)) + (-3006744454127613 / 2251799813685248)) + (1142425901258417 / 281474976710656)) + (-2778046668940015 / 562949953421312)) + 1.
 End program.
+Ltac lines := unfold cosine_near, sine_near, sine_tail, z.
 End half_turn_polynomials.
 
 Module arctangent_polynomial.
@@ -631,6 +700,7 @@ Definition ratio_squared := ratio ^ 2.
 Definition arctangent_tail := ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * ((790918777823815 / 72057594037927936) - (5919134079197583 / 576460752303423488) * ratio_squared) + (-6796042831671299 / 576460752303423488)) + (7339726258205003 / 576460752303423488)) + (-7977963324135873 / 576460752303423488)) + (2184442338751489 / 144115188075855872)) + (-2414383637567435 / 144115188075855872)) + (1349214385699449 / 72057594037927936)) + (-6116438548504169 / 288230376151711744)) + (441089318401743 / 18014398509481984)) + (-8340598020687503 / 288230376151711744)) + (2548516061876737 / 72057594037927936)) + (-6553327016254467 / 144115188075855872)) + (4587328911378127 / 72057594037927936)) + (-1911387046407553 / 18014398509481984)) + (-3193047846271019 / 162259276829213363391578010288128).
 Definition small_part := node_correction + ratio * (arctangent_tail + (5734161139222659 / 18014398509481984)).
 End program.
+Ltac lines := unfold small_part, arctangent_tail, ratio_squared.
 End arctangent_polynomial.
 
 Module exponential_polynomial.
@@ -642,6 +712,7 @@ Definition departure_low := away_error + away_squared * exponential_tail.
 Definition departure := away + departure_low.
 Definition exponential_near := departure + 1.
 End program.
+Ltac lines := unfold exponential_near, departure, departure_low, exponential_tail, away_squared.
 End exponential_polynomial.
 
 Module height_sine.
@@ -649,6 +720,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 End program.
+Ltac lines := unfold h.
 End height_sine.
 
 Module gradient_sine.
@@ -661,6 +733,7 @@ Definition sin_v := sin (PI * (k_v * v)).
 Definition h_u := PI * cos_u * k_u * sin_v.
 Definition h_v := PI * cos_v * k_v * sin_u.
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, sin_u, cos_v, cos_u.
 End gradient_sine.
 
 Module forward_sine.
@@ -674,6 +747,7 @@ Definition h_v_plus := (sin (PI * (k_u * u))) * (sin (PI * (k_v * stepped))).
 Definition h_u := (h_u_plus - h_here) / epsilon.
 Definition h_v := if Rle_dec (epsilon + v) 1 then (h_v_plus - h_here) / epsilon else (h_here - h_v_plus) / epsilon.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_plus, h_u_plus, h_here, stepped, u_plus.
 End forward_sine.
 
 Module central_sine.
@@ -691,6 +765,7 @@ Definition h_v_minus := (sin (PI * (k_u * u))) * (sin (PI * (k_v * v_minus))).
 Definition h_u := (1 / 2) * (h_u_plus - h_u_minus) / epsilon.
 Definition h_v := (h_v_plus - h_v_minus) / span_v.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_minus, h_v_plus, h_u_minus, h_u_plus, span_v, v_minus, v_plus, u_minus, u_plus.
 End central_sine.
 
 Module central4_sine.
@@ -718,6 +793,7 @@ Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) 
 Definition near_difference_v := h_v_plus - h_v_minus.
 Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
 End central4_sine.
 
 Module height_ridges.
@@ -725,6 +801,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))).
 End program.
+Ltac lines := unfold h.
 End height_ridges.
 
 Module gradient_ridges.
@@ -737,6 +814,7 @@ Definition sin_v := sin (PI * (k_v * v)).
 Definition h_u := PI * cos_u * k_u * sin_v * (sign (sin_u * sin_v)).
 Definition h_v := PI * cos_v * k_v * sin_u * (sign (sin_u * sin_v)).
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, sin_u, cos_v, cos_u.
 End gradient_ridges.
 
 Module forward_ridges.
@@ -750,6 +828,7 @@ Definition h_v_plus := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * stepped)
 Definition h_u := (h_u_plus - h_here) / epsilon.
 Definition h_v := if Rle_dec (epsilon + v) 1 then (h_v_plus - h_here) / epsilon else (h_here - h_v_plus) / epsilon.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_plus, h_u_plus, h_here, stepped, u_plus.
 End forward_ridges.
 
 Module central_ridges.
@@ -767,6 +846,7 @@ Definition h_v_minus := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v_minus
 Definition h_u := (1 / 2) * (h_u_plus - h_u_minus) / epsilon.
 Definition h_v := (h_v_plus - h_v_minus) / span_v.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_minus, h_v_plus, h_u_minus, h_u_plus, span_v, v_minus, v_plus, u_minus, u_plus.
 End central_ridges.
 
 Module central4_ridges.
@@ -794,6 +874,7 @@ Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) 
 Definition near_difference_v := h_v_plus - h_v_minus.
 Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
 End central4_ridges.
 
 Module height_rings.
@@ -801,6 +882,7 @@ Section program.
 Variables u v k_u k_v : R.
 Definition h := sin (PI * (2 * k_v * v)).
 End program.
+Ltac lines := unfold h.
 End height_rings.
 
 Module gradient_rings.
@@ -811,6 +893,7 @@ Definition sin_v := sin (PI * (2 * k_v * v)).
 Definition h_u := 0.
 Definition h_v := 2 * PI * cos_v * k_v.
 End program.
+Ltac lines := unfold h_v, h_u, sin_v, cos_v.
 End gradient_rings.
 
 Module forward_rings.
@@ -824,6 +907,7 @@ Definition h_v_plus := sin (PI * (2 * k_v * stepped)).
 Definition h_u := (h_u_plus - h_here) / epsilon.
 Definition h_v := if Rle_dec (epsilon + v) 1 then (h_v_plus - h_here) / epsilon else (h_here - h_v_plus) / epsilon.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_plus, h_u_plus, h_here, stepped, u_plus.
 End forward_rings.
 
 Module central_rings.
@@ -841,6 +925,7 @@ Definition h_v_minus := sin (PI * (2 * k_v * v_minus)).
 Definition h_u := (1 / 2) * (h_u_plus - h_u_minus) / epsilon.
 Definition h_v := (h_v_plus - h_v_minus) / span_v.
 End program.
+Ltac lines := unfold h_v, h_u, h_v_minus, h_v_plus, h_u_minus, h_u_plus, span_v, v_minus, v_plus, u_minus, u_plus.
 End central_rings.
 
 Module central4_rings.
@@ -868,4 +953,5 @@ Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) 
 Definition near_difference_v := h_v_plus - h_v_minus.
 Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
 End central4_rings.

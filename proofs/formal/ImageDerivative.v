@@ -46,7 +46,7 @@ Lemma share_derives (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd
   is_derive (fun b => light_term.lit_red 0 i albedo kd ks (mu b) (highlight_of (Rmax 0 (base b)) p)) beta
     (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
 Proof.
-  intros DM DB NM NB. unfold light_term.lit_red, light_term.diffuse, light_term.shine, term_derivative.term_by_beta, term_derivative.diffuse_by_beta, term_derivative.shine_by_beta.
+  intros DM DB NM NB. light_term.lines; term_derivative.lines.
   generalize (clamp_derive mu beta mu_by_beta DM NM) (power_derive base beta base_by_beta p DB NB). intros A B.
   set (m := fun b => Rmax 0 (mu b)) in *. set (s := fun b => highlight_of (Rmax 0 (base b)) p) in *.
   apply (is_derive_ext (fun b => i * (albedo * (kd * m b) + ks * s b) + 0)); [reflexivity|].
@@ -59,19 +59,6 @@ Proof.
 Qed.
 Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun t => f t * c) x (l * c).
 Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
-
-(* (base^p)' base = p base^p base', for every whole p. *)
-Theorem image_derivative__power (base : R -> R) (beta base_by_beta : R) (p : nat) : is_derive base beta base_by_beta ->
-  exists slope, is_derive (fun b => base b ^ p) beta slope /\ slope * base beta = INR p * base beta ^ p * base_by_beta.
-Proof.
-  intro D. eexists. split; [apply is_derive_pow, D|]. destruct p as [|p]; [simpl; ring|]. cbn [pred pow]. ring.
-Qed.
-Theorem image_derivative__power__point : exists (base : R -> R) (beta d : R), is_derive base beta d.
-Proof. exists (fun b => b), 0, 1. auto_derive; trivial. Qed.
-Theorem image_derivative__power__false : ~ forall (beta : R) (p : nat), is_derive (fun b => b ^ p) beta (INR p * beta ^ p).
-Proof.
-  intro H. generalize (is_derive_unique _ _ _ (H 2 1%nat)). rewrite (is_derive_unique _ _ 1) by (auto_derive; trivial; simpl; ring). simpl. lra.
-Qed.
 
 Section lines.
 Variables nx ny nz : R -> R.

@@ -52,7 +52,7 @@ Theorem difference_bound__any_lights__false : ~ forall (lights : list (vector * 
   most lights 0 kd ks 1 * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.
   intro H. generalize (H [((0, 0, 1), 1)] (fun _ _ => 0) (0, 0, 0) 1 1 0 0 0 0 0 1 0 1). unfold lit, most. cbn [fold_right fst snd].
-  unfold light_term.lit_red, light_term.diffuse, light_term.shine. rewrite !mu_is_a_product, above_is.
+  light_term.lines. rewrite !mu_is_a_product, above_is.
   assert (Z : normal_at 0 0 = (0, 0, 1)) by (unfold_vectors; rewrite sin_0, cos_0; repeat f_equal; ring). rewrite <- Z, !(dot_comm _ (normal_at 0 0)), !normal_dot_bumped.
   generalize (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1) (length_squared (M 0 0 0 0 1)) (m_length_at_least_1 0 0 0 0 1). rewrite !m_squared.
   set (x := magnitude (M 0 0 1 0 1)). set (y := magnitude (M 0 0 0 0 1)). intros X X1 Y Y1. assert (Y2 : y = 1) by nra. rewrite Y2, Rinv_1.

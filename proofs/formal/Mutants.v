@@ -165,6 +165,145 @@ Definition seed_clamp__not_odd_2__true : Prop :=
   epsilon + 0 - 0 <> 0 /\
   ((epsilon + 0) ^ 2 + epsilon + 0 - (0 + 0 ^ 2)) / (epsilon + 0 - 0) - (2 * 0 + 1) = epsilon.
 
+Definition colour_accuracy__normal_nearer__false : Prop :=
+  ~ (
+  forall normal_x normal_y normal_z g_x g_y g_z beta : R,
+  float64 normal_x ->
+  float64 normal_y ->
+  float64 normal_z ->
+  float64 g_x ->
+  float64 g_y ->
+  float64 g_z ->
+  float64 beta ->
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) >= 1 ->
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) <= 2 ^ 900 ->
+  (beta * g_x) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_y) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_z) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  Rabs (perturbed_float64.bumped_x normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_x normal_x normal_y normal_z g_x g_y g_z beta) <= (3 / 288230376151711744) /\
+  Rabs (perturbed_float64.bumped_y normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_y normal_x normal_y normal_z g_x g_y g_z beta) <= (3 / 288230376151711744) /\
+  Rabs (perturbed_float64.bumped_z normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_z normal_x normal_y normal_z g_x g_y g_z beta) <= (3 / 288230376151711744)).
+
+Definition colour_accuracy__cosine_nearer__false : Prop :=
+  ~ (
+  forall point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z : R,
+  float64 point_x ->
+  float64 point_y ->
+  float64 point_z ->
+  float64 light_x ->
+  float64 light_y ->
+  float64 light_z ->
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) >= / 1099511627776 ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) <= 2 ^ 900 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= (45 / 1152921504606846976)).
+
+Definition colour_accuracy__blinn_nearer__false : Prop :=
+  ~ (
+  forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 halfway_x ->
+  float64 halfway_y ->
+  float64 halfway_z ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y >= / 1099511627776 ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y <= 2 ^ 900 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z - blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= (1 / 36028797018963968)).
+
+Definition colour_accuracy__phong_nearer__false : Prop :=
+  ~ (
+  forall bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 view_x ->
+  float64 view_y ->
+  float64 view_z ->
+  float64 towards_x ->
+  float64 towards_y ->
+  float64 towards_z ->
+  float64 mu ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs view_x <= / 1099511627776 + 1 ->
+  Rabs view_y <= / 1099511627776 + 1 ->
+  Rabs view_z <= / 1099511627776 + 1 ->
+  Rabs towards_x <= / 1099511627776 + 1 ->
+  Rabs towards_y <= / 1099511627776 + 1 ->
+  Rabs towards_z <= / 1099511627776 + 1 ->
+  Rabs mu <= / 1099511627776 + 1 ->
+  Rabs (phong_highlight_float64.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu - phong_highlight.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu) <= (7 / 144115188075855872)).
+
+Definition colour_accuracy__share_red_nearer__false : Prop :=
+  ~ (
+  forall red light_red albedo_red kd ks mu specular : R,
+  float64 red ->
+  float64 light_red ->
+  float64 albedo_red ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  red >= 0 ->
+  light_red >= 0 ->
+  albedo_red >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_red <= 2 ^ 20 ->
+  albedo_red <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_red red light_red albedo_red kd ks mu specular - light_term.lit_red red light_red albedo_red kd ks mu specular) <= (1 / 128) * ((1 / 1125899906842624) * light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + (1 / 1125899906842624) * red) + (1 / 128000000000000000000000000000000)).
+
+Definition colour_accuracy__share_green_nearer__false : Prop :=
+  ~ (
+  forall green light_green albedo_green kd ks mu specular : R,
+  float64 green ->
+  float64 light_green ->
+  float64 albedo_green ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  green >= 0 ->
+  light_green >= 0 ->
+  albedo_green >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_green <= 2 ^ 20 ->
+  albedo_green <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_green green light_green albedo_green kd ks mu specular - light_term.lit_green green light_green albedo_green kd ks mu specular) <= (1 / 128) * ((1 / 1125899906842624) * green + (1 / 1125899906842624) * light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular)) + (1 / 128000000000000000000000000000000)).
+
+Definition colour_accuracy__share_blue_nearer__false : Prop :=
+  ~ (
+  forall blue light_blue albedo_blue kd ks mu specular : R,
+  float64 blue ->
+  float64 light_blue ->
+  float64 albedo_blue ->
+  float64 kd ->
+  float64 ks ->
+  float64 mu ->
+  float64 specular ->
+  blue >= 0 ->
+  light_blue >= 0 ->
+  albedo_blue >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
+  specular >= 0 ->
+  light_blue <= 2 ^ 20 ->
+  albedo_blue <= 2 ^ 20 ->
+  Rabs (light_term_float64.lit_blue blue light_blue albedo_blue kd ks mu specular - light_term.lit_blue blue light_blue albedo_blue kd ks mu specular) <= (1 / 128) * ((1 / 1125899906842624) * blue + (1 / 1125899906842624) * light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular)) + (1 / 128000000000000000000000000000000)).
+
 Definition straddling__value_1__false : Prop :=
   ~ (
   forall delta epsilon k_u : R,
@@ -740,6 +879,53 @@ Definition ridges_on_creases__differ_3__false : Prop :=
   left = -right ->
   6 * right >= 5 * slope /\
   right - left > slope).
+
+Definition gradient_accuracy__sine_nearer__false : Prop :=
+  ~ (
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= (5 / 576460752303423488) * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= (5 / 576460752303423488) * PI * (Rmax 1 (Rabs k_v))).
+
+Definition gradient_accuracy__ridges_nearer__false : Prop :=
+  ~ (
+  forall u v k_u k_v : R,
+  float64 u ->
+  float64 v ->
+  float64 k_u ->
+  float64 k_v ->
+  u >= 0 ->
+  u <= 1 ->
+  Rabs k_u <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_u * u)) >= 1 \/ k_u * u = 0) ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= (5 / 576460752303423488) * PI * (Rmax 1 (Rabs k_u)) /\
+  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= (5 / 576460752303423488) * PI * (Rmax 1 (Rabs k_v))).
+
+Definition gradient_accuracy__rings_nearer__false : Prop :=
+  ~ (
+  forall v k_v : R,
+  float64 v ->
+  float64 k_v ->
+  v >= 0 ->
+  v <= 1 ->
+  Rabs k_v <= 1048576 ->
+  (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
+  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= (5 / 576460752303423488) * PI * (Rmax 1 (Rabs (2 * k_v)))).
 
 Definition rounded_powers__product_1__false : Prop :=
   ~ (

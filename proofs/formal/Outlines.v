@@ -80,7 +80,7 @@ Lemma quadratic_of_b (t x y e cx cy cz r : R) :
   hit_of_b.discriminant_b x y e cx cy cz r =
     hit_of_b.toward_b x y e cx cy cz ^ 2 - dot3 x y (- e) x y (- e) * c_of_b e cx cy cz r.
 Proof.
-  unfold distance2, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance, c_of_b, dot3.
+  unfold distance2; hit_of_b.lines; unfold c_of_b, dot3.
   repeat split; ring.
 Qed.
 
@@ -113,7 +113,7 @@ Qed.
 
 Lemma point_b : hit_of_b.toward_b 0 0 4 0 0 0 = 16 /\ hit_of_b.discriminant_b 0 0 4 0 0 0 1 = 16 /\
   c_of_b 4 0 0 0 1 = 15.
-Proof. unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance, c_of_b, dot3. repeat split; lra. Qed.
+Proof. hit_of_b.lines; unfold c_of_b, dot3. repeat split; lra. Qed.
 
 Theorem hit_of_b__first_hit__point : exists x y e cx cy cz r on, 0 < on /\ 0 < c_of_b e cx cy cz r /\
   0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
@@ -125,7 +125,7 @@ Theorem hit_of_b__first_hit__false : ~ forall x y e cx cy cz r on : R, 0 < on ->
   exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ 0 < t.
 Proof.
   intros F. destruct (F 0 0 4 0 0 3 2 1) as (t & T & P); [lra | | |].
-  1, 2: unfold hit_of_b.toward_b, hit_of_b.discriminant_b, hit_of_b.distance; lra.
+  1, 2: hit_of_b.lines; lra.
   unfold hit_of_b.t_b in T. destruct both; [| discriminate]. apply Rbar_finite_eq in T. subst t.
   set (q := hit_of_b.root_b 0 0 4 0 0 3 2) in P. assert (0 <= q) by apply sqrt_pos.
   unfold hit_of_b.toward_b, hit_of_b.distance in P.
@@ -172,7 +172,7 @@ Proof. of_outline. Qed.
 Lemma seen_of_b x y e cx cy cz r : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r -> r <= e - cz ->
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz.
 Proof.
-  unfold c_of_b, dot3, hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance. intros.
+  unfold c_of_b, dot3; hit_of_b.lines. intros.
   destruct (silhouette_of_b__all_seen cx cy r (e - cz) e x y); lra.
 Qed.
 
@@ -205,7 +205,7 @@ Proof.
     assert (V : forall s, hit_of_b.discriminant_b (x s) (y s) e cx cy cz r = - ((c * (p ^ 2 + q ^ 2) - m ^ 2) * s ^ 2 +
       2 * (e / h * m * (c - w - h ^ 2)) * s + - ((e / h) ^ 2 * (w + h ^ 2) * r ^ 2))).
     { intro s. destruct (quadratic_of_b 0 (x s) (y s) e cx cy cz r) as (_ & _ & ->). fold c. rewrite W.
-      unfold dot3, hit_of_b.toward_b, hit_of_b.distance, x, y, m, w. fold h. field. exact N. }
+      unfold dot3; hit_of_b.lines; unfold x, y, m, w. fold h. field. exact N. }
     assert (K : 0 < (e / h) ^ 2 * (w + h ^ 2) * r ^ 2).
     { assert (0 < (e / h) ^ 2) by (apply pow2_gt_0, Rmult_integral_contrapositive_currified; [lra | apply Rinv_neq_0_compat, N]).
       apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; unfold w; nra. }
@@ -233,7 +233,7 @@ Proof.
   set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot3, w; ring).
   set (c := c_of_b e cx cy cz r) in *. set (h := e - cz) in *.
   assert (T : forall s, hit_of_b.toward_b (s * cx) (s * cy) e cx cy cz = s * w + e * h)
-    by (intros; unfold hit_of_b.toward_b, hit_of_b.distance, w, h; ring).
+    by (intros; hit_of_b.lines; unfold w, h; ring).
   assert (V : forall s, hit_of_b.discriminant_b (s * cx) (s * cy) e cx cy cz r =
     (w ^ 2 - c * w) * s ^ 2 + 2 * (w * e * h) * s + e ^ 2 * (h ^ 2 - c)).
   { intros s. destruct (quadratic_of_b 0 (s * cx) (s * cy) e cx cy cz r) as (_ & _ & ->). rewrite T. fold c.
@@ -284,7 +284,7 @@ Theorem silhouette_of_b__meets__false : ~ forall x y e cx cy cz r : R, 0 < c_of_
   0 <= hit_of_b.discriminant_b x y e cx cy cz r -> exists t, 0 < t /\ on_b t x y e cx cy cz r.
 Proof.
   intros F. destruct (F 0 0 4 0 0 8 1) as (t & P & M).
-  1, 2: unfold c_of_b, hit_of_b.discriminant_b, hit_of_b.distance, dot3; lra.
+  1, 2: unfold c_of_b; hit_of_b.lines; unfold dot3; lra.
   unfold on_b, distance2 in M. nra.
 Qed.
 

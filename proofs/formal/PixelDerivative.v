@@ -48,9 +48,7 @@ Qed.
 Lemma tilted : let z := perturbed.bumped_z 0 0 1 1 0 0 1 in 0 < z /\ normal_by_beta.bumped_by_beta_z 0 0 1 1 0 0 1 < 0 /\
   light_direction.mu 0 0 0 0 0 1 (perturbed.bumped_x 0 0 1 1 0 0 1) (perturbed.bumped_y 0 0 1 1 0 0 1) z = z.
 Proof.
-  unfold light_direction.mu. destruct above as (-> & -> & ->). unfold normal_by_beta.bumped_by_beta_z, normal_by_beta.bumped_x, normal_by_beta.bumped_y, normal_by_beta.bumped_z, normal_by_beta.m_scale,
-    normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length,
-    perturbed.m_x, perturbed.m_y, perturbed.m_z. replace ((1 * 1 + 0) ^ 2 + (1 * 0 + 0) ^ 2 + (1 * 0 + 1) ^ 2) with 2 by ring.
+  unfold light_direction.mu. destruct above as (-> & -> & ->). normal_by_beta.lines; perturbed.lines. replace ((1 * 1 + 0) ^ 2 + (1 * 0 + 0) ^ 2 + (1 * 0 + 1) ^ 2) with 2 by ring.
   assert (I : 0 < / sqrt 2) by (apply Rinv_0_lt_compat, sqrt_lt_R0; lra). unfold Rdiv. set (j := / sqrt 2) in *. clearbody j. assert (0 < j * j * j) by (repeat apply Rmult_lt_0_compat; exact I).
   repeat split; lra.
 Qed.
@@ -71,6 +69,6 @@ Proof.
   - rewrite halfway_above. lra.
   - rewrite X, Y, W. lra.
   - intro F. generalize (eq_trans (eq_sym (is_derive_unique _ _ _ E)) (is_derive_unique _ _ _ F)). rewrite M, X, Y, W.
-    unfold term_derivative.term_by_beta, term_derivative.diffuse_by_beta, term_derivative.shine_by_beta, mu_derivative.mu_by_beta.
+    term_derivative.lines; unfold mu_derivative.mu_by_beta.
     destruct (Rlt_dec 0 (perturbed.bumped_z 0 0 1 1 0 0 1)); [|contradiction]. destruct (Rlt_dec 0 _); lra.
 Qed.

@@ -12,11 +12,6 @@ Theorem elementary_functions__two_product__point : exists a b : R, float64 a /\ 
 Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
 Theorem roundoff_bound__of_any_height__point : exists (h h1 : R -> R) (L : R), (forall w, is_derive h w (h1 w)) /\ forall w, Rabs (h1 w) <= L.
 Proof. exists sin, cos, 1. split; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound]. Qed.
-Theorem roundoff_bound__of_the_kernel__point : exists a b : R, float64 a /\ float64 b /\ a <> b /\ bpow radix2 (-1021) <= Rabs (a - b).
-Proof.
-  exists (bpow radix2 0), 0. split; [apply generic_format_bpow; easy | split; [apply generic_format_0|]]. rewrite Rminus_0_r, Rabs_pos_eq by apply bpow_ge_0.
-  split; [apply Rgt_not_eq, bpow_gt_0 | apply bpow_le; easy].
-Qed.
 Theorem clamped_difference__of_any_height__point : exists (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\
   forall w x, 0 <= w <= v + epsilon -> 0 <= x <= v + epsilon -> Rabs (h1 w - h1 x) <= S * Rabs (w - x).
 Proof. exists (fun w => w ^ 2 / 2), (fun w => w), 0, 1, 1. split; [intro; auto_derive; trivial; field | split; [lra | split; [lra | intros; lra]]]. Qed.
@@ -41,7 +36,5 @@ Theorem ridges_on_creases__no_derivative__point : exists u k_u : R, 0 < k_u /\ s
 Proof. exists (1/2), 1. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem ridges_at_crossings__differentiable__point : exists k_u k_v : R, 0 < k_u /\ 0 < k_v.
 Proof. exists 1, 1. lra. Qed.
-Theorem seam__ridges_jumps__point : exists v k_u k_v : R, sin (PI * k_u) <> 0 /\ sin (PI * (k_v * v)) <> 0.
-Proof. exists (1/2), (1/2), 1. rewrite sine_of_a_right_angle. replace (PI * (1/2)) with (PI / 2) by field. rewrite sin_PI2. lra. Qed.
 Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\ is_derive (fun v => h u v) v h_v.
 Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.

@@ -59,8 +59,7 @@ Let u := (theta + PI) / (2 * PI).
 Definition g_of_sine (v : R) : vector := g theta (PI * v) (gradient_sine.h_u u v k_u k_v) (gradient_sine.h_v u v k_u k_v).
 Definition g_of_rings (v : R) : vector := g theta (PI * v) gradient_rings.h_u (gradient_rings.h_v v k_v).
 
-Ltac unfold_g := unfold g_of_sine, g_of_rings, g, bumped_normal.g_x, bumped_normal.g_y, bumped_normal.g_z, bumped_normal.e_theta_x, bumped_normal.e_theta_y,
-  bumped_normal.e_theta_z, bumped_normal.e_phi_x, bumped_normal.e_phi_y, bumped_normal.e_phi_z, gradient_rings.h_u; unfold_fields; cbn [fst snd].
+Ltac unfold_g := unfold g_of_sine, g_of_rings, g; bumped_normal.lines; unfold gradient_rings.h_u; unfold_fields; cbn [fst snd].
 Ltac limit := apply limit_is_value; [auto_derive; trivial | rewrite ?Rmult_0_r, ?sin_0, ?cos_0; ring].
 
 (* As v -> 0, sine's g tends to pi k_v sin(pi k_u u) (cos theta, sin theta, 0). *)
@@ -167,8 +166,7 @@ Proof.
   assert (E : forall v, gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) = k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v))).
   { intro v. unfold_fields. fold c. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra. }
   assert (F : forall v, gradient_sine.h_v u v k_u k_v / PI = k_v * s * cos (PI * (k_v * v))) by (intro v; unfold_fields; fold s; field; lra).
-  unfold surface_gradient, limit, e_theta, e_phi, tangent_frame.e_theta_x, tangent_frame.e_theta_y, tangent_frame.e_theta_z, tangent_frame.e_phi_x,
-    tangent_frame.e_phi_y, tangent_frame.e_phi_z, vector_sum, scaled, dot. cbn [fst snd]. fold c s.
+  unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s.
   assert (S : forall x (f : R -> R) (l : R), is_lim f 0 l -> is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + f v) 0 (k_v * (k_u / 2 * c * x) + l)).
   { intros x f l Hf. apply (is_lim_ext (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v)) * x + f v)); [intro v; rewrite E; reflexivity|].
     apply (is_lim_plus' _ f 0 (k_v * (k_u / 2 * c * x)) l); [|exact Hf]. replace (k_v * (k_u / 2 * c * x)) with (k_u / 2 * c * k_v * x) by ring.

@@ -10,7 +10,7 @@ Open Scope R_scope.
 (* The polynomial of a small ratio is within 2^-57 of the arctangent in half-turns. *)
 Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
 Proof.
-  intro B. unfold arctangent_polynomial.small_part, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared.
+  intro B. arctangent_polynomial.lines.
   interval with (i_taylor r, i_degree 40, i_prec 120).
 Qed.
 
@@ -74,7 +74,7 @@ Hypothesis not_small : bpow radix2 (-1018) <= l.
 Lemma sides : float64 l /\ float64 s /\ 0 <= s <= l /\ 0 < l.
 Proof.
   assert (A := generic_format_abs _ _ _ X). assert (B := generic_format_abs _ _ _ Y). assert (P := bpow_gt_0 radix2 (-1018)).
-  split; [|split; [|split; [split|]]]; [| | | |lra]; unfold l, s, angle_in_half_turns_float64.larger, angle_in_half_turns_float64.smaller, Rmax, Rmin;
+  split; [|split; [|split; [split|]]]; [| | | |lra]; unfold l, s; angle_in_half_turns_float64.lines; unfold Rmax, Rmin;
     destruct Rle_dec; try assumption; try apply Rabs_pos; lra.
 Qed.
 Lemma part_of_larger (c : R) : 1/4 <= c <= 1 -> c * l * (1 - / 2 ^ 53) <= rounded (c * l) <= c * l * (1 + / 2 ^ 53).
@@ -208,7 +208,7 @@ Qed.
 (* Without the node that is taken off the polynomial is not so near, and where its quotient alone decides, the angle is not. *)
 Theorem elementary_functions__arctangent__false : ~ forall r, -1 <= r <= 1 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
 Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold arctangent_polynomial.small_part, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared. interval with (i_prec 120).
+  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. arctangent_polynomial.lines. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
 Proof.

@@ -3,16 +3,15 @@
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Relative.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding EnclosingRules.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential EnclosingRules.
 From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
 Proof.
-  unfold rounded. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & _ & ->).
-  replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. apply Rplus_le_compat.
-  - apply Rmult_le_compat_r; [apply Rabs_pos | eapply Rle_trans; [exact D | unfold u_ro, unit53; simpl; lra]].
-  - eapply Rle_trans; [exact E|]. unfold underflow. generalize (bpow_gt_0 radix2 (-1074)). lra.
+  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
+  apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | unfold unit53; lra] | exact E].
 Qed.
 Lemma rounding_of_positive (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
 Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
@@ -58,13 +57,17 @@ Proof.
   assert (M : (p1 + p2 + p3) * (1 - unit53) - underflow <= s + p3 <= (p1 + p2 + p3) * (1 + unit53) + underflow) by (unfold unit53 in *; lra).
   apply Rabs_le. unfold unit53 in *. lra.
 Qed.
-Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
+Lemma length_rounded : L * (1 - 67/10 * unit53) <= r <= L * (1 + 67/10 * unit53).
 Proof.
   assert (Q := square_of_length). apply Rabs_le_between in Q. assert (V : 0 < L * L) by (apply Rmult_lt_0_compat; lra). assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
-  assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). set (w := sqrt q) in *. unfold c, r.
+  assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). unfold r. set (w := sqrt q) in *.
   assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [unfold unit53; lra | rewrite W; unfold unit53 in *; nra]).
   assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
-  assert (R := rounding_of_positive w Wp). fold w. set (l := rounded w) in *. assert (B : L * (1 - 67/10 * unit53) <= l <= L * (1 + 67/10 * unit53)) by (clearbody l w; unfold unit53 in *; lra).
+  assert (R := rounding_of_positive w Wp). set (l := rounded w) in *. clearbody l w. unfold unit53 in *. lra.
+Qed.
+Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
+Proof.
+  assert (B := length_rounded). unfold c. set (l := r) in *. assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
   assert (lp : 0 < l) by (unfold unit53 in *; lra). assert (J : 1 / l * l = 1) by (field; lra). assert (Jp : 0 < 1 / l) by (apply Rdiv_lt_0_compat; lra). assert (C := rounding_of_positive (1 / l) ltac:(lra)). set (j := 1 / l) in *. set (i := rounded j) in *.
   assert (JL : 1 - 68/10 * unit53 <= j * L <= 1 + 68/10 * unit53).
   { assert (j * (L * (1 - 67/10 * unit53)) <= j * l) by (apply Rmult_le_compat_l; lra). assert (j * l <= j * (L * (1 + 67/10 * unit53))) by (apply Rmult_le_compat_l; lra). unfold unit53 in *. lra. }
@@ -107,10 +110,42 @@ Proof.
   assert (Sx := Rle_0_sqr (b * gx + nx)). assert (Sy := Rle_0_sqr (b * gy + ny)). assert (Sz := Rle_0_sqr (b * gz + nz)). unfold Rsqr in Sx, Sy, Sz.
   assert (Ex := component_rounded b gx nx L Nx L1 ltac:(lra) ltac:(lra)). assert (Ey := component_rounded b gy ny L Ny L1 ltac:(lra) ltac:(lra)). assert (Ez := component_rounded b gz nz L Nz L1 ltac:(lra) ltac:(lra)).
   assert (H := component_normalised _ _ _ _ _ _ L (eq_trans LL V) ltac:(lra) Lu Ex Ey Ez).
-  unfold perturbed_float64.bumped_x, perturbed_float64.bumped_y, perturbed_float64.bumped_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed_float64.m_scale, perturbed.m_scale, perturbed_float64.m_length, perturbed.m_length,
-    perturbed_float64.m_x, perturbed_float64.m_y, perturbed_float64.m_z, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  perturbed_float64.lines; perturbed.lines.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). replace (12 / 9007199254740992) with (12 * unit53) by (unfold unit53; lra).
   cbv zeta in H. rewrite !(Rmult_comm (/ L)). split; [|split]; (apply H; [assumption | lra]).
+Qed.
+Lemma positive_part (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
+Proof. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
+(* The highlight's base: Phong's is made of sums and products, *)
+Ltac sums := lazymatch goal with
+  | |- Rabs (rounded (_ + _) - (_ + _)) <= _ => eapply both_error; [find_bound | sums | sums]
+  | |- Rabs (rounded (_ - _) - (_ - _)) <= _ => eapply difference_error; [find_bound | sums | sums]
+  | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply times_error; [find_bound | find_bound | sums | sums]
+  | |- _ => apply no_error end.
+Theorem colour_accuracy__phong : Statements.colour_accuracy__phong.
+Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply positive_part|]. eapply Rle_trans; [sums | interval]. Qed.
+(* and Blinn's divides by a length. *)
+Theorem colour_accuracy__blinn : Statements.colour_accuracy__blinn.
+Proof.
+  red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = hx * hx + hy * hy + hz * hz) by (unfold v; ring). clearbody v.
+  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 / 2 ^ 20 <= L) by (rewrite <- (sqrt_square (1 / 2 ^ 20)) by lra; apply sqrt_le_1_alt; lra).
+  assert (O : forall h, Rabs (h - h) <= 9/4 * unit53 * L) by (intro h; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; unfold unit53; lra).
+  assert (Sx := Rle_0_sqr hx). assert (Sy := Rle_0_sqr hy). assert (Sz := Rle_0_sqr hz). unfold Rsqr in Sx, Sy, Sz. assert (T := underflow_is_small).
+  assert (R := length_rounded hx hy hz hx hy hz L (eq_trans LL V) L1 (O hx) (O hy) (O hz)). blinn_highlight_float64.lines; blinn_highlight.lines. replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring).
+  set (l := rounded (sqrt _)) in *. assert (l0 : 0 < l) by (unfold unit53 in *; lra). destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply positive_part|].
+  assert (P : forall n h, Rabs n <= / 1099511627776 + 1 -> h * h <= L * L -> Rabs (rounded (n * h) - n * h) <= 101/100 * unit53 * L /\ Rabs (n * h) <= 1001/1000 * L).
+  { intros n h N S. assert (A : Rabs h <= L) by (apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]). assert (G : Rabs (n * h) <= 1001/1000 * L) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; lra).
+    split; [|exact G]. assert (E := rounding_error (n * h)). unfold unit53 in *. lra. }
+  destruct (P nx hx Bx ltac:(lra)) as [Ax Gx]. destruct (P ny hy By ltac:(lra)) as [Ay Gy]. destruct (P nz hz Bz ltac:(lra)) as [Az Gz].
+  apply Rabs_le_between in Ax. apply Rabs_le_between in Ay. apply Rabs_le_between in Az. apply Rabs_le_between in Gx. apply Rabs_le_between in Gy. apply Rabs_le_between in Gz.
+  set (a := rounded (nx * hx)) in *. set (b := rounded (ny * hy)) in *. set (c := rounded (nz * hz)) in *. set (gx := nx * hx) in *. set (gy := ny * hy) in *. set (gz := nz * hz) in *. clearbody a b c gx gy gz l. clear - Ax Ay Az Gx Gy Gz T R L1 l0.
+  assert (O1 := rounding_error (a + b)). assert (B1 : Rabs (a + b) <= 201/100 * L) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O1. set (s := rounded (a + b)) in *.
+  assert (O2 := rounding_error (s + c)). assert (B2 : Rabs (s + c) <= 302/100 * L) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O2. set (d := rounded (s + c)) in *.
+  set (z := (gx + gy + gz) / L). assert (Z : z * L = gx + gy + gz) by (unfold z; field; lra). assert (Bz : Rabs z <= 301/100) by (apply Rabs_le; split; apply Rmult_le_reg_r with L; lra).
+  assert (D : - (81/10 * unit53 * L) <= d - z * L <= 81/10 * unit53 * L) by (unfold unit53 in *; lra). assert (E : Rabs (z * (L - l)) <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; [exact Bz | apply Rabs_le; lra]). apply Rabs_le_between in Bz. apply Rabs_le_between in E.
+  assert (Y : - (285/10 * unit53) <= d / l - z <= 285/10 * unit53).
+  { assert (I : (d / l - z) * l = (d - z * L) + z * (L - l)) by (field; lra). set (w := d / l - z) in *. clearbody w z d. unfold unit53 in *. split; apply Rmult_le_reg_r with l; lra. }
+  assert (O3 := rounding_error (d / l)). assert (B3 : Rabs (d / l) <= 302/100) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O3. apply Rabs_le. unfold unit53 in *. lra.
 Qed.
 Theorem colour_accuracy__cosine : Statements.colour_accuracy__cosine.
 Proof.
@@ -128,9 +163,7 @@ Proof.
   assert (I : forall m, m * m <= L * L -> Rabs (m / L) <= 1).
   { intros m M. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra. apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]. }
   assert (Ix := I (lx - px) ltac:(lra)). assert (Iy := I (ly - py) ltac:(lra)). assert (Iz := I (lz - pz) ltac:(lra)). clear I.
-  unfold light_direction_float64.mu, light_direction.mu, light_direction_float64.towards_x, light_direction_float64.towards_y, light_direction_float64.towards_z, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
-    light_direction_float64.light_scale, light_direction.light_scale, light_direction_float64.light_distance, light_direction.light_distance, light_direction_float64.to_light_x, light_direction_float64.to_light_y, light_direction_float64.to_light_z,
-    light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z.
+  light_direction_float64.lines; light_direction.lines.
   replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring). rewrite !(Rmult_comm (/ L)). fold (Rdiv (lx - px) L) (Rdiv (ly - py) L) (Rdiv (lz - pz) L).
   set (tx := (lx - px) / L) in *. set (ty := (ly - py) / L) in *. set (tz := (lz - pz) / L) in *. set (k := rounded (1 / rounded (sqrt _))) in *. set (hx := rounded (k * rounded (lx - px))) in *. set (hy := rounded (k * rounded (ly - py))) in *. set (hz := rounded (k * rounded (lz - pz))) in *.
   assert (T := underflow_is_small).
@@ -195,10 +228,10 @@ Proof.
   intros m2 d2 mu' mu Nx Ny Nz Gx Gy Gz Fb Px Py Pz Lx Ly Lz M1 M2 Bx By Bz D1 D2 B I A Kd Ks P Iu Au.
   destruct (colour_accuracy__normal nx ny nz gx gy gz beta Nx Ny Nz Gx Gy Gz Fb M1 M2 Bx By Bz) as (Ex & Ey & Ez).
   assert (Ux : Rabs (perturbed.bumped_x nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_y nx ny nz gx gy gz beta) <= 1 /\ Rabs (perturbed.bumped_z nx ny nz gx gy gz beta) <= 1).
-  { unfold perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z. unfold m2 in M1.
+  { perturbed.lines. unfold m2 in M1.
     generalize (Rle_0_sqr (beta * gx + nx)) (Rle_0_sqr (beta * gy + ny)) (Rle_0_sqr (beta * gz + nz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
   assert (T : Rabs (light_direction.towards_x px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_y px py pz lx ly lz) <= 1 /\ Rabs (light_direction.towards_z px py pz lx ly lz) <= 1).
-  { unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z. unfold d2 in D1.
+  { light_direction.lines. unfold d2 in D1.
     generalize (Rle_0_sqr (lx - px)) (Rle_0_sqr (ly - py)) (Rle_0_sqr (lz - pz)). unfold Rsqr. intros Sx Sy Sz. repeat split; apply unit_component; simpl; lra. }
   destruct Ux as (Ux & Uy & Uz). destruct T as (Tx & Ty & Tz). set (x := perturbed.bumped_x _ _ _ _ _ _ _) in *. set (y := perturbed.bumped_y _ _ _ _ _ _ _) in *. set (z := perturbed.bumped_z _ _ _ _ _ _ _) in *.
   assert (Fx : float64 (perturbed_float64.bumped_x nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _). assert (Fy : float64 (perturbed_float64.bumped_y nx ny nz gx gy gz beta)) by exact (rounded_is_float64 _).
@@ -214,7 +247,7 @@ Proof.
   assert (M : Rabs (mu' - mu) <= 81 * unit53).
   { replace (mu' - mu) with ((mu' - light_direction.mu px py pz lx ly lz x' y' z') + (light_direction.mu px py pz lx ly lz x' y' z' - mu)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra. }
   split; [exact M|]. clearbody mu mu'. clear - M B I A Kd Ks P Iu Au. change clip_float64.clipped with clip.clipped. eapply Rle_trans; [apply clip_moves|].
-  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). unfold light_term_float64.lit_red, light_term_float64.diffuse, light_term_float64.shine, light_term.lit_red, light_term.diffuse, light_term.shine.
+  assert (S := share_within b i a kd ks (Rmax 0 mu') p B I A Kd Ks (Rmax_l 0 mu') P Iu Au). light_term_float64.lines; light_term.lines.
   match goal with |- Rabs (?h - ?e) <= _ => replace (h - e) with ((h - (i * (a * (kd * Rmax 0 mu') + ks * p) + b)) + (i * (a * kd * (Rmax 0 mu' - Rmax 0 mu)))) by ring end.
   eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [exact S|]. rewrite Rabs_mult, (Rabs_pos_eq i) by lra. apply Rmult_le_compat_l; [lra|]. assert (0 <= a * kd) by (apply Rmult_le_pos; lra). rewrite Rabs_mult, (Rabs_pos_eq (a * kd)) by assumption.
   apply Rmult_le_compat_l; [assumption|]. eapply Rle_trans; [|exact M]. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
@@ -231,7 +264,6 @@ Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
 Proof.
   assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
   destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
-  unfold light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
-    perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z, perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z.
+  light_direction.lines; perturbed.lines.
   replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. apply Rabs_le_between in M. apply Rabs_le_between in H. unfold unit53 in *. lra.
 Qed.

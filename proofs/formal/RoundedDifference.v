@@ -12,10 +12,7 @@ Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
 Proof. unfold unit_roundoff. change (bpow radix2 (-53 + 1)) with (/ IZR (2 ^ 52)). simpl. lra. Qed.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
-  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & y & D & Y & _ & E). exists d, y. split; [|split; [|exact E]].
-  - rewrite <- unit_roundoff_is. exact D.
-  - eapply Rle_trans; [exact Y|]. apply Rle_trans with (bpow radix2 (-100)); [|simpl; lra].
-    generalize (bpow_le radix2 (-1074) (-100) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+  destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
 Qed.
 Lemma half_near (x : R) : float64 x -> Rabs (rounded (1 / 2 * x) - x / 2) <= 2 / 2 ^ 100.
 Proof.
@@ -94,8 +91,7 @@ Proof.
   intros U V. destruct (factors_near _ _ U) as (Su & _). destruct (factors_near _ _ V) as (Sv & _).
   eapply Rle_trans; [exact (times_error _ _ _ _ 1 1 _ _ (sine_at_most_1 _) (sine_at_most_1 _) Su Sv) | lra].
 Qed.
-Ltac unfold_slopes := unfold height_sine.h, height_rings.h, gradient_sine.h_u, gradient_sine.h_v, gradient_rings.h_v, gradient_sine.cos_u, gradient_sine.cos_v,
-  gradient_sine.sin_u, gradient_sine.sin_v, gradient_rings.cos_v.
+Ltac unfold_slopes := unfold height_sine.h, height_rings.h; gradient_sine.lines; gradient_rings.lines.
 Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
   repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
   destruct H as [H H']; unfold Rdiv in *; revert H H'; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply Rabs_le; split; lra.
@@ -239,7 +235,7 @@ Lemma clamped_arguments (v e : R) : float64 v -> float64 e -> 0 <= v < e -> e + 
 Proof.
   intros V E B W. assert (P := proj1 (up_to_1 _) W). assert (M : rounded (v - e) < 0).
   { destruct (difference_near v e V E) as (d & D & ->). apply Rabs_le_between in D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
-  unfold central_any_float64.span_v, central_any_float64.v_plus, central_any_float64.v_minus. rewrite Rmin_right, Rmax_left by lra. repeat split.
+  central_any_float64.lines. rewrite Rmin_right, Rmax_left by lra. repeat split.
   destruct (both _ _) as [[_ N]|_]; [replace (e - v) with (- (v - e)) in N by ring; rewrite rounded_opp in N; lra|]. rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
 Definition clamped_bound (L w : R) : R := (16 / w + 2 * L) / 2 ^ 53 * (1 + kappa_clamped) + L * kappa_clamped.
@@ -271,20 +267,20 @@ Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_i
 Proof.
   intros (V & E & K & B & W & C) U. assert (Z := zero_carried _ _ C). destruct (clamped_arguments v epsilon V E B W) as (P & M & S). destruct (exact_when_clamped v epsilon B W) as (P' & M' & S').
   assert (N : Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)).
-  { unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus, central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus. rewrite P, M, S, P', M', S', Rminus_0_r.
+  { unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus; central_sine.lines. rewrite P, M, S, P', M', S', Rminus_0_r.
     refine (clamped_parts (fun x => height_sine.h u x k_u k_v) (fun x => PI * k_v * (cos (PI * (k_v * x)) * sin (PI * (k_u * u)))) _ v epsilon _ _ _ _ V E B W
       (rounded_is_float64 _) (rounded_is_float64 _) (sine_height_near _ _ _ _ U C) (sine_height_near _ _ _ _ U Z)).
     - unfold height_sine.h. derived.
     - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1]. }
   split; [exact N|]. split.
   2: { intros k F <-. assert (R := rings_height_near k F).
-    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus, central_rings.h_v, central_rings.h_v_plus, central_rings.h_v_minus, central_rings.span_v, central_rings.v_plus, central_rings.v_minus. rewrite P, M, S, P', M', S', Rminus_0_r.
+    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus; central_rings.lines. rewrite P, M, S, P', M', S', Rminus_0_r.
     refine (clamped_parts (fun x => height_rings.h x k) (fun x => PI * (2 * k) * (cos (PI * (2 * k * x)) * 1)) _ v epsilon _ _ _ _ V E B W (proj2 (R _ C)) (proj2 (R _ Z)) (proj1 (R _ C)) (proj1 (R _ Z))).
     - unfold height_rings.h. derived.
     - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra]. }
   intros s G H H'. assert (H0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _ _ _ _ _ G _ _ N).
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, !(ridges_height s) by (assumption || lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).
-  - unfold central_ridges.h_v, central_ridges.h_v_plus, central_ridges.h_v_minus, central_ridges.span_v, central_ridges.v_plus, central_ridges.v_minus, central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus.
+  - central_ridges.lines; central_sine.lines.
     rewrite P', M', !S'. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v * 0))) in *. clearbody x z.
     replace (Rabs x) with (s * x) by (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). replace (Rabs z) with (s * z) by (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). unfold Rdiv. ring.
 Qed.
@@ -345,7 +341,7 @@ Theorem roundoff_bound__clamped_in_float64__false : ~ forall u v k_u k_v epsilon
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= clamped_bound (PI * k_v) (epsilon + v).
 Proof.
   intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (roundoff_bound__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
-  destruct V as (_ & _ & _ & B & W & _). destruct (exact_when_clamped _ _ B W) as (P & M & S). unfold central_sine.h_v, central_sine.h_v_plus, central_sine.h_v_minus, central_sine.span_v, central_sine.v_plus, central_sine.v_minus. rewrite P, M, S.
+  destruct V as (_ & _ & _ & B & W & _). destruct (exact_when_clamped _ _ B W) as (P & M & S). central_sine.lines. rewrite P, M, S.
   change (bpow radix2 (-1)) with (/ 2). unfold height_sine.h, clamped_bound, kappa_clamped. unfold_slopes. interval with (i_prec 80).
 Qed.
 Lemma for_rings : float64 (201 / 2 / 2) /\ sampled_in_v (2 * (201 / 2 / 2)) (bpow radix2 (-1)) (bpow radix2 (-55)).

@@ -10,7 +10,7 @@ Open Scope R_scope.
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
 Theorem elementary_functions__exponential (r : R) : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
 Proof.
-  intro B. unfold exponential_polynomial.exponential_near, exponential_polynomial.departure, exponential_polynomial.departure_low, exponential_polynomial.exponential_tail, exponential_polynomial.away_squared.
+  intro B. exponential_polynomial.lines.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
@@ -61,12 +61,12 @@ Proof.
   destruct near_doublings as [D _]. replace (p - IZR n * ln 2) with (p * (1 - scale * ln 2) - ln 2 * (IZR n - scale * p)) by ring.
   set (d := IZR n - scale * p) in *. clearbody d. apply Rabs_le_between in D. unfold scale. interval.
 Qed.
-Lemma away_high_printed : exponential_in_range_float64.away_high p = p - IZR n * (22713/32768) /\ Rabs (p - IZR n * (22713/32768)) <= 3481/10000.
+Lemma away_high_printed : exponential_of_sum_float64.away_high p = p - IZR n * (22713/32768) /\ Rabs (p - IZR n * (22713/32768)) <= 3481/10000.
 Proof.
   assert (S : Rabs (p - IZR n * (22713/32768)) <= 3481/10000).
   { replace (p - _) with (p - IZR n * ln 2 + IZR n * (ln 2 - 22713/32768)) by ring. generalize doublings_off. set (d := p - IZR n * ln 2). intro D.
     generalize doublings_range. clearbody d. generalize (IZR n). intros w W. apply Rabs_le_between in D. interval. }
-  split; [|exact S]. destruct near_doublings as [D N]. unfold exponential_in_range_float64.away_high. change (exponential_in_range_float64.whole p) with (IZR n).
+  split; [|exact S]. destruct near_doublings as [D N]. unfold exponential_of_sum_float64.away_high. change (exponential_of_sum_float64.whole p) with (IZR n).
   assert (W : IZR n * (22713/32768) = IZR (22713 * n) * bpow radix2 (-15)) by (rewrite mult_IZR; change (bpow radix2 (-15)) with (/ 32768); field).
   assert (K : float64 (IZR n * (22713/32768))) by (rewrite W; apply whole_is_float64; lia).
   rewrite (Rmult_comm (22713/32768)), (kept _ K). apply kept. rewrite W in *. apply rest_is_float64; [exact F | lra|].
@@ -74,14 +74,14 @@ Proof.
   assert (-1 < n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 (* What remains of the argument, in two parts. *)
-Lemma away_near : let a := exponential_in_range_float64.away p e in let b := exponential_in_range_float64.away_error p e in
+Lemma away_near : let a := exponential_of_sum_float64.away p e in let b := exponential_of_sum_float64.away_error p e in
   Rabs a <= 3467/10000 /\ Rabs b <= 35/100 / 2 ^ 53 /\ Rabs (a + b - r) <= 7/1000 / 2 ^ 53.
 Proof.
-  intros a b. destruct away_high_printed as [H S]. set (h := exponential_in_range_float64.away_high p) in *. set (l := exponential_in_range_float64.away_low p e).
+  intros a b. destruct away_high_printed as [H S]. set (h := exponential_of_sum_float64.away_high p) in *. set (l := exponential_of_sum_float64.away_low p e).
   set (L := 3373202482714085 / 2361183241434822606848). assert (W := doublings_range).
   assert (E1 : Rabs (l - (L * IZR n - e)) <= 3/1000 / 2 ^ 53 /\ Rabs (L * IZR n - e) <= 147/100000).
   { assert (P : Rabs (L * IZR n) <= 1465/1000000) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval). split.
-    - unfold l, exponential_in_range_float64.away_low. change (exponential_in_range_float64.whole p) with (IZR n). fold L.
+    - unfold l, exponential_of_sum_float64.away_low. change (exponential_of_sum_float64.whole p) with (IZR n). fold L.
       assert (T : Rabs (L * IZR n - e) <= 147/100000) by (eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_Ropp; lra).
       eapply Rle_trans; [eapply difference_error; [exact T | exact (rounded_error _ _ P) | apply no_error] | lra].
     - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
@@ -93,12 +93,12 @@ Proof.
   { replace r with (p - IZR n * ln 2 + e) by (unfold r; ring). generalize doublings_off. intro D. eapply Rle_trans; [apply Rabs_triang|]. lra. }
   assert (E3 : Rabs (a - (h - l)) <= 3467/10000 / 2 ^ 53).
   { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
-  assert (E4 : Rabs (exponential_in_range_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
+  assert (E4 : Rabs (exponential_of_sum_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
   { assert (T : Rabs (h - a) <= 1471/1000000).
     { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. apply Rabs_le_between in Bl. apply Rabs_le_between in E1. apply Rabs_le_between in E3. apply Rabs_le. lra. }
     eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E5 : Rabs (b - (h - a - l)) <= 2/1000 / 2 ^ 53).
-  { unfold b, exponential_in_range_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a - (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
+  { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a - (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
     eapply Rle_trans; [eapply difference_error; [exact T | exact E4 | apply no_error] | lra]. }
   apply Rabs_le_between in Br. apply Rabs_le_between in E2. apply Rabs_le_between in E3. apply Rabs_le_between in E5. repeat split; apply Rabs_le; lra.
 Qed.
@@ -112,18 +112,18 @@ Proof. split; interval. Qed.
 (* What the polynomial loses in float64. *)
 Section polynomial.
 Variables p e : R.
-Let a := exponential_in_range_float64.away p e.
-Let b := exponential_in_range_float64.away_error p e.
+Let a := exponential_of_sum_float64.away p e.
+Let b := exponential_of_sum_float64.away_error p e.
 Hypothesis A : - (3467/10000) <= a <= 3467/10000.
 Hypothesis B : Rabs b <= 35/100 / 2 ^ 53.
-Lemma departure_rounded : Rabs (exponential_in_range_float64.departure_low p e - (b + exponential_polynomial.departure_low a 0)) <= 31/100 / 2 ^ 53.
+Lemma departure_rounded : Rabs (exponential_of_sum_float64.departure_low p e - (b + exponential_polynomial.departure_low a 0)) <= 31/100 / 2 ^ 53.
 Proof.
-  unfold exponential_in_range_float64.departure_low, exponential_polynomial.departure_low, exponential_in_range_float64.exponential_tail, exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
-  fold a b. set (zh := exponential_in_range_float64.away_squared p e). set (z := exponential_polynomial.away_squared a).
+  unfold exponential_of_sum_float64.departure_low, exponential_polynomial.departure_low, exponential_of_sum_float64.exponential_tail, exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
+  fold a b. set (zh := exponential_of_sum_float64.away_squared p e). set (z := exponential_polynomial.away_squared a).
   assert (Z : 0 <= z <= 12021/100000).
   { assert (G : forall t, - (3467/10000) <= t <= 3467/10000 -> 0 <= t ^ 2 <= 12021/100000) by (intros; split; [apply pow2_ge_0 | interval]). exact (G a A). }
   assert (Ez : Rabs (zh - z) <= 121/1000 / 2 ^ 53).
-  { unfold zh, exponential_in_range_float64.away_squared. fold a. replace (a * a) with z by (unfold z, exponential_polynomial.away_squared; ring).
+  { unfold zh, exponential_of_sum_float64.away_squared. fold a. replace (a * a) with z by (unfold z, exponential_polynomial.away_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (12021/100000)); apply Rabs_le; lra | lra]. }
   clearbody zh z a b.
   lazymatch goal with |- context [zh * rounded (rounded (rounded (a * ?ph) + rounded (zh * ?qh)) + _)] => lazymatch goal with |- context [z * (a * ?P + z * ?Q + _)] =>
@@ -131,11 +131,11 @@ Proof.
     assert (Es : Rabs (rounded (rounded (a * ph) + rounded (zh * qh)) - (a * P + z * Q)) <= 23/100 / 2 ^ 53) by (eapply Rle_trans; [eapply both_error; [find_bound | exact Ep | exact Eq] | interval]) end end.
   eapply Rle_trans; [eapply both_error; [find_bound | apply no_error | find_error] | interval].
 Qed.
-Lemma near_rounded : let v := exp a in Rabs (exponential_in_range_float64.exponential_near p e - (v + b)) <= (v + Rabs (v - 1) + 376/1000) / 2 ^ 53.
+Lemma near_rounded : let v := exp a in Rabs (exponential_of_sum_float64.exponential_near p e - (v + b)) <= (v + Rabs (v - 1) + 376/1000) / 2 ^ 53.
 Proof.
   intro v. assert (M := departure_rounded). assert (X := elementary_functions__exponential a A). fold v in X. assert (V := near_one a A). fold v in V.
   unfold exponential_polynomial.exponential_near, exponential_polynomial.departure in X. set (w := exponential_polynomial.departure_low a 0) in *.
-  unfold exponential_in_range_float64.exponential_near, exponential_in_range_float64.departure. fold a. set (wh := exponential_in_range_float64.departure_low p e) in *. clearbody a b v w wh.
+  unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh := exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
   assert (S : Rabs (a + (b + w)) <= Rabs (v - 1) + 1/1000).
   { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))). rewrite Rabs_Ropp. apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y. intros. apply Rabs_le. lra. }
   assert (E1 := both_error a a (b + w) wh _ _ _ S (no_error a) M).
@@ -148,10 +148,10 @@ End polynomial.
 
 Lemma exponential_near_float64 (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
   let r := p + e - IZR (Znearest (fun n => negb (Z.even n)) (rounded (3248660424278399 / 2251799813685248 * p))) * ln 2 in
-  Rabs (exponential_in_range_float64.exponential_near p e - exp r) <= 11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_in_range_float64.exponential_near p e.
+  Rabs (exponential_of_sum_float64.exponential_near p e - exp r) <= 11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_of_sum_float64.exponential_near p e.
 Proof.
   intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. apply Rabs_le_between in A. assert (N := near_rounded p e A C). cbv zeta in N.
-  set (a := exponential_in_range_float64.away p e) in *. set (b := exponential_in_range_float64.away_error p e) in *. set (near := exponential_in_range_float64.exponential_near p e) in *.
+  set (a := exponential_of_sum_float64.away p e) in *. set (b := exponential_of_sum_float64.away_error p e) in *. set (near := exponential_of_sum_float64.exponential_near p e) in *.
   assert (V := near_one _ A).
   assert (G : forall t, Rabs t <= 36/100 / 2 ^ 53 -> Rabs (exp t - 1 - t) <= 1 / 2 ^ 100).
   { intros t T. apply Rabs_le_between in T. interval with (i_taylor t, i_degree 4, i_prec 200). }
@@ -167,13 +167,13 @@ Qed.
 
 (* The exponential of a float64 and a correction is within 11/5 2^-53 of the exponential of their sum, relative to that, where it is neither 0 nor infinite. *)
 Theorem elementary_functions__exp (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
-  Rabs (exponential_in_range_float64.exponential p e - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
+  Rabs (exponential_of_sum_float64.exponential p e - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
 Proof.
-  intros F B E. destruct (exponential_near_float64 p e F B E) as [N H]. set (n := Znearest _ _) in N. set (near := exponential_in_range_float64.exponential_near p e) in *.
+  intros F B E. destruct (exponential_near_float64 p e F B E) as [N H]. set (n := Znearest _ _) in N. set (near := exponential_of_sum_float64.exponential_near p e) in *.
   destruct (near_doublings p B) as [_ M]. change (-1021 <= n <= 1023)%Z in M.
   assert (X : exp (p + e) = exp (p + e - IZR n * ln 2) * bpow radix2 n) by (rewrite bpow_exp, <- exp_plus; f_equal; change (IZR radix2) with 2; ring).
-  assert (Y : exponential_in_range_float64.exponential p e = near * bpow radix2 n).
-  { unfold exponential_in_range_float64.exponential, power_of_two. fold near. change (exponential_in_range_float64.whole p) with (IZR n). rewrite Zfloor_IZR.
+  assert (Y : exponential_of_sum_float64.exponential p e = near * bpow radix2 n).
+  { unfold exponential_of_sum_float64.exponential, power_of_two. fold near. change (exponential_of_sum_float64.whole p) with (IZR n). rewrite Zfloor_IZR. repeat destruct Rlt_dec; try lra.
     apply kept, doubled_float64; [apply rounded_is_float64 | rewrite Rabs_pos_eq; lra | lia]. }
   rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact N].
 Qed.
@@ -185,10 +185,10 @@ Proof. exists 0, 0. rewrite Rabs_R0. split; [apply generic_format_0 | lra]. Qed.
 Theorem elementary_functions__exponential__false : ~ forall r, -1 <= r <= 1 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le.
-  unfold exponential_polynomial.exponential_near, exponential_polynomial.departure, exponential_polynomial.departure_low, exponential_polynomial.exponential_tail, exponential_polynomial.away_squared. interval with (i_prec 120).
+  exponential_polynomial.lines. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__exp__false : ~ forall p e, float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
-  Rabs (exponential_in_range_float64.exponential p e - exp p) <= 11/5 * (1 / 2 ^ 53) * exp p.
+  Rabs (exponential_of_sum_float64.exponential p e - exp p) <= 11/5 * (1 / 2 ^ 53) * exp p.
 Proof.
   intro H. assert (E : Rabs (1 / 2 ^ 42) <= 1 / 2 ^ 42) by (rewrite Rabs_pos_eq; lra). generalize (H 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E) (elementary_functions__exp 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E).
   rewrite exp_0, Rplus_0_l. intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (1 + 9 / 2 ^ 53 < exp (1 / 2 ^ 42) < 2) by (split; interval with (i_prec 100)). lra.

@@ -30,8 +30,8 @@ Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_ha
 Proof.
   intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). fold q in B |- *. set (r := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
   assert (C := elementary_functions__cosine_float64 r N). assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2 ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
-  replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply of_opposites; assumption.
+  replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->].
+  apply (in_each_quadrant (fun x y => Rabs (x - y) <= 5/2 * (1 / 2 ^ 53))); [exact S | exact C | intros; apply of_opposites; assumption].
 Qed.
 (* and at every whole number of quarters of a turn they are exact. *)
 Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\ cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).

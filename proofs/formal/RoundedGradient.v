@@ -128,6 +128,16 @@ Proof.
   apply Rabs_le_between in E. lra.
 Qed.
 
+Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
+Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
+(* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
+Lemma in_each_quadrant (F : R -> R -> Prop) (q : Z) (s c s' c' : R) : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) ->
+  F (match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end) (match (q mod 4)%Z with 0%Z => s' | 1%Z => c' | 2%Z => - s' | _ => - c' end) /\
+  F (match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end) (match (q mod 4)%Z with 0%Z => c' | 1%Z => - s' | 2%Z => - c' | _ => s' end).
+Proof.
+  intros S C N. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
+Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Section product.
 Variables a b : R.
@@ -174,15 +184,10 @@ Proof.
   - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
     eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
-Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
-Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
-  destruct (sine_printed p e product_is_float64) as [-> ->]. fold r s c.
-  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
-  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply of_opposites; assumption.
+  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S | exact C | intros; apply of_opposites; assumption].
 Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
@@ -220,10 +225,7 @@ Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
-  destruct (sine_printed p e product_is_float64) as [-> _]. fold r s c.
-  assert (M := Z.mod_pos_bound (quarters p) 4 ltac:(easy)).
-  assert (K : (quarters p mod 4 = 0 \/ quarters p mod 4 = 1 \/ quarters p mod 4 = 2 \/ quarters p mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K, ?sign_opp, ?sign_of_sine, ?sign_of_cosine; reflexivity.
+  destruct (sine_printed p e product_is_float64) as [-> _]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
 Qed.
 End product.
 
@@ -286,16 +288,16 @@ Proof.
   rewrite !times_sign by first [exact 0 | apply rounded_is_float64]. rewrite !sign_mult.
   change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u))).
   change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
-  rewrite Su, Sv. unfold gradient_ridges.sin_u, gradient_ridges.sin_v. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
+  rewrite Su, Sv. gradient_ridges.lines. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
 Qed.
 Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
   Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs (2 * k_v))).
 Proof.
-  intros V F. destruct (factors_near _ _ V) as (_ & C & _). unfold gradient_rings_float64.h_v, gradient_rings_float64.cos_v.
+  intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
   rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
   set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
   { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
-  unfold gradient_rings.h_v, gradient_rings.cos_v. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
+  gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
   assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
   assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
   generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
@@ -305,14 +307,15 @@ Proof.
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)
+Lemma not_tiny (w : R) : 10 ^ 285 * Rabs w >= 1 \/ w = 0 -> w = 0 \/ bpow radix2 (-969) <= Rabs w.
+Proof.
+  intros [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [apply pow_lt; lra|]. apply Rle_trans with 1; [|lra].
+  change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
+  apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
+Qed.
 Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) -> carried k x.
 Proof.
-  intros X K L H B U. assert (P : 0 < 10 ^ 285) by (apply pow_lt; lra).
-  split; [exact K|]. split; [exact X|]. split.
-  - destruct U as [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [exact P|]. apply Rle_trans with 1; [|lra].
-    change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
-    apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
-  - rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
+  intros X K L H B U. repeat split; [exact K | exact X | apply not_tiny, U|]. rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
 Qed.
 Theorem gradient_accuracy__sine : Statements.gradient_accuracy__sine.
 Proof.

@@ -12,16 +12,17 @@ Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. eapply Rle_
 Lemma size (a ah A e : R) : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
 Proof. intros S E. replace ah with (a + (ah - a)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
 
+(* One rounding: a factor, or below the normal range less than 2^-1074. *)
+Lemma rounding (x : R) : exists d t, Rabs d <= / 2 ^ 53 /\ Rabs t <= bpow radix2 (-1074) /\ d * t = 0 /\ rounded x = x * (1 + d) + t.
+Proof.
+  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [eapply Rle_trans; [exact D | unfold u_ro; simpl; lra]|].
+  split; [eapply Rle_trans; [exact T | generalize (bpow_gt_0 radix2 (-1074)); lra] | split; [exact Z | exact E]].
+Qed.
 (* What underflows is off by far less than 2^-100. *)
 Lemma rounded_error (x X : R) : Rabs x <= X -> Rabs (rounded x - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intro B. unfold rounded. destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & e & D & E & _ & ->).
-  replace (x * (1 + d) + e - x) with (x * d + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
-  assert (D' : Rabs d <= / 2 ^ 53) by (eapply Rle_trans; [exact D|]; unfold u_ro; simpl; lra).
-  assert (E' : Rabs e <= 1 / 2 ^ 100).
-  { eapply Rle_trans; [exact E|]. apply Rle_trans with (bpow radix2 (-100)); [|simpl; lra].
-    generalize (bpow_le radix2 (-1074) (-100) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra. }
-  apply Rplus_le_compat; [|exact E']. apply Rmult_le_compat; try apply Rabs_pos; assumption.
+  intro B. destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (x * d + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
+  apply Rplus_le_compat; [apply Rmult_le_compat; try apply Rabs_pos; assumption|]. eapply Rle_trans; [exact E|]. replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
 Qed.
 Lemma sum_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
 Proof.

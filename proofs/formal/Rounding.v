@@ -101,32 +101,6 @@ Proof.
   apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
 Qed.
 
-(* The kernel's difference of two float64 heights, which are the same or do not underflow: as central_any_float64.h_u carries it out. *)
-Theorem roundoff_bound__of_the_kernel (h h1 : R -> R) (L u epsilon eta alpha u_plus u_minus h_plus h_minus : R) :
-  (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < epsilon <= 1 -> float64 h_plus -> float64 h_minus ->
-  h_plus = h_minus \/ bpow radix2 (-1021) <= Rabs (h_plus - h_minus) -> Rabs (u_plus - (u + epsilon)) <= alpha -> Rabs (u_minus - (u - epsilon)) <= alpha ->
-  Rabs (h_plus - h u_plus) <= eta -> Rabs (h_minus - h u_minus) <= eta -> let kappa := 2 * unit_roundoff + unit_roundoff ^ 2 in
-  Rabs (rounded (rounded (1 / 2 * rounded (h_plus - h_minus)) / epsilon) - (h (u + epsilon) - h (u - epsilon)) / (2 * epsilon)) <= 2 * (eta + L * alpha) / (2 * epsilon) * (1 + kappa) + L * kappa.
-Proof.
-  intros D B E F G N A1 A2 H1 H2 kappa. assert (U : 0 < unit_roundoff < 1) by (unfold unit_roundoff; simpl; lra).
-  assert (T : exists t, Rabs (t - 1) <= kappa /\ rounded (rounded (1 / 2 * rounded (h_plus - h_minus)) / epsilon) = (h_plus - h_minus) / (2 * epsilon) * t).
-  { destruct N as [->|N].
-    - exists 1. rewrite (Rminus_diag_eq h_minus), Rminus_diag_eq, Rabs_R0 by reflexivity. unfold rounded. rewrite !round_0, Rmult_0_r, round_0 by typeclasses eauto.
-      unfold Rdiv. rewrite !Rmult_0_l, round_0 by typeclasses eauto. split; [unfold kappa; nra | ring].
-    - destruct (rounded_difference _ _ F G) as (d1 & D1 & R1). set (r := rounded (h_plus - h_minus)) in *.
-      assert (R0 : bpow radix2 (-1021) <= Rabs r) by (apply abs_round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | exact N]).
-      assert (X : rounded (1 / 2 * r) = 1 / 2 * r).
-      { replace (1 / 2 * r) with (r * bpow radix2 (-1)) by (change (bpow radix2 (-1)) with (/ 2); lra). apply round_generic; [typeclasses eauto|]. apply mult_bpow_exact_FLT; [apply generic_format_round; typeclasses eauto|].
-        assert (M : (-1021 < mag radix2 r)%Z) by (apply mag_gt_bpow, R0). lia. }
-      rewrite X. assert (I : 1 <= / epsilon) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-      destruct (standard_model (1 / 2 * r / epsilon)) as (d2 & D2 & R2).
-      { unfold Rdiv. rewrite !Rabs_mult, (Rabs_pos_eq 1), (Rabs_pos_eq (/ 2)), (Rabs_pos_eq (/ epsilon)) by lra. replace (-1022)%Z with (-1021 + -1)%Z by easy. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2).
-        assert (0 <= Rabs r * (/ epsilon - 1)) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). lra. }
-      exists ((d1 + 1) * (d2 + 1)). rewrite R2, R1. split; [|field; lra]. apply Rabs_le_between in D1. apply Rabs_le_between in D2.
-      destruct (roundoff_bound__two_roundings d1 ((d1 + 1) * (d2 + 1)) d2 unit_roundoff); try lra. unfold kappa. apply Rabs_le. lra. }
-  destruct T as (t & T & ->). apply roundoff_bound__of_any_height with h1 u_plus u_minus; trivial; lra.
-Qed.
-
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
 Theorem elementary_functions__two_product (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
   two_product_float64.product a b + two_product_float64.product_error a b = a * b.
@@ -139,9 +113,7 @@ Proof.
     rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x))).
   { intro x. rewrite (Rmult_comm x). f_equal. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr. ring. }
   rewrite !N.
-  unfold two_product_float64.product, two_product_float64.product_error, two_product_float64.error_3, two_product_float64.error_2, two_product_float64.error_1,
-    two_product_float64.a_low, two_product_float64.a_high, two_product_float64.a_excess, two_product_float64.a_split, two_product_float64.b_low,
-    two_product_float64.b_high, two_product_float64.b_excess, two_product_float64.b_split.
+  two_product_float64.lines.
   f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
 Qed.
 
@@ -179,12 +151,4 @@ Proof.
   generalize (bpow_gt_0 radix2 (-1074)). intros B E. assert (S : bpow radix2 (-1074) < bpow radix2 0) by (apply bpow_lt; easy). change (bpow radix2 0) with 1 in S.
   set (b := bpow radix2 (-1074)) in *. assert (K : IZR (m + n) = b) by (rewrite plus_IZR; apply Rmult_eq_reg_r with b; lra).
   assert (0 < m + n < 1)%Z by (split; apply lt_IZR; lra). lia.
-Qed.
-(* It is not the quotient itself. *)
-Theorem roundoff_bound__of_the_kernel__false : ~ forall a b epsilon, float64 a -> float64 b -> 0 < epsilon <= 1 -> rounded (rounded (1 / 2 * rounded (a - b)) / epsilon) = (a - b) / (2 * epsilon).
-Proof.
-  intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ 0 1 F (generic_format_0 _ _) ltac:(lra)).
-  destruct (float64_is_whole (rounded (rounded (1 / 2 * rounded (bpow radix2 (-1074) - 0)) / 1)) ltac:(apply rounded_is_float64)) as [m ->]. rewrite Rminus_0_r. generalize (bpow_gt_0 radix2 (-1074)).
-  intros B E. assert (K : IZR (2 * m) = 1) by (rewrite mult_IZR; apply Rmult_eq_reg_r with (bpow radix2 (-1074)); lra). assert (0 < 2 * m < 2)%Z by (split; apply lt_IZR; lra).
-  apply eq_IZR in K. lia.
 Qed.

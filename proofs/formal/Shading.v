@@ -113,8 +113,7 @@ End models.
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
   destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
-  unfold mu, omega, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale,
-    light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z, difference, magnitude, dot, scaled, vector_sum.
+  unfold mu, omega; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. ring.
 Qed.
@@ -130,8 +129,7 @@ Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
   blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
 Proof.
   cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold blinn_base, omega, blinn.specular_base, blinn.halfway_length, blinn.halfway_x, blinn.halfway_y, blinn.halfway_z, blinn.towards_x, blinn.towards_y,
-    blinn.towards_z, blinn.light_scale, blinn.light_distance, blinn.to_light_x, blinn.to_light_y, blinn.to_light_z, difference, magnitude, dot, scaled, vector_sum.
+  unfold blinn_base, omega; blinn.lines; unfold difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring.
   set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
@@ -150,10 +148,7 @@ Qed.
 Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
 Proof.
   rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold phong_base, mu, omega, phong.specular_base, phong.mu, phong.towards_x, phong.towards_y, phong.towards_z, phong.light_scale, phong.light_distance,
-    phong.to_light_x, phong.to_light_y, phong.to_light_z, light_direction.mu, light_direction.towards_x, light_direction.towards_y, light_direction.towards_z,
-    light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x, light_direction.to_light_y, light_direction.to_light_z,
-    difference, magnitude, dot, scaled, vector_sum.
+  unfold phong_base, mu, omega; phong.lines; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
   replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
     ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. f_equal. ring.
 Qed.
@@ -262,7 +257,7 @@ Theorem difference_bound__light (model : vector -> R) (P L n m : vector) (i albe
   Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
   Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * magnitude (difference n m).
 Proof.
-  intros I A D S H Q. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine.
+  intros I A D S H Q. unfold share; light_term.lines.
   set (x := Rmax 0 (mu P L n)). set (y := Rmax 0 (mu P L m)).
   assert (M : Rabs (x - y) <= magnitude (difference n m)).
   { eapply Rle_trans; [apply clamp_is_lipschitz | apply mu_is_lipschitz, H]. }
@@ -301,9 +296,7 @@ Let s := / (magnitude d * dot k k).
 Lemma squared_is : 0 < dot k k -> mu_squared = dot n d * dot k k * s /\ base_squared = Rmax 0 (dot n k) ^ 2 * magnitude d * s.
 Proof.
   unfold s, k, d, mu_squared, base_squared. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold blinn_squared.mu, blinn_squared.specular_base, blinn_squared.light_scale, blinn_squared.along_halfway, blinn_squared.along_light, blinn_squared.halfway_squared,
-    blinn_squared.halfway_x, blinn_squared.halfway_y, blinn_squared.halfway_z, blinn_squared.light_distance, blinn_squared.distance_squared, blinn_squared.to_light_x,
-    blinn_squared.to_light_y, blinn_squared.to_light_z, difference, magnitude, dot, vector_sum, scaled.
+  blinn_squared.lines; unfold difference, magnitude, dot, vector_sum, scaled.
   replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
   generalize (lx + -1 * px) (ly + -1 * py) (lz + -1 * pz). intros a b c. replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
   set (r := sqrt _). rewrite (Rplus_comm (r * vx)), (Rplus_comm (r * vy)), (Rplus_comm (r * vz)). set (kx := a + _). set (ky := b + _). set (kz := c + _).
@@ -359,5 +352,5 @@ Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m
   Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * magnitude (difference n m).
 Proof.
   intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
-  cbn [snd pow]. unfold share, light_term.lit_red, light_term.diffuse, light_term.shine. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
+  cbn [snd pow]. unfold share; light_term.lines. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.

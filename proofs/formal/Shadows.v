@@ -6,8 +6,7 @@ From Formal Require Import Preliminaries Formulas Camera Claim Outlines Derivati
 From Formal Require Statements.
 Open Scope R_scope.
 
-Ltac shadow_lines := unfold shadow.shadow_discriminant, shadow.toward_center, shadow.segment_squared, shadow.segment_x,
-  shadow.segment_y, shadow.segment_z, shadow.offset_x, shadow.offset_y, shadow.offset_z, dot3, cross2.
+Ltac shadow_lines := shadow.lines; unfold dot3, cross2.
 
 (* The square of the distance of two points. *)
 Definition apart2 (px py pz qx qy qz : R) := (px - qx) ^ 2 + (py - qy) ^ 2 + (pz - qz) ^ 2.
@@ -135,8 +134,8 @@ Lemma from_the_light x y lx ly lz cx cy cz r :
   (cast_away x y lx ly lz cx cy cz <-> 0 < b) /\ (cast_back x y lx ly lz cx cy cz <-> b < 0).
 Proof.
   intro b. assert (B : shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b)
-    by (unfold b, hit_of_b.toward_b, hit_of_b.distance; shadow_lines; ring).
-  unfold cast_away, cast_back. split; [unfold hit_of_b.discriminant_b, hit_of_b.distance; shadow_lines; ring | lra].
+    by (unfold b; hit_of_b.lines; shadow_lines; ring).
+  unfold cast_away, cast_back. split; [hit_of_b.lines; shadow_lines; ring | lra].
 Qed.
 
 Ltac moved_by_the_light x y := match goal with |- context [x + ?lx - ?lx] => replace (x + lx - lx) with x by ring end;
@@ -326,9 +325,7 @@ Lemma clearance_quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
   shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
     + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
 Proof.
-  rewrite len_squared. unfold shadow_clearance.at_light, shadow_clearance.half_slope, shadow_clearance.curvature,
-    shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
-    shadow_clearance.from_body_y, shadow_clearance.from_body_z. ring.
+  rewrite len_squared. shadow_clearance.lines. ring.
 Qed.
 
 (* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
@@ -385,8 +382,7 @@ Proof.
       [apply Rinv_0_lt_compat; assumption | rewrite Rmult_0_l; exact C]] end.
     assert (0 < (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2) by nra.
     pose proof (pow2_ge_0 (bx - lx)). pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)).
-    unfold shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z, shadow_clearance.from_body_x,
-      shadow_clearance.from_body_y, shadow_clearance.from_body_z. lra. }
+    shadow_clearance.lines. lra. }
   pose proof (len_pos (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
   assert (0 <= t * s) by nra. set (n := len _ _ _) in *. nra.
 Qed.
@@ -395,10 +391,7 @@ Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ 
   r < len (lx - cx) (ly - cy) (lz - cz) /\ 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s.
 Proof.
   exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. rewrite !Rminus_0_r, len_axis by lra. repeat split; try lra.
-  unfold shadow_clearance.clearance, shadow_clearance.shortest, shadow_clearance.at_an_end, shadow_clearance.at_ball,
-    shadow_clearance.at_turning, shadow_clearance.turning, shadow_clearance.at_light, shadow_clearance.half_slope,
-    shadow_clearance.curvature, shadow_clearance.along_x, shadow_clearance.along_y, shadow_clearance.along_z,
-    shadow_clearance.from_body_x, shadow_clearance.from_body_y, shadow_clearance.from_body_z.
+  shadow_clearance.lines.
   destruct Rle_dec; [| lra]. destruct Rlt_dec; destruct Rlt_dec; apply Rdiv_lt_0_compat; lra.
 Qed.
 

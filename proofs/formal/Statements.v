@@ -279,6 +279,45 @@ Definition colour_accuracy__cosine : Prop :=
   Rabs bumped_z <= / 1099511627776 + 1 ->
   Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 / 9007199254740992.
 
+Definition colour_accuracy__blinn : Prop :=
+  forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 halfway_x ->
+  float64 halfway_y ->
+  float64 halfway_z ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y >= / 1099511627776 ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y <= 2 ^ 900 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z - blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= 32 / 9007199254740992.
+
+Definition colour_accuracy__phong : Prop :=
+  forall bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 view_x ->
+  float64 view_y ->
+  float64 view_z ->
+  float64 towards_x ->
+  float64 towards_y ->
+  float64 towards_z ->
+  float64 mu ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs view_x <= / 1099511627776 + 1 ->
+  Rabs view_y <= / 1099511627776 + 1 ->
+  Rabs view_z <= / 1099511627776 + 1 ->
+  Rabs towards_x <= / 1099511627776 + 1 ->
+  Rabs towards_y <= / 1099511627776 + 1 ->
+  Rabs towards_z <= / 1099511627776 + 1 ->
+  Rabs mu <= / 1099511627776 + 1 ->
+  Rabs (phong_highlight_float64.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu - phong_highlight.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu) <= 56 / 9007199254740992.
+
 Definition colour_accuracy__share_red : Prop :=
   forall red light_red albedo_red kd ks mu specular : R,
   float64 red ->
@@ -706,6 +745,61 @@ Definition enclosing_rules__selection : Prop :=
   float64 (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error) /\
   0 <= enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error /\
   Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__sine : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  float64 (enclosed_sine_float64.sine_error x x_error y y_error) /\
+  0 <= enclosed_sine_float64.sine_error x x_error y y_error /\
+  Rabs (enclosed_sine_float64.sine x y - (sin (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sine_float64.sine_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__cosine : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x_error <= 2 ^ 60 ->
+  y_error <= 2 ^ 60 ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  float64 (enclosed_cosine_float64.cosine_error x x_error y y_error) /\
+  0 <= enclosed_cosine_float64.cosine_error x x_error y y_error /\
+  Rabs (enclosed_cosine_float64.cosine x y - (cos (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_cosine_float64.cosine_error x x_error y y_error / 2 ^ 53).
+
+Definition enclosing_rules__exponential : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x <= 704 ->
+  x_error <= 2 ^ 55 ->
+  (10 ^ 285 * (Rabs x) >= 1 \/ x = 0) ->
+  float64 (enclosed_exponential_float64.exponential_error x x_error) /\
+  0 <= enclosed_exponential_float64.exponential_error x x_error /\
+  Rabs (enclosed_exponential_float64.exponential x - (exp x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_exponential_float64.exponential_error x x_error / 2 ^ 53).
 
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,

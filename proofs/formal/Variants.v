@@ -8,12 +8,12 @@ Open Scope R_scope.
 
 Theorem elementary_functions__sine__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 56.
 Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z.
+  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. half_turn_polynomials.lines.
   rewrite Rmult_1_r, sin_PI. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__zero__false : ~ forall r, half_turn_polynomials.sine_near r = 0.
 Proof.
-  intro H. generalize (H (1/4)). apply Rgt_not_eq. unfold half_turn_polynomials.sine_near, half_turn_polynomials.sine_tail, half_turn_polynomials.z. interval.
+  intro H. generalize (H (1/4)). apply Rgt_not_eq. half_turn_polynomials.lines. interval.
 Qed.
 Theorem angle_of_the_bump__arctangent__false : ~ forall theta phi h_u h_v beta,
   acos (dot (normal_at theta phi) (N' theta phi h_u h_v beta)) = Rabs beta * magnitude (g theta phi h_u h_v).
@@ -21,19 +21,3 @@ Proof.
   intro H. generalize (H 0 0 1 0 1). rewrite angle_of_the_bump__arctangent, (length_of_unit (g 0 0 1 0)) by (rewrite g_squared; ring).
   rewrite Rabs_R1, Rmult_1_r, atan_1. apply Rlt_not_eq. interval.
 Qed.
-Theorem seam__even_slopes__false : ~ forall v k_u k_v, gradient_sine.h_u 0 v k_u k_v = gradient_sine.h_u 1 v k_u k_v.
-Proof. exact seam__sine_jump__false. Qed.
-Theorem seam__odd_slopes__false : ~ forall v k_v n, gradient_sine.h_u 0 v (IZR (2 * n + 1)) k_v = gradient_sine.h_u 1 v (IZR (2 * n + 1)) k_v.
-Proof.
-  intro H. generalize (H (1/2) 1 0%Z) (proj2 (proj2 (seam__odd_slopes (1/2) 1 0))) PI_RGT_0. intros ->. rewrite sine_of_a_right_angle. simpl. lra.
-Qed.
-Theorem seam__ridges_even__false : ~ forall v k_u k_v, height_ridges.h 1 v k_u k_v = 0.
-Proof.
-  intro H. generalize (H (1/2) (1/2) 1). unfold_fields. rewrite sine_of_a_right_angle. replace (PI * (1/2 * 1)) with (PI / 2) by field. rewrite sin_PI2, Rmult_1_l, Rabs_R1. lra.
-Qed.
-Theorem seam__even_period__false : ~ forall u v k_v n, height_sine.h (u + 1) v (INR n) k_v = height_sine.h u v (INR n) k_v.
-Proof.
-  intro H. generalize (H (1/2) (1/2) 1 1%nat). unfold_fields. rewrite seam_parity. simpl INR. rewrite sine_of_a_right_angle. simpl. lra.
-Qed.
-Theorem seam__ridges_jumps__false : ~ forall v k_u k_v, 0 < height_ridges.h 1 v k_u k_v.
-Proof. intro H. generalize (H 0 1 1). unfold_fields. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. lra. Qed.

@@ -50,8 +50,7 @@ Proof. generalize (sin2_cos2 a). unfold Rsqr. lra. Qed.
 (* The printed directions with the light and the eye straight above. *)
 Lemma above : light_direction.towards_x 0 0 0 0 0 1 = 0 /\ light_direction.towards_y 0 0 0 0 0 1 = 0 /\ light_direction.towards_z 0 0 0 0 0 1 = 1.
 Proof.
-  unfold light_direction.towards_x, light_direction.towards_y, light_direction.towards_z, light_direction.light_scale, light_direction.light_distance, light_direction.to_light_x,
-    light_direction.to_light_y, light_direction.to_light_z. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. repeat split; ring.
+  light_direction.lines. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. repeat split; ring.
 Qed.
 Lemma halfway_above : blinn.halfway_length 0 0 0 0 0 1 0 0 1 = 2.
 Proof.

@@ -1,9 +1,9 @@
 """The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds."""
 
-from sympy import StrictLessThan, floor, sqrt
+from sympy import StrictLessThan, exp, floor, sqrt
 
 from proofs.engine.program import chain
-from proofs.formulas.half_turns import rint
+from proofs.formulas.half_turns import cospi, rint, sinpi
 from proofs.formulas.symbols import real, where, x, y
 
 left, right = real("left right")
@@ -17,6 +17,9 @@ RULES = {
         ("enclosed_root", "root", sqrt(x)),
         ("enclosed_floor", "below", floor(x)),
         ("enclosed_nearest", "nearest", rint(x)),
+        ("enclosed_sine", "sine", sinpi(x * y)),
+        ("enclosed_cosine", "cosine", cospi(x * y)),
+        ("enclosed_exponential", "exponential", exp(x)),
         ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
     )
 }

@@ -85,6 +85,10 @@ phong = chain(
 )
 """Phong: the base is max(0, (2μN' − ω)·v̂)."""
 
+blinn_highlight = Program("blinn_highlight", (bumped, halfway), blinn.definitions[-2:])
+phong_highlight = Program("phong_highlight", (bumped, view, towards, mu), phong.definitions[-1:])
+"""The base alone, of what it is made of: ω + v̂, or ω and μ."""
+
 
 @dataclass(frozen=True)
 class LightModel:

@@ -4,22 +4,32 @@ from proofs.formulas.enclosed import RULES
 from proofs.theorems.language import *
 
 x_error, y_error, x_exact = real("x_error y_error x_exact")
+_few = x_error <= Pow(2, 60), y_error <= Pow(2, 60)
+
+
+def _not_tiny(number):
+    return Or(equation(number, 0), Abs(number) * Pow(10, 285) >= 1)
+
+
+_in_two = *_few, Abs(x * y) <= Pow(2, 21), _not_tiny(x * y)
 
 theorem = Theorem(
     "enclosing_rules",
     "The rules of the enclosing machine",
     r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
     By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
-    whole number nearest to $x$ and of a selection by $x < y$ are within their counts of the exact results, if the
-    counts before are; each operation makes a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them,
-    one after the other, by $2^{-20}$.""",
+    whole number nearest to $x$, of $\sin\pi xy$, $\cos\pi xy$, $e^x$ and of a selection by $x < y$ are within their
+    counts of the exact results, if the counts before are; each operation makes a count too small by $2^{-49}$ of it at
+    most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
     hypotheses=(
-        "nothing overflows; of a product and of a whole number the counts are at most $2^{60}$",
+        "nothing overflows; of a product, a sine and a whole number the counts are at most $2^{60}$",
         r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
+        r"of a sine $|xy| \le 2^{21}$, of $e^x$ $x \le 704$ and a count of at most $2^{55}$; of both what is not 0 is "
+        "above $10^{-285}$",
     ),
     rounded=(
         Encloses("sum", RULES["enclosed_sum"]),
-        Encloses("product", RULES["enclosed_product"], (x_error <= Pow(2, 60), y_error <= Pow(2, 60))),
+        Encloses("product", RULES["enclosed_product"], _few),
         Encloses(
             "quotient",
             RULES["enclosed_quotient"],
@@ -29,6 +39,9 @@ theorem = Theorem(
         Encloses("floor", RULES["enclosed_floor"], x_error <= Pow(2, 60)),
         Encloses("nearest", RULES["enclosed_nearest"], x_error <= Pow(2, 60)),
         Encloses("selection", RULES["enclosed_selection"]),
+        Encloses("sine", RULES["enclosed_sine"], _in_two),
+        Encloses("cosine", RULES["enclosed_cosine"], _in_two),
+        Encloses("exponential", RULES["enclosed_exponential"], (x <= 704, x_error <= Pow(2, 55), _not_tiny(x))),
     ),
     steps={
         "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",

@@ -166,8 +166,11 @@ def module_of(program: Program) -> str:
 
 
 def in_module(name: str, inside: Iterable[str]) -> str:
-    """Return definitions as the text of a Coq module."""
-    return "\n".join([f"Module {name}.", "Section program.", *inside, "End program.", f"End {name}.", ""])
+    """Return definitions as a Coq module, with a tactic that puts them in their place, the last one first."""
+    lines = [*inside]
+    given = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
+    unfolded = f"Ltac lines := unfold {given}."
+    return "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])
 
 
 HALF_TURN_POLYNOMIALS = Program(

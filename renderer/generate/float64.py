@@ -16,13 +16,6 @@ Open Scope R_scope.
 """
 
 
-def exponential_in_range() -> Program:
-    """Return the kernels' exp where it is neither 0 nor infinite: the last line's other choices are left out."""
-    *lines, (symbol, selection) = exponential.exponential_of_sum.definitions
-    lines.append((symbol, selection.args[-1].expr))
-    return Program("exponential_in_range", exponential.exponential_of_sum.inputs, lines)
-
-
 def float64_module(program: Program, *variables: str) -> str:
     """Return a program's float64 operations as the text of a Coq module; variables: those beside the inputs."""
     return in_module(f"{program.name}_float64", [*variables, *carried_out(program)])
@@ -36,9 +29,11 @@ def float64_source() -> str:
         elementary.sine_of_half_turns,
         elementary.cosine_of_half_turns,
         elementary.angle_in_half_turns,
-        exponential_in_range(),
+        exponential.exponential_of_sum,
         bump.perturbed,
         shading.light_direction,
+        shading.blinn_highlight,
+        shading.phong_highlight,
         shading.light_term,
         shading.clip,
     ]

@@ -31,7 +31,7 @@ def literal(number: float) -> str:
 def argument(number: Any) -> str:
     """Return a number or a decision as an argument of a function: in parentheses, where it needs them."""
     text = literal(number) if isinstance(number, float) else number.text
-    return f"({text})" if " " in text and text[0] != "(" else text
+    return f"({text})" if (" " in text and text[0] != "(") or text[0] == "-" else text
 
 
 def applied(name: str, *arguments: Any) -> str:
@@ -79,6 +79,11 @@ class Term:
         sides = [cls.operand(side) for side in (value, otherwise)][:: -1 if mask.negated else 1]
         return cls(f"if {mask.text} then {sides[0]} else {sides[1]}")
 
+    @classmethod
+    def two_product(cls, *factors: Any) -> list["Term"]:
+        """Return a product and its rounding."""
+        return [cls(applied(f"two_product_float64.{part}", *factors)) for part in ("product", "product_error")]
+
     def sqrt(self) -> "Term":
         """Return a root, rounded."""
         return type(self)(f"rounded ({applied('sqrt', self)})")
@@ -107,9 +112,13 @@ class Term:
         return type(self)(f"- {self.operand(self)}")
 
     def _compare(decision):
-        return lambda *sides: Decision(applied(decision, *sides)), lambda *sides: Decision(
-            applied(decision, *sides[::-1])
-        )
+        def compare(*sides):
+            if any(side is math.inf for side in sides):  # which is no real number
+                extended = ("p_infty" if side is math.inf else f"(Finite {argument(side)})" for side in sides)
+                return Decision(" ".join([f"Rbar_{decision[1:]}", *extended]))
+            return Decision(applied(decision, *sides))
+
+        return compare, lambda *sides: compare(*sides[::-1])
 
     (__lt__, __gt__), (__le__, __ge__), (__eq__, _) = map(_compare, ("Rlt_dec", "Rle_dec", "Req_EM_T"))  # type: ignore[arg-type]
 
@@ -141,10 +150,6 @@ class Line(Term):
         return cls(f"({super().where(mask, value, otherwise).text})")
 
 
-def _called(name):
-    return lambda *arguments: Line(applied(name, *arguments))
-
-
 NAMES = {
     "maximum": "Rmax",
     "minimum": "Rmin",
@@ -153,16 +158,25 @@ NAMES = {
     "height": "height",
     "sinpi": "sine_of_half_turns_float64.sine",
     "cospi": "cosine_of_half_turns_float64.cosine",
+    "exp": "exponential_of_sum_float64.exponential",
 }
-"""{what a line calls: Coq's function}; sinpi and cospi are of a product and that product's rounding."""
-CALLED = vars(operations) | {
-    **{name: _called(coqs) for name, coqs in NAMES.items()},
-    "two_product": lambda *factors: [
-        Line(applied(f"two_product_float64.{part}", *factors)) for part in ("product", "product_error")
-    ],
-    "where": Line.where,
-    "pi": Line("rounded PI"),
-}
+"""{what is called: Coq's function}"""
+OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
+
+
+def _called(name):
+    def called(machine, *arguments):
+        rounding = (0.0,) * (name in OF_PRODUCTS and len(arguments) == 1)
+        return machine(applied(NAMES[name], *arguments, *rounding))
+
+    return classmethod(called)
+
+
+for name in NAMES:
+    setattr(Term, name, _called(name))
+
+CALLED = vars(operations) | {"pi": Line("rounded PI")}
+CALLED |= {name: getattr(Line, name) for name in (*NAMES, "two_product", "where")}
 
 
 def carried_out(program: Program) -> list[str]:

@@ -13,6 +13,7 @@ alone.
 """
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sympify, true
 from sympy.core.relational import Relational
@@ -190,6 +191,7 @@ def rounded_proposition(claim: Rounded) -> str:
     return _implication([_forall(names, "R")], given, shown)
 
 
+NEARER = 128
 SLACK = "(1 + 1 / 2 ^ 49)"
 """By what part of itself a count of roundings is too small after one more operation, as `renderer.machines` says."""
 
@@ -242,14 +244,21 @@ def mutants(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the variants: that they are false, or, of a refuted theorem's, that they are true.
 
     They are named by their claim and their number: ID__CLAIM_2__false says that the theorem's second variant is false.
-    A true one that is a claim of another theorem is among the statements.
+    A true one that is a claim of another theorem is among the statements. Of what is Rounded, ID__CLAIM_nearer__false
+    says that a bound NEARER times as small is none.
     """
     refuted = theorem.expected != "refuted"
     end = "false" if refuted else "true"
     stated = [claim for other in all_theorems().values() for claim in other.claims if not refuted]
     numbered = enumerate((mutant.claim for mutant in theorem.mutants), start=1)
     new = [(n, claim) for n, claim in numbered if claim not in stated]
-    return _printed({f"{theorem.id}__{claim.name}_{n}__{end}": (claim, refuted) for n, claim in new})
+    texts = _printed({f"{theorem.id}__{claim.name}_{n}__{end}": (claim, refuted) for n, claim in new})
+    for claim in (claim for claim in theorem.rounded if isinstance(claim, Rounded)):
+        bounds = [(output, bound / NEARER) for output, bound in claim.bounds]
+        if any(bound for _, bound in bounds):
+            text = rounded_proposition(replace(claim, bounds=bounds))
+            texts[f"{theorem.id}__{claim.name}_nearer__false"] = f"~ (\n  {text})"
+    return texts
 
 
 def _source(what, propositions):

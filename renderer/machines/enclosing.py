@@ -10,9 +10,9 @@ A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own roun
 are rounded too, and an operation makes its own too small by less than 2⁻⁴⁹ of it. What it adds up or multiplies by
 sizes are counts of its operands, which are as much too small as their own operations made them. A pixel has fewer than
 2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
-where a bound is asked for, compared, or multiplied by another bound. So says theorem enclosing_rules, which Coq proves
-of what sums, products, quotients, roots, whole numbers and selections do here. Of the elementary functions, which ask
-for bounds, each one makes up for its own by SLACK.
+where a bound is asked for, compared, or multiplied by another bound. The elementary functions ask for bounds, and each
+one makes up for its own roundings by SLACK. So says theorem enclosing_rules, which Coq proves of what sums, products,
+quotients, roots, whole numbers, selections, sinpi, cospi and exp do here.
 
 What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
 nothing.
@@ -272,7 +272,7 @@ def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
     """Return sin π ab or cos π ab: its slope is at most π, and it moves by 2 at most."""
     product, factor = enclosed(product), enclosed(factor)
     moved = times(ROUNDING, product.product_moves(factor))
-    whole, rest = kernels.two_product.kernel(product.value, factor.value)
+    whole, rest = kernels.two_product(product.value, factor.value)
     found = kernel(whole, rest)
     own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
     if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
@@ -286,8 +286,8 @@ def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
     return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
 
 
-sinpi = partial(_of_half_turns, kernels.sinpi.kernel)
-cospi = partial(_of_half_turns, kernels.cospi.kernel)
+sinpi = partial(_of_half_turns, kernels.sinpi)
+cospi = partial(_of_half_turns, kernels.cospi)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
@@ -297,7 +297,7 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     exact.
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
-    found = kernels.atan2pi.kernel(y.value, x.value)
+    found = kernels.atan2pi(y.value, x.value)
     own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
     moved = plus(y.bound, x.bound)
     if is_zero(moved):
@@ -337,17 +337,17 @@ def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
 def exp(product: Any, factor: Any = 1.0) -> Enclosed:
     """Return exp ab."""
     a, b = enclosed(product), enclosed(factor)
-    found = kernels.exp.kernel(*kernels.two_product.kernel(a.value, b.value))
-    return _monotone(kernels.exp.kernel, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+    found = kernels.exp(*kernels.two_product(a.value, b.value))
+    return _monotone(kernels.exp, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
 
 
 def log(number: Enclosed) -> Enclosed:
     """Return log a: −∞ where a may be 0."""
 
     def of_positive(end):
-        return kernels.log.kernel(operations.maximum(0.0, end))
+        return kernels.log(operations.maximum(0.0, end))
 
-    return _monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log.kernel(number.value), [number])
+    return _monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log(number.value), [number])
 
 
 def power(number: Any, exponent: Any) -> Enclosed:
@@ -357,9 +357,9 @@ def power(number: Any, exponent: Any) -> Enclosed:
     def ulps(result):
         return inner_where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
 
-    found = kernels.power.kernel(number.value, exponent.value)
+    found = kernels.power(number.value, exponent.value)
     vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-    return _monotone(kernels.power.kernel, ulps, found, [number, exponent], vanishing)
+    return _monotone(kernels.power, ulps, found, [number, exponent], vanishing)
 
 
 def sign(number: Any) -> Enclosed:

@@ -1,0 +1,148 @@
+(* The rules of the enclosing machine for the elementary functions: what moves their arguments, and their own errors. *)
+
+From Coq Require Import Reals Lra Psatz ZArith.
+From Coquelicot Require Import Coquelicot.
+From Flocq Require Import Core Mult_error.
+From Interval Require Import Tactic.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules.
+From Formal Require Statements.
+Open Scope R_scope.
+
+Definition SLACK : R := 562949953421313 / 562949953421312.
+Definition least : R := 1 / 2 ^ 1060.
+Lemma least_is : least = 2 ^ 14 * underflow.
+Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+(* A bound becomes a count exactly. *)
+Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
+Proof.
+  intro F. apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [exact F | easy].
+Qed.
+(* What both add up to is made a count; SLACK makes up for the roundings. *)
+Lemma made_a_count (s v p d : R) : 1 <= s -> float64 v -> 0 <= v -> float64 p -> 0 <= p -> Rabs d + 4 * underflow <= (v + p) * (1 + 10 * unit53) ->
+  let c := rounded (9007199254740992 * rounded (rounded (v + p) * SLACK)) in float64 c /\ 0 <= c /\ Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S V V0 P P0 D. assert (T := proj1 underflow_in_least). assert (C3 := counted_sum v p V P V0 P0). assert (N3 := not_negative_rounded (v + p) ltac:(lra)). set (q := rounded (v + p)) in *.
+  assert (C4 := counted (q * SLACK) ltac:(unfold SLACK; lra)). assert (N4 := not_negative_rounded (q * SLACK) ltac:(unfold SLACK; lra)). set (b := rounded (q * SLACK)) in *.
+  cbv zeta. rewrite count_of by is_float64. split; [rewrite <- count_of by is_float64; is_float64 | split; [lra|]].
+  apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
+  clearbody b q. unfold SLACK, unit53 in *. lra.
+Qed.
+(* A function's own error: a part of the result, and what is lost where that vanishes. *)
+Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
+Proof.
+  intros F P K. assert (T := proj1 underflow_in_least). assert (Q : 0 <= k * Rabs f) by (apply Rmult_le_pos; [exact K | apply Rabs_pos]). assert (C1 := counted _ Q). assert (N1 := not_negative_rounded _ Q). set (o := rounded (k * Rabs f)) in *.
+  assert (C2 := counted_sum o V ltac:(is_float64) F N1 P). split; [is_float64 | split; [apply not_negative_rounded; lra | unfold unit53 in *; lra]].
+Qed.
+Lemma least_is_float64_too : float64 least.
+Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
+
+(* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
+Section half_turns.
+Variables (wave wave_slope : R -> R) (computed_wave : R).
+Hypothesis wave_derivative : forall x, is_derive wave x (wave_slope x).
+Hypothesis wave_steep : forall x, -1 <= wave_slope x <= 1.
+Hypothesis wave_range : forall x, -1 <= wave x <= 1.
+Lemma half_turns_rule (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
+  near_relative (19/4) computed_wave (wave (PI * (x * y))) ->
+  let moved := rounded (7074237752028453 / 2251799813685248 * rounded (ROUNDING * rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)))) in
+  let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5674535530486825 / 10141204801825835211973625643008 * Rabs computed_wave) + least)) * SLACK)) in
+  float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' * y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded (rounded (_ * ey) + _)) in *.
+  destruct (bound_of s m S1 S2 M0) as [B _]. assert (T := proj1 underflow_in_least).
+  assert (P : 0 <= ROUNDING * m) by (unfold ROUNDING; lra). assert (C1 := counted _ P). assert (N1 := not_negative_rounded _ P). set (b := rounded (ROUNDING * m)) in *.
+  set (h := 7074237752028453 / 2251799813685248) in *. assert (C2 := counted (h * b) ltac:(unfold h; lra)). assert (N2 := not_negative_rounded (h * b) ltac:(unfold h; lra)). set (t := rounded (h * b)) in *.
+  assert (Q : PI <= h * (1 - 2 * unit53)) by (unfold h, unit53; interval with (i_prec 100)).
+  assert (D : Rabs (wave (PI * (x * y)) - wave (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
+  { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
+    apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h, unit53 in *; lra].
+    apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. unfold ROUNDING, unit53 in *. lra. }
+  unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := wave (PI * (x * y))) in *.
+  assert (G : Rabs e <= Rabs computed_wave + Rabs (computed_wave - e)) by (generalize (Rabs_triang_inv e computed_wave); rewrite (Rabs_minus_sym e computed_wave); lra). assert (A := Rabs_pos computed_wave).
+  assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least computed_wave least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
+  apply made_a_count; [exact S1 | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | exact Fo | exact Po |].
+  set (own := rounded (rounded (_ * Rabs computed_wave) + least)) in *. apply Rle_trans with (Rabs (computed_wave - e) + Rabs (e - wave (PI * (x' * y'))) + 4 * underflow).
+  { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
+  assert (H : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
+  { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
+  set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. unfold unit53 in *. lra.
+Qed.
+End half_turns.
+Ltac of_half_turns f g := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
+Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
+Proof. of_half_turns sin cos. exact is_derive_sin. exact COS_bound. exact SIN_bound. Qed.
+Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
+Proof. of_half_turns cos (fun x => - sin x). exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
+
+(* A function that rises or falls lies between its values at the ends of what its argument can be. *)
+Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 x -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) ->
+  let reach := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK) in
+  rounded (x - reach) - 32 * underflow <= x' <= rounded (x + reach) + 32 * underflow /\ 0 <= reach <= ROUNDING * e * (1 + 2 ^ 6 * unit53) + 2 ^ 7 * unit53 * Rabs x + 32 * underflow.
+Proof.
+  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. assert (Q : 0 <= ROUNDING * e) by (unfold ROUNDING; lra). assert (O1 := own_rounding (ROUNDING * e)). assert (N1 := not_negative_rounded _ Q). set (b := rounded (ROUNDING * e)) in *.
+  assert (A := Rabs_pos x). assert (C2 := counted (1 / 4503599627370496 * Rabs x) ltac:(lra)). assert (O2 := own_rounding (1 / 4503599627370496 * Rabs x)). assert (N2 := not_negative_rounded (1 / 4503599627370496 * Rabs x) ltac:(lra)). set (h := rounded (_ * Rabs x)) in *.
+  assert (C3 := counted_sum b h ltac:(is_float64) ltac:(is_float64) N1 N2). assert (O3 := own_rounding (b + h)). assert (N3 := not_negative_rounded (b + h) ltac:(lra)). set (q := rounded (b + h)) in *.
+  assert (C4 := counted (q * SLACK) ltac:(unfold SLACK; lra)). assert (O4 := own_rounding (q * SLACK)). assert (N4 := not_negative_rounded (q * SLACK) ltac:(unfold SLACK; lra)). cbv zeta. set (r := rounded (q * SLACK)) in *.
+  rewrite (Rabs_pos_eq b), (Rabs_pos_eq h), (Rabs_pos_eq q), (Rabs_pos_eq r) in * by assumption. apply Rabs_le_between in O1. apply Rabs_le_between in O2. apply Rabs_le_between in O3. apply Rabs_le_between in O4.
+  split; [|unfold ROUNDING, SLACK, unit53 in *; clearbody b h q r; lra].
+  assert (Fr : float64 r) by is_float64. assert (L := own_rounding_of_sum x (- r) X (generic_format_opp _ _ _ Fr)). assert (H := own_rounding_of_sum x r X Fr). change (x + - r) with (x - r) in L.
+  assert (Sl : Rabs (rounded (x - r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x - r)) (x - r)) (Rabs_triang x (- r)); rewrite Rabs_Ropp, (Rabs_pos_eq r) by exact N4; change (x + - r) with (x - r); lra).
+  assert (Sh : Rabs (rounded (x + r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x + r)) (x + r)) (Rabs_triang x r); rewrite (Rabs_pos_eq r) by exact N4; lra).
+  apply Rabs_le_between in L. apply Rabs_le_between in H. apply Rabs_le_between in D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. unfold SLACK, unit53 in *. lra.
+Qed.
+Lemma furthest_of (a b : R) : float64 a -> float64 b -> 0 <= a -> let first := if Rlt_dec 0 a then a else 0 in let furthest := if Rlt_dec first b then b else first in
+  float64 furthest /\ a <= furthest /\ b <= furthest.
+Proof. intros A B P. cbv zeta. destruct (Rlt_dec 0 a); destruct Rlt_dec; (split; [assumption || apply generic_format_0 | split; lra]). Qed.
+Lemma monotone_rule (s f e1 e2 t1 t2 y k V : R) : 1 <= s -> float64 f -> float64 e1 -> float64 e2 -> float64 V -> 2 ^ 10 * underflow <= V -> 0 <= k <= 16 * unit53 -> t1 <= y <= t2 ->
+  Rabs (e1 - t1) <= 9/8 * (k * Rabs e1) + V -> Rabs (e2 - t2) <= 9/8 * (k * Rabs e2) + V ->
+  let own e := rounded (rounded (k * Rabs e) + V) in let away e := rounded (Rabs (rounded (e - f)) + own e) in
+  let first := if Rlt_dec 0 (away e1) then away e1 else 0 in let furthest := if Rlt_dec first (away e2) then away e2 else first in
+  let c := rounded (9007199254740992 * rounded (rounded (furthest + own f) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (f - y) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S F E1 E2 Fv Pv K Y T1 T2 own away. assert (T := proj1 underflow_in_least).
+  assert (W : forall e t, float64 e -> Rabs (e - t) <= 9/8 * (k * Rabs e) + V -> float64 (away e) /\ 0 <= away e /\ Rabs (f - t) + 8 * underflow <= (away e + (k * Rabs f + V) * (1 - 3 * unit53)) * (1 + 10 * unit53)).
+  { intros e t E D. destruct (own_error k V e Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own e) in Fo, Po, Co. assert (O := own_rounding_of_sum e (- f) E (generic_format_opp _ _ _ F)). change (e + - f) with (e - f) in O. unfold away. set (d := rounded (e - f)) in *.
+    assert (C := counted_sum (Rabs d) (own e) ltac:(is_float64) Fo (Rabs_pos d) Po). split; [is_float64 | split; [apply not_negative_rounded; generalize (Rabs_pos d); lra|]]. set (a := rounded (Rabs d + own e)) in *.
+    assert (M1 := Rabs_triang_inv (e - f) d). rewrite Rabs_minus_sym in O. assert (M2 := Rabs_triang (f - e) (e - t)). replace (f - e + (e - t)) with (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. assert (M3 := Rabs_triang_inv e f).
+    assert (Kd : k * Rabs (e - f) <= 16 * unit53 * Rabs (e - f)) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]). assert (Ke : k * Rabs e <= k * Rabs f + k * Rabs (e - f)) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
+    assert (0 <= k * Rabs f) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). assert (0 <= k * Rabs e) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). assert (0 <= Rabs (e - f)) by apply Rabs_pos.
+    set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. unfold unit53 in *. lra. }
+  destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
+  destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
+  apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
+  { destruct (Rle_lt_dec y f) as [L|L]; [left; rewrite !Rabs_pos_eq by lra; lra | right; rewrite !Rabs_left1 by lra; lra]. }
+  assert (0 <= k * Rabs f) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
+Qed.
+
+Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
+Proof.
+  assert (V : 1 / 2 ^ 1020 = bpow radix2 (-1020)) by (change (bpow radix2 (-1020)) with (/ IZR (Z.pow_pos 2 1020)); rewrite pow_IZR; unfold Rdiv; rewrite Rmult_1_l; reflexivity).
+  rewrite V. split; [apply generic_format_bpow; easy|]. replace (2 ^ 20) with (bpow radix2 20) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply bpow_le. easy.
+Qed.
+Lemma exponential_rises (x y : R) : x <= y -> exp x <= exp y.
+Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
+(* The exponential at an end, which may lie below what float64 holds. *)
+Lemma exponential_at_an_end (t d : R) : float64 t -> t <= 709 -> Rabs d <= 1 / 2 ^ 100 -> let e := exponential_of_sum_float64.exponential t 0 in float64 e /\ Rabs (e - exp (t + d)) <= 9/8 * (1 / 4503599627370496 * Rabs e) + 1 / 2 ^ 1020.
+Proof.
+  intros F L D e. assert (V := proj2 vanishing). assert (T := proj1 underflow_in_least). set (v := 1 / 2 ^ 1020) in *. assert (X := exp_pos (t + d)). destruct (Rlt_le_dec t (-708)) as [S|S].
+  - assert (Z : e = 0) by (unfold e, exponential_of_sum_float64.exponential; repeat destruct Rlt_dec; lra). rewrite Z, Rminus_0_l, Rabs_Ropp, Rabs_R0, (Rabs_pos_eq (exp _)) by lra. split; [apply generic_format_0|].
+    apply Rle_trans with (exp (-7075/10)); [apply exponential_rises; apply Rabs_le_between in D; lra|]. unfold v. clear. assert (exp (-7075/10) <= 1 / 2 ^ 1019 * (1/2)) by interval. simpl in *. lra.
+  - assert (Z : Rabs 0 <= 1 / 2 ^ 42) by (rewrite Rabs_R0; lra). assert (N := elementary_functions__exp t 0 F (conj S L) Z). fold e in N. rewrite Rplus_0_r in N. split.
+    + unfold e, exponential_of_sum_float64.exponential. repeat destruct Rlt_dec; try lra. apply rounded_is_float64.
+    + assert (G : Rabs (exp d - 1) <= 1 / 2 ^ 90) by (apply Rabs_le_between in D; interval with (i_prec 120)). rewrite exp_plus in *. assert (P := exp_pos t). set (w := exp t) in *. apply Rabs_le_between in N. apply Rabs_le_between in G. rewrite (Rabs_pos_eq e) by lra.
+      assert (- (w * (1 / 2 ^ 90)) <= w * (exp d - 1) <= w * (1 / 2 ^ 90)) by (split; nra). apply Rabs_le. lra.
+Qed.
+Theorem enclosing_rules__exponential : Statements.enclosing_rules__exponential.
+Proof.
+  red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy).
+  assert (Q := elementary_functions__two_product x 1 X F1). rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 : two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
+  rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X), !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
+  destruct (reached s x e x' S1 S2 X P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
+  assert (Top : rounded (x + reach) <= 709).
+  { apply round_le_generic; [typeclasses eauto | typeclasses eauto | rewrite <- (Rmult_1_r 709); apply (whole_is_float64 709 0); easy|].
+    assert (x + 2 ^ 7 * unit53 * Rabs x <= 7045/10) by (unfold Rabs, unit53; destruct Rcase_abs; lra). unfold ROUNDING, unit53 in *. lra. }
+  assert (Low : rounded (x - reach) <= 709) by (apply Rle_trans with (rounded (x + reach)); [apply round_le; [typeclasses eauto..| lra] | exact Top]).
+  assert (Dl : Rabs (- (32 * underflow)) <= 1 / 2 ^ 100) by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). assert (Dh : Rabs (32 * underflow) <= 1 / 2 ^ 100) by (rewrite Rabs_pos_eq; lra).
+  destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Low Dl) as [Fl El]. destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Top Dh) as [Fh Eh]. destruct vanishing as [Fv Pv].
+  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | lra | unfold unit53; lra | split; apply exponential_rises; lra].
+Qed.
