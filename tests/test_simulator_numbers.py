@@ -76,7 +76,8 @@ def rendered(state, method, raster=WHOLE):
     """Return the same of the renderer."""
     side, crop = raster
     lights = tuple(a if on else Light(a.position, None) for a, on in zip(DEFAULT_LIGHTS, state["lights"], strict=True))
-    scene = Scene(**{name: state[name] for name in ("field", "ku", "kv", "beta", "model", "ball")}, lights=lights)
+    given = {name: state[name] for name in ("field", "ku", "kv", "beta", "model")}
+    scene = Scene(**given, ball=bool(state["ball"]), lights=lights)
     frame = render(scene, side, side, GradientMethod(**method), crop)
     return np.moveaxis(frame.rgb, -1, 0).tobytes() + frame.chambers.tobytes()
 
