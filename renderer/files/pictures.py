@@ -24,7 +24,7 @@ except ImportError:  # no wheel for this processor: the same pixels, more slowly
 PICTURE_SUFFIXES, STREAM_SUFFIXES = (".png", ".npz"), (".npy", ".tif", ".tiff")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
-BAND, AT_ONCE = 2**19, 2**17  # bytes that are deflated, and filtered, at a time: the latter stay in the cache
+BAND = 2**19  # bytes that are filtered and deflated at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
@@ -87,15 +87,14 @@ def _chunk(kind, data):
 def _parts(image, text, threads=None):
     """Return the bytes of a PNG, part by part."""
     height, width, channels = image.shape
-    rows, few = (max(1, size // (width * channels)) for size in (BAND, AT_ONCE))
+    rows = max(1, BAND // (width * channels))
     lines = np.empty((height, 1 + width * channels), np.uint8)
 
     def band(number):
         start, stop = number * rows, min(height, (number + 1) * rows)
-        own = lines[start:stop]
-        for at in range(0, stop - start, few):
-            _filter(image, start + at, own[at : at + few])
-        return _chunk(b"IDAT", _deflate(own, _way(own)))
+        filtered = lines[start:stop]
+        _filter(image, start, filtered)
+        return _chunk(b"IDAT", _deflate(filtered, _way(filtered)))
 
     header = struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)
     parts = [SIGNATURE, _chunk(b"IHDR", header), _chunk(b"sRGB", b"\0")]

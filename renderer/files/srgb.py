@@ -10,7 +10,7 @@ from renderer.threads import available_cores, run_bands
 CELLS = 2**16  # equal parts of [0, 1], a half at either end: so small that at most one byte begins inside
 ROUND = 1.5 * 2**36  # x + ROUND holds the nearest whole number to x · CELLS in its lowest bits
 BEGINS = 256  # is added to the byte of a cell in which the next one begins
-AT_ONCE = 2**18  # numbers: they stay in the cache
+AT_ONCE = 2**19  # numbers: with fewer, threads wait for each other's Python; with many more, for the memory
 
 
 def thresholds(level_of: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:

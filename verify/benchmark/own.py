@@ -43,15 +43,15 @@ def _noisy(frame: Frame) -> Frame:
 
 
 def cases(rounds: int, folder: Path) -> list[Case]:
-    """Return the cases; files are written to a folder."""
+    """Return the cases; files are written to a folder, each a new one."""
     frame, known = render(SCENE, SIDE, SIDE), _own_scene(0)
     noisy, picture = _noisy(frame), to_bytes(frame.rgb)
     works = {
         "first_picture": (lambda: render(_own_scene(next(_numbers)), SMALL, SMALL), 1),
         "second_picture": (lambda: render(known, SMALL, SMALL), 8),
         "drawing": (lambda: render(SCENE, SIDE, SIDE), 3),
-        "png": (lambda: frame.save(folder / "plain.png"), 3),
-        "noisy_png": (lambda: noisy.save(folder / "noisy.png"), 3),
+        "png": (lambda: frame.save(folder / f"{next(_numbers)}.png"), 3),
+        "noisy_png": (lambda: noisy.save(folder / f"{next(_numbers)}.png"), 3),
         "conversion": (lambda: to_bytes(frame.rgb), 3),
         "encoding": (lambda: png_of(picture), 3),
     }
