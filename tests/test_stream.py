@@ -63,9 +63,12 @@ def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
     assert contents(tmp_path) == {}
 
 
+SIGNALS = pytest.mark.parametrize(("number", "status", "said"), [(2, 130, "interrupted"), (15, 143, "terminated")])
+
+
 @pytest.mark.parametrize("moment", range(10))
 @pytest.mark.parametrize(("name", "height"), [("a.npy", "9"), ("a.tif", "2304")])
-@pytest.mark.parametrize(("number", "status", "said"), [(2, 130, "interrupted"), (15, 143, "terminated")])
+@SIGNALS
 def test_a_signal_leaves_the_old_file(
     number, status, said, name, height, moment, small_blocks, tmp_path, monkeypatch, capsys
 ):
@@ -84,6 +87,28 @@ def test_a_signal_leaves_the_old_file(
     assert capsys.readouterr() == ("", f"symbolic-rendering image: {said}\n")
     assert contents(tmp_path) == {name: b"old"}
     assert signal.getsignal(signal.SIGTERM) == before
+
+
+STOPPED = """
+import atexit, os, signal, sys
+class Stops:
+    def find_spec(name, *_):
+        if name == "numpy":
+            try:
+                os.kill(os.getpid(), int(sys.argv[1]))
+            finally:
+                os.kill(os.getpid(), int(sys.argv[2]))
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.meta_path.insert(0, Stops)
+atexit.register(os.kill, os.getpid(), signal.SIGINT)
+from renderer.__main__ import main
+sys.exit(main())
+"""
+
+
+@SIGNALS
+def test_the_first_signal_stops_the_imports_too_and_no_other_the_end(number, status, said):
+    assert python("-c", STOPPED, number, 17 - number, status=status) == ("", f"symbolic-rendering: {said}\n")
 
 
 MEMORY = """

@@ -20,7 +20,7 @@ from renderer.command_line.options import (
     scene_of,
     size_of,
 )
-from renderer.command_line.signals import Terminated, sigterm_stops
+from renderer.command_line.signals import first_signal_stops, say_stopped
 from renderer.files import pictures as files, record
 from renderer.machines import machine
 from renderer.picture import views
@@ -178,7 +178,7 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             if machine().NAME == "numpy":
                 told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
                 print(f"{prog}: {told}", file=sys.stderr)
-        with sigterm_stops():
+        with first_signal_stops():
             VERBS[options.verb][0](options)
         print(end="", flush=True)  # where there is a standard output
     except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end
@@ -188,7 +188,5 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
         print(f"{prog}: error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
-        told, status = ("terminated", 143) if isinstance(stop, Terminated) else ("interrupted", 130)
-        print(": ".join([f"{prog}: {told}", *map(str, stop.args)]), file=sys.stderr)
-        return status
+        return say_stopped(prog, stop)
     return 0
