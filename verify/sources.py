@@ -43,11 +43,6 @@ def reachable(source: Path) -> set[Path]:
     return found | {path for path in beside if path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")}
 
 
-def modules_for(code: str) -> set[Path]:
-    """The repository's modules that some code imports, directly or not."""
-    return followed({file for name in imported(code)[0] for file in _module_files(name)})
-
-
 def followed(waiting: set[Path]) -> set[Path]:
     """The files, and the repository's modules that they import, directly or not."""
     found: set[Path] = set()
