@@ -19,6 +19,7 @@ from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sym
 from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
+from proofs.engine.names import symbols_of
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
@@ -123,7 +124,7 @@ def _implied(conditions, need):
 
 def _symbols(expressions):
     """Return the symbols that stand in expressions; SymPy has none by which a constant is differentiated."""
-    return sorted(set().union(*(e.atoms(Symbol) for e in expressions)), key=lambda s: s.name)
+    return sorted(symbols_of(expressions), key=str)
 
 
 def _forall(names, sort):
