@@ -31,7 +31,7 @@ From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 """
-OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
+OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
@@ -82,7 +82,8 @@ class StatementPrinter(CoqPrinter):
             return f"({joined})"
         if not isinstance(relation, Relational):
             raise ValueError(f"no proposition for {relation}")
-        return f"{self._print(relation.lhs)} {OPERATORS[relation.rel_op]} {self._print(relation.rhs)}"
+        sign = OPERATORS.get(relation.rel_op, relation.rel_op)
+        return f"{self._print(relation.lhs)} {sign} {self._print(relation.rhs)}"
 
     def needs(self, expression: Basic) -> list[str]:
         """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
