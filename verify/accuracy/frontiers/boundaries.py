@@ -132,7 +132,7 @@ def first_surface(scene: Scene, beta: float, side: int) -> np.ndarray:
     The ray is looked at in 400 points; a bulge that it crosses between two of them is missed.
     """
     x, y = np.meshgrid(*Raster(side, side).image_points(scene))
-    to_b = in_float64(hit_of_b, scene_values(scene) | {"x": x, "y": y})["t_b"]
+    to_b = in_float64(hit_of_b, scene_values(scene, x=x, y=y))["t_b"]
     found, most = np.where(to_b < 1, 2, 3), 1 + abs(beta)
     near = np.hypot(x, y) < silhouette_of_a(scene.eye, most)
     x, y, last = (plane[near] for plane in (x, y, np.minimum(to_b, 1.0)))
