@@ -36,24 +36,26 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_pool.cache_clear)  # a child has none of its parent's threads
 
 
-def run_bands(work: Callable[[int], Any], count: int, threads: int) -> list[Any]:
-    """Return [work(0), …, work(count − 1)], done on at most `threads` threads, this one included.
+def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int | None) -> list[Any]:
+    """Return what `work` makes of bands of rows, slices of `each` rows and a last one of the rest, one after another.
 
+    It is done on at most `threads` threads (None: as many as cores), this one included.
     Helpers that come late, or not at all because the process ends or the system has no more threads, are not waited
     for. An error of any of them is raised when all have stopped; after it, or an interrupt, nothing more is begun.
     """
-    numbers, results, helpers = iter(range(count)), [None] * count, []
+    bands = [slice(start, min(rows, start + each)) for start in range(0, rows, each)]
+    numbered, results, helpers = enumerate(bands), [None] * len(bands), []
 
     def take():
         try:
-            for number in numbers:
-                results[number] = work(number)
+            for number, band in numbered:
+                results[number] = work(band)
         finally:
-            for _ in numbers:
+            for _ in numbered:
                 pass
 
     try:
-        for _ in range(min(threads, count) - 1):
+        for _ in range(min(threads or available_cores(), len(bands)) - 1):
             helpers.append(_pool().submit(take))
     except RuntimeError:  # no new thread, or none any more
         pass

@@ -80,13 +80,13 @@ def later():
     os._exit(7 if np.array_equal(draw(), expected) else 1)
 threading.Thread(target=later).start()""",
     "after Ctrl-C": """
-def interrupt(number):
-    if number == 1:
+def interrupt(band):
+    if band.start == 1:
         os.kill(os.getpid(), signal.SIGINT)
     time.sleep(0.01)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 try:
-    run_bands(interrupt, 16, 2)
+    run_bands(interrupt, 16, 1, 2)
     sys.exit("no interrupt")
 except KeyboardInterrupt:
     assert np.array_equal(draw(), expected)""",
@@ -116,15 +116,14 @@ def test_one_pool_whatever_is_asked_for():
 
 @pytest.mark.parametrize("count", [1, 2, 16])
 def test_an_error_of_a_band_is_raised_and_the_next_picture_drawn(count):
-    def fail(number):
-        if number == count - 1:
-            raise ArithmeticError(number)
-        return number
+    def fail(band):
+        if band.stop == count:
+            raise ArithmeticError(band.start)
 
     for _ in range(3):
         with pytest.raises(ArithmeticError, match=str(count - 1)):
-            run_bands(fail, count, 3)
-        assert run_bands(lambda number: number, count, 3) == list(range(count))
+            run_bands(fail, count, 1, 3)
+        assert run_bands(lambda band: band.start, count, 1, 3) == list(range(count))
 
 
 def test_a_helper_that_comes_late_is_not_waited_for(monkeypatch):
@@ -133,7 +132,7 @@ def test_a_helper_that_comes_late_is_not_waited_for(monkeypatch):
     with ThreadPoolExecutor(1) as pool:
         pool.submit(drawn.wait, 60)
         monkeypatch.setattr(threads, "_pool", lambda: pool)
-        assert run_bands(str, 4, 4) == ["0", "1", "2", "3"]
+        assert run_bands(lambda band: band.stop, 7, 2, 4) == [2, 4, 6, 7]
         drawn.set()
 
 

@@ -14,7 +14,8 @@ from tqdm import tqdm
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
-from renderer import Light, Scene, exact, render
+from renderer import Light, exact, render
+from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.accuracy.pixels import compared
 from verify.records import command
@@ -24,28 +25,23 @@ EACH = 6  # pixels of a picture at random, and as many of the largest bounds
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)
 
 
-class Picture:
-    """A frame with bounds, beside the truth about its pixels."""
-
-    def __init__(self, scene: Scene, width: int, height: int, method: GradientMethod, crop: tuple | None = None):
-        self.frame = render(scene, width, height, method, crop, bounds=True)
-
-    def errors(self, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:
-        """Return what each channel is certainly off, NaN where that is on an edge at any digits; its bound; and whether
-        the chamber is another than the true one, and not open.
-        """
-        _, errors, same_chamber = compared(self.frame, column, row)
-        off = np.array([float(error.abs_lower()) for error in errors])
-        return off, self.frame.bounds[row, column], not (same_chamber or self.frame.open[row, column])
-
-    def wrong(self, column: int, row: int) -> bool:
-        """Return whether an error is above its bound, or a chamber missed."""
-        off, bounds, missed = self.errors(column, row)
-        return bool((off > bounds).any()) or missed
+def errors(frame: Frame, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Return what each channel of a pixel is certainly off, NaN where that is on an edge at any digits; its bound; and
+    whether the chamber is another than the true one, and not open.
+    """
+    _, found, same_chamber = compared(frame, column, row)
+    off = np.array([float(error.abs_lower()) for error in found])
+    return off, frame.bounds[row, column], not (same_chamber or frame.open[row, column])
 
 
-def random_picture(seed: int) -> Picture:
-    """Return a Picture of a random scene of any field, model, shininess and method, β from nothing to 1e100."""
+def wrong(frame: Frame, column: int, row: int) -> bool:
+    """Return whether an error of a pixel is above its bound, or its chamber missed."""
+    off, bounds, missed = errors(frame, column, row)
+    return bool((off > bounds).any()) or missed
+
+
+def random_picture(seed: int) -> Frame:
+    """Return a frame with bounds: a random scene of any field, model, shininess and method, β from nothing to 1e100."""
     random = np.random.default_rng((24, seed))
     scene, (width, height, crop) = random_scene(random), random_raster(random)
     waves: list[Any] = [
@@ -57,7 +53,7 @@ def random_picture(seed: int) -> Picture:
     ku, kv = (float(k) for k in waves[seed % 4])
     lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
     method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
-    return Picture(
+    return render(
         replace(
             scene,
             lights=tuple(lights),
@@ -72,16 +68,14 @@ def random_picture(seed: int) -> Picture:
         height,
         method[seed // 4 % len(method)],
         crop,
+        bounds=True,
     )
 
 
-def places(picture: Picture, random: np.random.Generator, each: int) -> list[tuple[int, int]]:
+def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[int, int]]:
     """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
-    flat = [
-        *random.integers(0, picture.frame.open.size, each),
-        *np.argsort(picture.frame.bounds.max(2).ravel())[-each:],
-    ]
-    rows, columns = np.unravel_index(flat, picture.frame.open.shape)
+    flat = [*random.integers(0, frame.open.size, each), *np.argsort(frame.bounds.max(2).ravel())[-each:]]
+    rows, columns = np.unravel_index(flat, frame.open.shape)
     return list(zip(columns.tolist(), rows.tolist(), strict=True))
 
 
@@ -94,13 +88,12 @@ def measure(pictures: int, first: int = 1000) -> dict:
     ratios: dict[str, list[float]] = defaultdict(list)
     counts, opened, drawn = Counter[str](), Counter[str](), Counter[str]()
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
-        picture, random = random_picture(seed), np.random.default_rng(seed)
-        frame = picture.frame
+        frame, random = random_picture(seed), np.random.default_rng(seed)
         kinds = ("all", str(frame.scene.field), str(frame.scene.model), frame.method.name)
         opened.update(dict.fromkeys(kinds, int(frame.open.sum())))
         drawn.update(dict.fromkeys(kinds, frame.open.size))
-        for number, place in enumerate(places(picture, random, EACH)):
-            off, bounds, missed = picture.errors(*place)
+        for number, place in enumerate(places(frame, random, EACH)):
+            off, bounds, missed = errors(frame, *place)
             known, above = off > 0, int((off > bounds).sum())
             counts.update(pixels=1, decided=int(np.isfinite(off).all()), above_bound=above, chambers_missed=missed)
             for kind in ("largest", *(kinds if number < EACH else ())):

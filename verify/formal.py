@@ -106,11 +106,6 @@ def _readable(name, text, needs):
         raise NotAccepted(f"{name} is not the text that is trusted")
 
 
-def files(*wanted: str) -> list[Path]:
-    """Return the files that Coq reads, each after those that it requires: all, or those that are wanted and theirs."""
-    return [FOLDER / f"{name}.v" for layer in layers(*wanted) for name in layer]
-
-
 def statements(*wanted: str) -> Statements:
     """Return what is said of each theorem, in the order of the files."""
     named: Statements = {}
@@ -229,7 +224,7 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
     asked = parser.parse_args()
-    if unknown := set(asked.file) - (known := {path.stem for path in files()}):
+    if unknown := set(asked.file) - (known := set().union(*layers())):
         parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(known))}")
     table = {} if asked.fresh or asked.file or asked.coqchk else record()
     if table:

@@ -38,7 +38,7 @@ def lights_on(scene: Scene) -> list[Light]:
 def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
-    others: width, height, column, row, epsilon.
+    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     own = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")

@@ -43,11 +43,6 @@ def reachable(source: Path) -> set[Path]:
     return found | {path for path in beside if path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")}
 
 
-def modules_for(code: str) -> set[Path]:
-    """The repository's modules that some code imports, directly or not."""
-    return followed({file for name in imported(code)[0] for file in _module_files(name)})
-
-
 def followed(waiting: set[Path]) -> set[Path]:
     """The files, and the repository's modules that they import, directly or not."""
     found: set[Path] = set()
@@ -130,11 +125,8 @@ def imported(code: str, package: tuple[str, ...] = ()) -> tuple[set[str], bool]:
             homes = {f"{here}.{home}" for home in ast.literal_eval(node.value).values()}
         elif isinstance(node, ast.Name):
             named.add(node.id)
-    return modules | taken | homes, not homes and any(map(_computes, taken | named))
-
-
-def _computes(name):
-    return name.split(".")[0] in COMPUTED_IMPORTS and not name.startswith(IMPORT_NOTHING)
+    computing = [n for n in taken | named if n.split(".")[0] in COMPUTED_IMPORTS and not n.startswith(IMPORT_NOTHING)]
+    return modules | taken | homes, bool(computing and not homes)
 
 
 @cache

@@ -44,8 +44,9 @@ def random_inputs(program):
     rng = np.random.default_rng(len(program.name))
     theta, phi = rng.uniform(-np.pi, np.pi, POINTS), rng.uniform(0.01, np.pi - 0.01, POINTS)
     angles = {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
-    names = [symbol.name for symbol in program.inputs]
-    found = {name: angles.get(name, rng.uniform(*RANGES.get(name, (-1, 1)), POINTS)) for name in names}
+    found = {
+        name: angles.get(name, rng.uniform(*RANGES.get(name, (-1, 1)), POINTS)) for name in map(str, program.inputs)
+    }
     for coordinate, edges in EDGES.items():
         if coordinate in found:
             found[coordinate][: len(edges)] = edges

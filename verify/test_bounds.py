@@ -18,7 +18,7 @@ from renderer.picture import stage
 from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
 from verify.accuracy.pixels import BITS
-from verify.enclosed_pixels import KINDS, Picture, measure
+from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.balls import BALLS
 
 enclosed_bounds, where = Frame.bounds.fget, enclosing.where
@@ -50,27 +50,26 @@ def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
 def test_the_default_scene(field, model):
     """Nothing is open, at 256²; bounds are tight."""
     scene = Scene(field=field, model=model)
-    picture, random = Picture(scene, 256, 256, exact()), np.random.default_rng(24)
-    frame = picture.frame
+    frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
-    found = [picture.errors(*place) for place in random.integers(0, 256, (200, 2)).tolist()]
+    found = [errors(frame, *place) for place in random.integers(0, 256, (200, 2)).tolist()]
     share = np.median([share for off, bounds, _ in found for share in bounds[off > 0] / off[off > 0]])
     assert share <= (300 if scene == Scene() else 1000)
 
 
 def on_creases(numbers=range(1, 25)):
-    """Return Pictures of one pixel each, which lies within a rounding of a crease of ridges."""
+    """Return frames of one pixel each, which lies within a rounding of a crease of ridges."""
     scene = Scene(ball=False)
     u = render(scene, 64, 64).surface_data["u"][20, 25]
     crop = 25, 20, 1, 1
-    return [Picture(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop) for n in numbers]
+    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in numbers]
 
 
 def test_the_side_of_a_crease_is_open():
-    pictures = on_creases()
-    assert all(picture.frame.open.all() and not picture.wrong(0, 0) for picture in pictures)
-    assert max(picture.errors(0, 0)[0].max() for picture in pictures) > 1e-3  # on the wrong side
+    frames = on_creases()
+    assert all(frame.open.all() and not wrong(frame, 0, 0) for frame in frames)
+    assert max(errors(frame, 0, 0)[0].max() for frame in frames) > 1e-3  # on the wrong side
 
 
 @pytest.mark.parametrize("radius", [1.0, 2.0**53, 1e40])
@@ -170,7 +169,7 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
 
 def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
     monkeypatch.setattr(enclosing, "where", one_sided)
-    assert any(picture.wrong(0, 0) for picture in on_creases())
+    assert any(wrong(frame, 0, 0) for frame in on_creases())
 
 
 def test_b_is_as_accurate_as_its_condition():

@@ -53,8 +53,7 @@ def sites(tree):
 
 def numbers(tree):
     """Return every number of a module."""
-    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.Constant)]
-    return [node for node in nodes if type(node.value) in (int, float)]
+    return [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and type(node.value) in (int, float)]
 
 
 def edit(source, index, find=sites, by=1):

@@ -45,7 +45,7 @@ def algebraic_gradient(field, ratio, square, angle, half_u, wave_v):
     """Return the error of the algebraic form in units of (1 + k) π k 2^-53."""
     eye, field = 1 / ratio, HEIGHT_FIELDS[field]
     rho = math.sqrt(1 - square) * (1 - 1e-12) * eye / math.sqrt((eye - 1) * (eye + 1))
-    at = {"eye": eye, "radius": 1.0, "x": np.array([rho * math.cos(angle)]), "y": np.array([rho * math.sin(angle)])}
+    at = {"eye": eye, "radius": 1.0, "x": [rho * math.cos(angle)], "y": [rho * math.sin(angle)]}
     kv = wave_v / float(field.wave_numbers[1].subs(k_v, 1))
     return float(errors_at(field, at | {"k_u": 2.0 * half_u, "k_v": kv})[0])
 

@@ -33,8 +33,7 @@ def test_what_is_kept_is_what_was_found_and_what_was_changed_or_failed_is_not_re
     assert asdict(measurement_cache.read(QUICK, key)) == asdict(found)
     assert measurement_cache.read(QUICK, "another key") is None
     (path,) = folder.iterdir()
-    text = path.read_text("utf-8")
-    tampered = json.loads(text)
+    tampered = json.loads(path.read_text("utf-8"))
     tampered["evidence"]["record"]["measurements"][0]["worst"] = 0.5
     for content in (json.dumps(tampered), "{}", "[]", ""):
         path.write_text(content, "utf-8")

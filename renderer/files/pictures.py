@@ -13,7 +13,7 @@ from zipfile import ZipFile
 import numpy as np
 
 from renderer.checks import extra
-from renderer.threads import available_cores, run_bands
+from renderer.threads import run_bands
 from renderer.whole_files import whole_file, write_whole
 
 try:
@@ -90,17 +90,16 @@ def _parts(image, text, threads=None):
     rows = max(1, BAND // (width * channels))
     lines = np.empty((height, 1 + width * channels), np.uint8)
 
-    def band(number):
-        start, stop = number * rows, min(height, (number + 1) * rows)
-        filtered = lines[start:stop]
-        _filter(image, start, filtered)
+    def band(part):
+        filtered = lines[part]
+        _filter(image, part.start, filtered)
         return _chunk(b"IDAT", _deflate(filtered, _way(filtered)))
 
     header = struct.pack(">IIBBBBB", width, height, 8, COLOUR_TYPES[channels], 0, 0, 0)
     parts = [SIGNATURE, _chunk(b"IHDR", header), _chunk(b"sRGB", b"\0")]
     parts += [_chunk(b"tEXt", KEYWORD + b"\0" + text.encode("ascii"))] if text else []
     parts.append(_chunk(b"IDAT", b"\x78\x5e"))  # zlib's header: deflate, the largest window, a fast level
-    parts += run_bands(band, -(-height // rows), threads or available_cores())
+    parts += run_bands(band, height, rows, threads)
     parts.append(_chunk(b"IDAT", b"\3\0" + struct.pack(">I", zlib.adler32(lines))))  # a last block, of nothing
     return [*parts, _chunk(b"IEND", b"")]
 

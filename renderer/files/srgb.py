@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 
-from renderer.threads import available_cores, run_bands
+from renderer.threads import run_bands
 
 CELLS = 2**16  # equal parts of [0, 1], a half at either end: so small that at most one byte begins inside
 ROUND = 1.5 * 2**36  # x + ROUND holds the nearest whole number to x · CELLS in its lowest bits
@@ -60,9 +60,8 @@ def to_bytes(rgb: np.ndarray, threads: int | None = None) -> np.ndarray:
     linear, into = (one if one.ndim > 1 else one.reshape(-1, 1) for one in (rgb, encoded))
     rows = max(1, AT_ONCE * len(linear) // max(1, linear.size))
 
-    def band(number):
-        part = slice(number * rows, (number + 1) * rows)
+    def band(part):
         _encode(np.moveaxis(linear[part], -1, 0), np.moveaxis(into[part], -1, 0))
 
-    run_bands(band, -(-len(linear) // rows), threads or available_cores())
+    run_bands(band, len(linear), rows, threads)
     return encoded

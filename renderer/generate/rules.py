@@ -88,14 +88,6 @@ class Term:
         """Return a root, rounded."""
         return type(self)(f"rounded ({applied('sqrt', self)})")
 
-    def floor(self) -> "Term":
-        """Return the next whole number below, which is not rounded."""
-        return type(self)(applied("whole_below", self))
-
-    def rint(self) -> "Term":
-        """Return the nearest whole number, which is not rounded."""
-        return type(self)(applied("rint", self))
-
     def _operation(sign):
         def operation(self, other, swap=False):
             left, right = map(self.operand, (other, self) if swap else (self, other))
@@ -151,6 +143,8 @@ class Line(Term):
 
 
 NAMES = {
+    "floor": "whole_below",
+    "rint": "rint",
     "maximum": "Rmax",
     "minimum": "Rmin",
     "sign": "sign",
@@ -160,7 +154,7 @@ NAMES = {
     "cospi": "cosine_of_half_turns_float64.cosine",
     "exp": "exponential_of_sum_float64.exponential",
 }
-"""{what is called: Coq's function}"""
+"""{what is called: Coq's function}, none of which is rounded but as it says itself"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 
 

@@ -19,6 +19,7 @@ from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sym
 from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
+from proofs.engine.names import symbols_of
 from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
@@ -30,7 +31,7 @@ From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Float Float64.
 Open Scope R_scope.
 """
-OPERATORS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
+OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
@@ -81,7 +82,8 @@ class StatementPrinter(CoqPrinter):
             return f"({joined})"
         if not isinstance(relation, Relational):
             raise ValueError(f"no proposition for {relation}")
-        return f"{self._print(relation.lhs)} {OPERATORS[relation.rel_op]} {self._print(relation.rhs)}"
+        sign = OPERATORS.get(relation.rel_op, relation.rel_op)
+        return f"{self._print(relation.lhs)} {sign} {self._print(relation.rhs)}"
 
     def needs(self, expression: Basic) -> list[str]:
         """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
@@ -123,7 +125,7 @@ def _implied(conditions, need):
 
 def _symbols(expressions):
     """Return the symbols that stand in expressions; SymPy has none by which a constant is differentiated."""
-    return sorted(set().union(*(e.atoms(Symbol) for e in expressions)), key=lambda s: s.name)
+    return sorted(symbols_of(expressions), key=str)
 
 
 def _forall(names, sort):

@@ -66,16 +66,11 @@ class Mask:
         """For which it may hold."""
         return self.holds if self.open is None else self.holds | self.open
 
-    @property
-    def _maybe_not(self):
-        return ~self.holds if self.open is None else ~self.holds | self.open
-
     def __and__(self, other):
         return Mask(self.holds & other.holds, _either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
 
     def __or__(self, other):
-        open_ = _either(_both(self.open, other._maybe_not), _both(other.open, self._maybe_not))
-        return Mask(self.holds | other.holds, open_)
+        return ~(~self & ~other)
 
     def __invert__(self):
         return Mask(~self.holds, self.open)

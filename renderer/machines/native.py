@@ -95,8 +95,8 @@ def compiled(want: Want, lanes: int) -> tuple[Callable[[int], None], llvm.Execut
 
 def drawer(
     want: Want, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
-) -> Callable[[range], list[int]]:
-    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK.
+) -> Callable[[slice], list[int]]:
+    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the order of WORK.
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """

@@ -84,13 +84,13 @@ class Block:
         self._planes[name][self.rows, self.columns] = value
 
 
-def drawer(want: Want, job: Job) -> Callable[[range], list[int]]:
-    """Return the function that draws rows (a range) of a Job and returns what was counted, in the order of WORK."""
+def drawer(want: Want, job: Job) -> Callable[[slice], list[int]]:
+    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the order of WORK."""
     scene = of_form(SCENE_FORM, job["scene"])
 
     @np.errstate(all="ignore")  # a selection computes both of its sides
     def draw(rows):
-        machine, block = Rows(job["lights"]), Block(job, slice(rows.start, rows.stop))
+        machine, block = Rows(job["lights"]), Block(job, rows)
         group = Group(machine, scene, want, block)
         if want.bounds:
             of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]

@@ -27,15 +27,11 @@ class Interval:
 
         Raises ValueError where the format asks for more than is certain, or no digit is.
         """
-        ends = {format(end, form) for end in (self.lower, self.upper)} if form else {self.certain}
+        certain = {certain_digits(self.lower, self.upper)}
+        ends = {format(end, form) for end in (self.lower, self.upper)} if form else certain
         if len(ends) > 1 or ends == {""}:
             raise ValueError(f"{form or 'a digit'!r} of a number from {self.lower!r} to {self.upper!r} is not certain")
         return ends.pop()
-
-    @property
-    def certain(self) -> str:
-        """The digits that are certain, at most DIGITS."""
-        return certain_digits(self.lower, self.upper)
 
     def outward(self) -> tuple[float, float]:
         """Return numbers of two digits that it certainly lies between."""

@@ -38,7 +38,7 @@ def flat_difference(scene: Scene, width: int, height: int) -> float:
 
 def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, float]:
     """Return (how many pixels of A have sin φ below SMALL_SINE, the least sin φ on A)."""
-    sines = np.sin(np.pi * render(scene, width, height).data_on_a["v"])
+    sines = render(scene, width, height).planes_on_a[3]
     return int((sines < SMALL_SINE).sum()), float(sines.min()) if sines.size else float("nan")
 
 

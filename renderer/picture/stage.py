@@ -127,16 +127,14 @@ class Stage:
                 from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
 
             job |= input_bounds(scene, self.raster, len(self._x))
-        draw_rows, rows = machine().drawer(want_of(scene, method, **want), job), band_rows(*self.raster.shape)
-        bands = [range(start, min(len(self.y), start + rows)) for start in range(0, len(self.y), rows)]
+        draw_rows = machine().drawer(want_of(scene, method, **want), job)
 
-        def draw_band(number):
-            band = bands[number]
+        def draw_band(band):
             if before:
-                before(slice(band.start, band.stop))
+                before(band)
             return draw_rows(band)
 
-        return np.sum(run_bands(draw_band, len(bands), threads), axis=0)
+        return np.sum(run_bands(draw_band, len(self.y), band_rows(*self.raster.shape), threads), axis=0)
 
     def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
         """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""

@@ -175,8 +175,8 @@ class Group:
             if way == "algebraic":
                 u_real, u_imaginary, v_real, v_imaginary = k.algebraic_bases(*angles)
                 by_complex = k.complex_square, k.complex_product
-                cos_u, sin_u = self.power((u_real, s.turn_u * u_imaginary), s.power_u, *by_complex)
-                cos_v, sin_v = self.power((v_real, s.turn_v * v_imaginary), s.power_v, *by_complex)
+                cos_u, sin_u = power(self.machine, (u_real, s.turn_u * u_imaginary), s.power_u, *by_complex)
+                cos_v, sin_v = power(self.machine, (v_real, s.turn_v * v_imaginary), s.power_v, *by_complex)
                 return field["gradient_from_factors"](sin_u, cos_u, sin_v, cos_v, s.ku, s.kv)
             u, v = self.chart(angles)
             if way == "general":
@@ -184,20 +184,6 @@ class Group:
             return difference(field, way, u, v, s.ku, s.kv, s.eps)
 
         return self.machine.choose(self.want.ways, s.way, by)
-
-    def power(self, base: Numbers, exponent: Number, square: Callable, product: Callable) -> Numbers:
-        """Return base^exponent, a whole number that is not negative, by repeated squaring.
-
-        base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
-        """
-        squared, result = (Variables(self.machine, parts) for parts in (base, (1.0, 0.0)[: len(base)]))
-        self.machine.by_squaring(
-            exponent,
-            first=lambda: result.set(squared.value),
-            square=lambda: squared.set(square(*squared.value)),
-            multiply=lambda: result.set(product(*result.value, *squared.value)),
-        )
-        return result.value
 
     def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
         """Find what each light's shadows are, and add up the light.
@@ -268,9 +254,30 @@ class Group:
                 highlight = self.machine.variable(0.0)
                 self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
                 return mu, highlight.value
-            return mu, *self.power((specular,), s.power, lambda a: (a * a,), lambda a, b: (a * b,))
+            return mu, *power(self.machine, (specular,), s.power)
 
         return self.machine.choose(self.want.lights, s.model, by)
+
+
+def power(
+    machine: Any,
+    base: Numbers,
+    exponent: Number,
+    square: Callable = lambda a: (a * a,),
+    product: Callable = lambda a, b: (a * b,),
+) -> Numbers:
+    """Return base^exponent, a whole number that is not negative, by repeated squaring.
+
+    base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
+    """
+    squared, result = (Variables(machine, parts) for parts in (base, (1.0, 0.0)[: len(base)]))
+    machine.by_squaring(
+        exponent,
+        first=lambda: result.set(squared.value),
+        square=lambda: squared.set(square(*squared.value)),
+        multiply=lambda: result.set(product(*result.value, *squared.value)),
+    )
+    return result.value
 
 
 def difference(field: dict[str, Callable], method: str, *arguments: Number) -> Numbers:

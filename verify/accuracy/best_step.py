@@ -8,7 +8,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from proofs.formulas import step_bounds
 from proofs.formulas.finite_difference import central
@@ -45,11 +44,6 @@ def predicted(k: float, representable: bool = False) -> Best:
     return best_of(k, rounding_bound(2.0, slope_bound(k), 0.0, heights, arguments))
 
 
-def representable_step(at: ArrayLike, step: ArrayLike) -> np.ndarray:
-    """Return (at + step) − at in float64: a step that takes `at` to numbers that float64 holds, on both sides."""
-    return np.subtract(np.add(at, step), at)
-
-
 def errors(k: float, steps: np.ndarray, representable: bool = False, library: bool = False) -> np.ndarray:
     """Return (steps, points) |computed − exact| of h_u, sine, v on a crest; library: with the C library's sine, whose
     argument πku is rounded before it is reduced.
@@ -59,7 +53,7 @@ def errors(k: float, steps: np.ndarray, representable: bool = False, library: bo
     u = np.random.default_rng(SEED).uniform(0.5, 0.75, POINTS)
     at = {"u": u, "v": 0.125, "k_u": k, "k_v": 4}
     true, used = in_balls(gradient(SINE), at)["h_u"].astype(float), steps[:, None]
-    used = representable_step(u, used) if representable else used  # one for all: u is on the grid of 2^-53
+    used = (u + used) - u if representable else used  # one for all: u is on the grid of 2^-53
     computed = in_float64(naive(central(SINE)) if library else central(SINE), at | {"epsilon": used})["h_u"]
     return np.abs(computed - true)
 

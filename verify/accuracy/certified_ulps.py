@@ -21,7 +21,7 @@ from proofs.engine.program import Program, chain
 from proofs.formulas import elementary as e
 from renderer import kernels
 from verify.accuracy.exponential_ulps import exponential_pieces, logarithm_pieces, power_pieces
-from verify.accuracy.pieces import PRECISION, SMALLEST, Piece, Series, ball, lines, piece_ends
+from verify.accuracy.pieces import FIRST, PRECISION, SMALLEST, Piece, Series, ball, lines, piece_ends
 from verify.evaluate import code_of
 from verify.evaluate.balls import BALLS
 from verify.evaluate.rounding import ZERO, Rounded, between, run
@@ -65,12 +65,12 @@ def sine_pieces(cosine: bool = False, of_product: bool = False, program: Program
         cuts = () if cosine else [(arb(2) ** -n).asin() / arb.pi() for n in range(1, 2 - SMALLEST)]
         return [
             _sine_piece(code, series, near.name, low, high, cosine, of_product)
-            for low, high in pairwise(piece_ends(arb(2) ** (SMALLEST - 1), end, cuts))
+            for low, high in pairwise(piece_ends(FIRST, end, cuts))
         ]
 
 
 def _sine_piece(code, series, near, low, high, cosine, of_product):
-    smallest = high <= arb(2) ** SMALLEST
+    smallest = high <= 2 * FIRST
     ends = (ZERO if smallest and cosine else low, high)
     r = between(*ends) * (1 + arb(0, arb(2) ** -52 if of_product else 0))  # as it is after rounding
     true = [end.cos_pi() if cosine else end.sin_pi() for end in ends]
@@ -99,7 +99,7 @@ def angle_pieces(program: Program = e.angle_in_half_turns) -> list[Piece]:
         slack = arb(2) ** -52  # the comparison's product is rounded
         cuts = [(arb.pi() / 2**n).tan() for n in range(3, 3 - SMALLEST)]
         arcs = [
-            (0, 0, piece_ends(arb(2) ** (SMALLEST - 1), first * (1 + slack), cuts)),
+            (0, 0, piece_ends(FIRST, first * (1 + slack), cuts)),
             (1, 0, piece_ends(first * (1 - slack), second * (1 + slack), cuts)),
             (1, 1, piece_ends(second * (1 - slack), arb(1))),
         ]
@@ -130,7 +130,7 @@ class _Angle:
         return chain("octant", {s: program[s].args[branch][0] for s, branch in chosen})
 
     def piece(self, low, high, middle, steep):
-        smallest = high <= arb(2) ** SMALLEST
+        smallest = high <= 2 * FIRST
         choice = {"middle": Rounded(middle), "steep": Rounded(steep)}
         selected = run(self.to_node, dict(choice))
         node, value, correction = (selected[name].value for name in ("node", "node_value", "node_correction"))

@@ -15,7 +15,7 @@ from flint import arb, arb_series, ctx
 
 from proofs.engine.program import Program
 from proofs.formulas import exponential as e
-from verify.accuracy.pieces import PRECISION, SMALLEST, Piece, Series, ball, lines, piece_ends, worst
+from verify.accuracy.pieces import FIRST, PRECISION, Piece, Series, ball, lines, piece_ends, worst
 from verify.evaluate import code_of
 from verify.evaluate.rounding import ZERO, Rounded, between, half_a_unit, run
 
@@ -61,7 +61,7 @@ def logarithm_pieces(program: Program = e.natural_logarithm) -> list[Piece]:
             low, high = ((m - ball(e.NODES[number])) / (m + ball(e.NODES[number])) for m in ends)
             for doublings in DOUBLINGS:
                 at_1 = number == 1 and doublings == 0
-                quotients = piece_ends(arb(2) ** (SMALLEST - 1), max(-low, high)) if at_1 else [low, high]
+                quotients = piece_ends(FIRST, max(-low, high)) if at_1 else [low, high]
                 pieces += [_logarithm_piece(code, series, number, doublings, *pair) for pair in pairwise(quotients)]
         return pieces
 
@@ -70,7 +70,7 @@ def _logarithm_piece(code, series, number, doublings, low, high):
     node, ln2, largest = ball(e.NODES[number]), arb.const_log2(), max(abs(low), abs(high))
     tail, known = [2 * (end.atanh() - end) for end in (low, high)], {}
     known["log_tail"] = (*tail, series.error(between(low, high)))
-    if largest <= arb(2) ** SMALLEST:
+    if largest <= 2 * FIRST:
         known["quotient_squared"] = (ZERO, largest**2)
     rest = largest * (arb(2) ** -26 + 4 * UNIT)  # what a_high leaves of q
     rest_error = rest * UNIT * 5  # the sum and the division of `inverse`, `undivided` and quotient_rest

@@ -11,6 +11,7 @@ from verify.evaluate.rounding import unit_in_the_last_place
 
 PRECISION, TERMS = 160, 40
 SMALLEST = -12  # binary exponent below which the lines only scale
+FIRST = arb(2) ** (SMALLEST - 1)  # where the piece begins that stands for all below it
 PIECES = 40  # a binade
 
 
@@ -34,7 +35,7 @@ def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]
 
 def piece_ends(first: arb, last: arb, cuts: Iterable[arb] = ()) -> list[arb]:
     """Return the ends of pieces from `first` to `last`: PIECES to each binade, evenly, and at the cuts between."""
-    ends, low = list(cuts), arb(2) ** (SMALLEST - 1)
+    ends, low = list(cuts), FIRST
     while low < last:
         ends += [low * (PIECES + i) / PIECES for i in range(PIECES)]
         low *= 2

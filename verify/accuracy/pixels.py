@@ -7,7 +7,6 @@ that the frame has of it. A pixel whose chamber or side of a crease is open ther
 from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import replace
-from functools import partial
 from itertools import cycle, product
 from typing import NamedTuple
 
@@ -82,17 +81,13 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     return found
 
 
-balls_of = partial(lines_of, Balls)
-"""The Balls of a whole pixel."""
-
-
 def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
     """Return the balls of every line of a frame's pixel."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row}
     size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
-    balls = balls_of(scene.field, scene.model, len(lights_on(scene)), method.name)
+    balls = lines_of(Balls, scene.field, scene.model, len(lights_on(scene)), method.name)
     with ctx.workprec(BITS):
         return balls({name: arb(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
 

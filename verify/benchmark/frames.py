@@ -11,7 +11,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import cycle, product
-from typing import Any
 
 from renderer import Scene, central, exact, render, stage_of
 from renderer.scene.methods import GradientMethod
@@ -95,8 +94,8 @@ def image_gradient_case() -> Case:
     """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
     stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
     planes = {name: stage.new_plane() for name in ON_A}
-    options: dict[str, Any] = {"chambers_known": True, "surfaces": "a", "colors": False, "stored": ON_A}
-    work = partial(stage.draw, A_ALONE, exact("algebraic"), 1, planes, **options)
+    method = exact("algebraic")
+    work = partial(stage.draw, A_ALONE, method, 1, planes, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
     return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
 

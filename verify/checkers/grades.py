@@ -52,7 +52,7 @@ class Examination:
 
     def check_sources(self, theorem: Theorem) -> None:
         """Keep the cited source and lemmas; each key has to be in the bibliography."""
-        lemmas = [lemma for claim in theorem.claims for lemma in getattr(claim, "cited", ())]
+        lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]
         if theorem.source:
             self.record["source"] = theorem.source
         if lemmas:

@@ -148,7 +148,7 @@ def _sampled(examination, theorem, claim, points):
             examination.problems.append(f"{claim.name}: at 50 digits the point is not a counterexample")
         return {"claim": claim.name, "points": 1}
     seed = f"{theorem.id}/{claim.name}"
-    for lemma in getattr(claim, "cited", ()):
+    for lemma in claim.cited:
         if not witness.sample(Claim("cited", (lemma.relation,), lemma.given), seed, 1, attempts=SEARCHED).points:
             examination.problems.append(f"{lemma.text}, from {lemma.source}: no sample satisfies its conditions")
         if failing := witness.lemma_fails_at(lemma, seed, points):

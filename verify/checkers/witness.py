@@ -6,6 +6,7 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from operator import sub
 from typing import Any
 
 import mpmath
@@ -126,7 +127,7 @@ def _turning_point(lemma, shown, symbols, seed):
 def _fails(sampler, given, values):
     """Return whether what is sampled is false; no nearer to an edge than a root is known, nothing is."""
     try:
-        apart = all(abs(_difference(condition, values)) >= EDGE for condition in given)
+        apart = all(abs(sub(*Code((c.lhs, c.rhs))(values))) >= EDGE for c in given)
         return apart and sampler.early(values) and sampler.verdict(values) == "fails"
     except Undefined:
         return False
@@ -145,11 +146,6 @@ def _root(code, symbols, values):
         return dict(zip(symbols, root, strict=True))
     except (ValueError, TypeError, ZeroDivisionError, Undefined):  # of a singular system mpmath finds no pivot
         return {}
-
-
-def _difference(condition, values):
-    left, right = Code((condition.lhs, condition.rhs))(values)
-    return left - right
 
 
 def _exact(point):

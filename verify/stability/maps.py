@@ -7,6 +7,7 @@ from renderer import Scene, kernels
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls, in_float64, length
 from verify.evaluate.programs import naive_gradient
+from verify.reference import scene_values
 from verify.stability.geometry import seed_tangent_vector, tangent_vector
 
 RIDGES = HEIGHT_FIELDS["ridges"]
@@ -45,7 +46,7 @@ def over_the_image(size: int, reach: float = 1.0) -> dict[str, np.ndarray]:
     offsets = reach * edge * (2 * np.arange(size) + 1 - size) / size
     x, y = np.broadcast_arrays(offsets[None, :], -offsets[:, None])
     on_a = np.hypot(x, y) < edge * (1 - 1e-12)
-    inputs = {"x": x[on_a], "y": y[on_a], "eye": scene.eye, "radius": scene.radius, "k_u": scene.ku, "k_v": scene.kv}
+    inputs = scene_values(scene, x=x[on_a], y=y[on_a])
     truth = in_balls(tangent_vector(scene.field, "general"), inputs)
     ours = in_float64(tangent_vector(scene.field, "algebraic", scene.ku, scene.kv), inputs)
     maps, unit = np.full((2, size, size), np.nan), UNIT * np.pi * max(scene.ku, scene.kv)

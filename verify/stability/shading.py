@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,9 @@ from proofs.formulas.shadow import shadow, shadow_discriminant
 from proofs.formulas.symbols import bumped, mu, normal, specular, specular_base
 from proofs.formulas.tangent_frame import unit_normal
 from renderer.machines.enclosing import Enclosed
+from renderer.machines.enclosing_machine import Enclosing
+from renderer.machines.numpy_rows import Rows
+from renderer.shader.shader import power
 from verify.evaluate.arrays import in_float64, with_bounds
 from verify.stability.sweep import SHAPE, Sweep, measured
 
@@ -98,18 +100,8 @@ def across(axis: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     return vectors / np.linalg.norm(vectors, axis=0)
 
 
-def by_squaring(base: Any, whole: int) -> Any:
-    """Return base^whole, whole > 0, by repeated squaring, as the renderer raises a whole shininess."""
-    result, square = None, base
-    for bit in range(whole.bit_length()):
-        square = square * square if bit else square
-        if whole >> bit & 1:
-            result = square if result is None else result * square
-    return result
-
-
 def any_shininess(whole: bool = True) -> Sweep:
-    """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1; whole p, from 1 on, by repeated squaring.
+    """base^p against p from 10⁻³ to 10⁶, for bases within 8/p of 1; whole p, from 1 on, as the shader raises it.
 
     Reason of the bound: each of p multiplications rounds by at most 2⁻⁵³ of the result, so base^p is off by p 2⁻⁵³
     base^p, and an inherited error δ of the base by p base^(p−1) δ; δ = 2⁻⁵³ here: p is what a highlight costs.
@@ -118,8 +110,8 @@ def any_shininess(whole: bool = True) -> Sweep:
     powers = np.where((powers >= 1) & whole, np.rint(powers), powers)
     base = 1 - np.random.default_rng(8).uniform(0, 1, (91, SAMPLES)) * np.minimum(1, 8 / powers)[:, None]
     inputs = {"specular_base": base, "shininess": powers[:, None]}
-    ours = with_bounds(highlight, inputs)
+    ours, machine = with_bounds(highlight, inputs), Enclosing(Rows(()))
     for row in np.flatnonzero(powers == np.rint(powers)):
-        raised = by_squaring(Enclosed(base[row]), int(powers[row]))
+        (raised,) = power(machine, [Enclosed(base[row])], Enclosed(powers[row]))
         ours[specular.name].value[row], ours[specular.name].error[row] = raised.value, raised.error
     return measured(powers, highlight, inputs, ours)

@@ -17,6 +17,8 @@ from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, height
 from proofs.formulas.symbols import cos_phi, cos_theta, h, k_u, k_v, sin_phi, sin_theta
 from renderer import Scene
+from renderer.generate.creases import radius_of_parallel
+from renderer.kernels import silhouette_of_a
 from renderer.scene.raster import Raster
 from verify.evaluate.arrays import in_float64
 from verify.reference import scene_values
@@ -121,7 +123,7 @@ def outline(scene: Scene, azimuths: np.ndarray, beta: float) -> np.ndarray:
     polar = np.linspace(0, np.pi / 2, 2001)[:, None]
     direction = np.sin(polar) * np.cos(azimuths), np.sin(polar) * np.sin(azimuths), np.cos(polar) + 0 * azimuths
     far = 1 + beta * height_towards(scene, *direction)
-    return (scene.eye * far * np.sin(polar) / (scene.eye - far * np.cos(polar))).max(axis=0)
+    return radius_of_parallel(np.sin(polar), np.cos(polar), scene.eye, far).max(axis=0)
 
 
 def first_surface(scene: Scene, beta: float, side: int) -> np.ndarray:
@@ -130,9 +132,9 @@ def first_surface(scene: Scene, beta: float, side: int) -> np.ndarray:
     The ray is looked at in 400 points; a bulge that it crosses between two of them is missed.
     """
     x, y = np.meshgrid(*Raster(side, side).image_points(scene))
-    to_b = in_float64(hit_of_b, scene_values(scene) | {"x": x, "y": y})["t_b"]
+    to_b = in_float64(hit_of_b, scene_values(scene, x=x, y=y))["t_b"]
     found, most = np.where(to_b < 1, 2, 3), 1 + abs(beta)
-    near = np.hypot(x, y) < scene.eye * most / np.sqrt(scene.eye**2 - most**2)
+    near = np.hypot(x, y) < silhouette_of_a(scene.eye, most)
     x, y, last = (plane[near] for plane in (x, y, np.minimum(to_b, 1.0)))
     first = 1 - most / scene.eye  # above that height there is nothing of A
     met = np.zeros(x.shape, bool)

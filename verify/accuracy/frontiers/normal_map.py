@@ -16,7 +16,7 @@ from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
 from renderer.picture.differences import rms
 from renderer.scene.methods import GradientMethod
-from verify.accuracy.frontiers.wall import interpolated, linear, sample
+from verify.accuracy.frontiers.wall import LINEAR, interpolated, sample
 from verify.evaluate.arrays import in_float64
 
 in_frame = {normal: (S.Zero, S.Zero, S.One), g: (h_u, h_v, S.Zero)}
@@ -63,7 +63,7 @@ def from_bytes(stored: np.ndarray) -> np.ndarray:
 
 def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
-    found = interpolated(normals, linear, linear, (u, v))
+    found = interpolated(normals, LINEAR, LINEAR, (u, v))
     return found / np.linalg.norm(found, axis=0)
 
 

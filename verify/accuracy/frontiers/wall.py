@@ -3,9 +3,10 @@
 The table covers u ∈ [0, 1) and v ∈ [0, 2), one period of the formula in either, so that no end condition enters.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 from renderer import Scene, exact, gradient_at
 from renderer.kernels import FIELDS
@@ -17,30 +18,14 @@ POINTS, SEED = 10_000, 8
 TEXELS = (33, 65, 129, 257, 513)  # odd, so that creases lie inside texels, as they do in a picture
 
 Pair = tuple[np.ndarray, np.ndarray]
-Weights = Callable[[np.ndarray], tuple[np.ndarray, ...]]
-"""From a point's share of its texel to the weights of the texels around it."""
+Weights = Sequence[Polynomial]
+"""The weights of the texels around a point, of its share of the way to the next one."""
 
-
-def linear(share: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return the weights of the two texels around a point."""
-    return 1 - share, share
-
-
-def _linear_slope(share):
-    """Return their derivatives by the share."""
-    return np.full_like(share, -1), np.ones_like(share)
-
-
-def _cubic(share):
-    """Return the weights of the four nearest coefficients of a cubic B-spline."""
-    s, t = share, 1 - share
-    return t**3 / 6, (4 - 6 * s**2 + 3 * s**3) / 6, (4 - 6 * t**2 + 3 * t**3) / 6, s**3 / 6
-
-
-def _cubic_slope(share):
-    """Return their derivatives by the share."""
-    s, t = share, 1 - share
-    return -(t**2) / 2, (3 * s**2 - 4 * s) / 2, (4 * t - 3 * t**2) / 2, s**2 / 2
+_s = Polynomial([0, 1])
+_t = 1 - _s
+LINEAR = _t, _s
+CUBIC = _t**3 / 6, (4 - 6 * _s**2 + 3 * _s**3) / 6, (4 - 6 * _t**2 + 3 * _t**3) / 6, _s**3 / 6
+"""Those of the two nearest samples, and of the four nearest coefficients of a cubic B-spline."""
 
 
 def _spline_coefficients(table):
@@ -57,26 +42,24 @@ def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) 
     """
     texels = table.shape[-2]
     weights, places = [], []
-    for coordinate, weights_of, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
+    for coordinate, own, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
         first = np.floor(coordinate * texels)
-        weights.append(np.array(weights_of(coordinate * texels - first)))
+        weights.append(np.array([weight(coordinate * texels - first) for weight in own]))
         around = np.arange(len(weights[-1]))[:, None] + 1 - len(weights[-1]) // 2
         places.append((first.astype(int) + around) % period)
     coefficients = table[..., places[0][:, None], places[1][None]]
     return np.einsum("...ijn,in,jn->...n", coefficients, *weights)
 
 
-KINDS = {
-    "bilinear": (lambda table: table, _linear_slope, linear),
-    "cubic": (_spline_coefficients, _cubic_slope, _cubic),
-}
-"""{kind of interpolation: (a table's coefficients, the derivatives of their weights, the weights)}"""
+KINDS = {"bilinear": (lambda table: table, LINEAR), "cubic": (_spline_coefficients, CUBIC)}
+"""{kind of interpolation: (a table's coefficients, their weights)}"""
 
 
 def slope(field: str, texels: int, kind: str, points: Pair) -> np.ndarray:
     """Return h_u of an interpolation of a field's table, of one of the KINDS."""
-    at, (coefficients, of_u, of_v) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
-    return texels * interpolated(coefficients(FIELDS[field]["height"](*at, KU, KV)), of_u, of_v, points)
+    at, (coefficients, weights) = np.mgrid[0:texels, 0 : 2 * texels] / texels, KINDS[kind]
+    slopes = [weight.deriv() for weight in weights]
+    return texels * interpolated(coefficients(FIELDS[field]["height"](*at, KU, KV)), slopes, weights, points)
 
 
 def sample() -> Pair:
