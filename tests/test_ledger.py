@@ -9,9 +9,9 @@ import pytest
 from sphinx.errors import ExtensionError
 
 from book.extension.ledger import require_ledger
-from book.ledger import BadLedger, check, load
+from book.ledger import check
 from book.ledger.check import Run, faults_in, last_run
-from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, relation
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, BadLedger, load, relation
 from renderer.picture.differences import Interval
 from tests.processes import python
 from verify.sources import ROOT

@@ -5,7 +5,7 @@ from functools import partial
 
 from book.assembly.results import look_up
 from book.extension.worked import worked_lines
-from book.ledger import load
+from book.ledger.entries import load
 from book.notebooks.laboratory import BOOK
 
 READ = ("s1", "s2", "s3", "s4")
