@@ -16,7 +16,6 @@ LONGEST = (
     "test_releases.py",
     "test_provenance.py",
     "test_ideas.py",
-    "test_browser_kernel.py",
     "test_theorems.py",
 )
 

@@ -11,6 +11,7 @@ from itertools import product
 
 import numpy as np
 from matplotlib import colormaps
+from PIL import ImageColor
 
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
@@ -83,7 +84,7 @@ def _tables():
         "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
-        "terms": _colours([list(bytes.fromhex(colour[1:])) for colour in TERM_COLOURS]),
+        "terms": _colours([*map(ImageColor.getrgb, TERM_COLOURS)]),
         "levels": _colours(
             [[level, 1, 0] for level in range(256)]
         ),  # for the page to colour; a difference of 0 has no 1

@@ -7,20 +7,19 @@ import subprocess
 import pytest
 from playwright.sync_api import expect
 
-from book.assembly import stamps
+from book.assembly import stamps, website
 from book.editions import files
 from book.editions.chromium import NoBrowser
 from book.editions.pages import parsed
 from tests.processes import python, started
 from tests.tabs import chromium, visits
-from verify.sources import ROOT
 
 
 @pytest.fixture(scope="session")
 def site():
     """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
     python("-m", "book", "build")
-    return ROOT / "book" / "_build" / "html"
+    return website.SITE
 
 
 @pytest.fixture(scope="session")

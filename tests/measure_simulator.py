@@ -101,16 +101,14 @@ def measured(browser, pages, size):
                 refined += tab.evaluate(REFINE, 10) if size > PAGES_OWN else []
     now, before = median(taken["now"]), median(taken["before"])
     found = {
-        "step_{}_ms": now,
-        "drag_{}_ms": median(between),
-        "drag_{}_worst_ms": max(between),
-        "drag_{}_within": sum(time <= TARGETS[size] for time in between) / len(between),
-        "drag_{}_share": median(shares),
-        "ratio_{}": before / now,
+        f"step_{size}_ms": now,
+        f"drag_{size}_ms": median(between),
+        f"drag_{size}_worst_ms": max(between),
+        f"drag_{size}_within": sum(time <= TARGETS[size] for time in between) / len(between),
+        f"drag_{size}_share": median(shares),
+        f"ratio_{size}": before / now,
     }
-    if refined:
-        found["refined_{}_ms"] = median(refined)
-    return {name.format(size): number for name, number in found.items()}
+    return found | ({f"refined_{size}_ms": median(refined)} if refined else {})
 
 
 def measure(size, against):

@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from book.assembly import stamps
-from book.drawing import keys, registry, save
+from book.drawing import draw, registry, save
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import colour_of, plot
 from renderer import Scene, central, exact, render
@@ -33,9 +33,9 @@ def saved(folder, id, function):
 def test_figures_have_unique_ids_and_a_docstring(monkeypatch):
     monkeypatch.setattr(registry, "FIGURES", {})
     registry.figure("curve")(curve)
-    for id, draw, why in (("curve", curve, "taken"), ("plain", lambda: Drawing(), "docstring")):
+    for id, drawn, why in (("curve", curve, "taken"), ("plain", lambda: Drawing(), "docstring")):
         with pytest.raises(ValueError, match=why):
-            registry.figure(id)(draw)
+            registry.figure(id)(drawn)
 
 
 def test_a_number_is_kept_with_its_ends_and_one_that_says_nothing_is_refused_by_name():
@@ -81,11 +81,11 @@ def test_render_is_saved_at_its_own_pixels_numbers_need_no_picture_and_others_ar
 
 
 def test_reason_to_draw_again(stamped, monkeypatch):
-    monkeypatch.setattr(keys, "GENERATED", stamped)
+    monkeypatch.setattr(draw, "GENERATED", stamped)
     entry, before = Registered("curve", curve), {"book/drawing/style.py": "0", "python": "3.11"}
-    assert keys.why_redraw(entry, before) == "new"
+    assert draw.why_redraw(entry, before) == "new"
     stamps.write("figures/curve", {"files": ["curve.svg"], "sources": before})
-    assert keys.why_redraw(entry, before) == "curve.svg is missing"
+    assert draw.why_redraw(entry, before) == "curve.svg is missing"
     (stamped / "curve.svg").touch()
-    assert keys.why_redraw(entry, before) is None
-    assert keys.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
+    assert draw.why_redraw(entry, before) is None
+    assert draw.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"

@@ -9,9 +9,9 @@ import pytest
 from sphinx.errors import ExtensionError
 
 from book.extension.ledger import require_ledger
-from book.ledger import BadLedger, check, load
-from book.ledger.check import Run, faults_in, last_run, node_exists
-from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, relation
+from book.ledger import check
+from book.ledger.check import Run, faults_in, last_run
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, BadLedger, load, relation
 from renderer.picture.differences import Interval
 from tests.processes import python
 from verify.sources import ROOT
@@ -53,12 +53,13 @@ def number(name):
 
 
 RUN = Run(
-    grades={"no_flips": "proved", "descent": "refuted"},
-    expected={"no_flips": "proved", "descent": "refuted"},
+    entries={
+        "no_flips": {"grade": "proved", "expected": "proved"},
+        "descent": {"grade": "refuted", "expected": "refuted"},
+    },
     pages=frozenset({"s3"}),
     sources=frozenset({"Blinn1978"}),
     number=number,
-    test=lambda node: node_exists(ROOT, node),
 )
 
 
@@ -81,7 +82,7 @@ def faults(tmp_path):
 
 def test_a_true_ledger_has_no_faults_and_a_grade_that_fell_is_one(faults, monkeypatch):
     assert faults() == []
-    monkeypatch.setitem(RUN.grades, "no_flips", "failed")
+    monkeypatch.setitem(RUN.entries["no_flips"], "grade", "failed")
     assert faults() == ["flips: evidence no_flips: grade: proved is expected, the run made it failed"]
 
 

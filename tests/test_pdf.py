@@ -61,9 +61,7 @@ def texts_of(paper, selector):
 
 def words(text):
     """A text without its blanks, which a reader of PDF may see where letters are kerned, and without pictographs."""
-    return "".join(
-        c for c in "".join(text.replace("\ufffe", "-").split()) if not "\ud800" <= c <= "\udfff" and c < "\U00010000"
-    )
+    return re.sub(r"[\s\ud800-\udfff\U00010000-\U0010ffff]", "", text.replace("\ufffe", "-"))
 
 
 def test_every_heading_is_in_the_outline_which_names_its_page_and_sections_in_the_contents(paper, pdf, texts):

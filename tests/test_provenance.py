@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from book.assembly import stamps
-from book.drawing import draw, keys, save
+from book.drawing import draw, save
 from book.drawing.draw import all_figures
 from book.drawing.registry import Drawing, Registered
 from book.drawing.save import MOST_BYTES, data_file, read_data
@@ -34,15 +34,15 @@ for name in names:
 @pytest.fixture(scope="module")
 def hashes_of_figures():
     """Figure → the hashes of its files, while no file looks edited."""
-    return {id: keys.figure_hashes(entry) for id, entry in all_figures().items()}
+    return {id: draw.figure_hashes(entry) for id, entry in all_figures().items()}
 
 
 def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_figures):
-    modules = {keys.source_file(entry).stem for entry in all_figures().values()}
+    modules = {draw.source_file(entry).stem for entry in all_figures().values()}
     printed, _ = python("-c", TRACE, stamps.ROOT, *modules)
     imported = dict(map(json.loads, printed.splitlines()))
     for id, entry in all_figures().items():
-        own = keys.source_file(entry)
+        own = draw.source_file(entry)
         names = [Path(file).relative_to(stamps.ROOT).as_posix() for file in imported[own.stem]]
         ours = {name for name in names if name.startswith(stamps.PACKAGES)}
         assert own.relative_to(stamps.ROOT).as_posix() in ours and len(ours) > 3
@@ -52,7 +52,7 @@ def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_fig
 
 def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures, stamped, monkeypatch, capsys):
     drawn, edited, hashes = [], set(), stamps.hashes
-    monkeypatch.setattr(keys, "GENERATED", stamped / "generated")
+    monkeypatch.setattr(draw, "GENERATED", stamped / "generated")
     monkeypatch.setattr(draw, "PROCESSES", 1)
     monkeypatch.setattr(save, "save", lambda entry, *rest: drawn.append(entry.id) or [])
     monkeypatch.setattr(
@@ -83,7 +83,7 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
 
     def drawn(processes):
         monkeypatch.setattr(draw, "PROCESSES", processes)
-        monkeypatch.setattr(keys, "GENERATED", stamped / f"by_{processes}")
+        monkeypatch.setattr(draw, "GENERATED", stamped / f"by_{processes}")
         draw.draw(force=True)
 
     monkeypatch.setattr(draw, "all_figures", lambda: figures)

@@ -4,7 +4,7 @@ import ast
 import hashlib
 import textwrap
 
-from book.ledger import load
+from book.ledger.entries import load
 from book.ledger.seed import SEED, parts
 
 CAME_AS = "0b5c75ec28369cf84fd5b42540743ed677db525bb0fef30e5b35abe910c967f4"

@@ -35,7 +35,7 @@ def alone(single, tmp_path_factory):
 @pytest.fixture(scope="module")
 def tab(browser, alone):
     """The file in a browser without a network, when its simulator runs; it asks for nothing but itself."""
-    with opened(browser, alone, until=None, home=alone, offline=True) as page:
+    with opened(browser, alone, home=alone, offline=True) as page:
         page.set_default_timeout(120_000)
         wait_for(page, RUNNING)
         yield page
@@ -195,7 +195,7 @@ def test_dark_mode_has_the_dark_pictures_of_the_site(tab, site):
 
 
 def test_file_fits_a_phone_and_its_menu_leads_on(browser, alone):
-    with opened(browser, alone, until=None, **PHONE) as tab:
+    with opened(browser, alone, **PHONE) as tab:
         for name in ("index", "s2", "s4", "findings", "source/proofs/engine/kernel.py"):
             show(tab, name)
             assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["viewport"]["width"], name

@@ -8,7 +8,7 @@ from renderer import Scene, central, exact, render
 from renderer.machines import enclosing, native, numpy_rows
 from renderer.machines.webassembly import compiled_module
 from tests.drawing_memory import drawer_over_memory
-from tests.test_machines import SCENES, drawn_by
+from tests.test_machines import SCENES, SIZE, drawn_by
 
 # Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
 DRAW = """async ([module, given]) => {
@@ -34,12 +34,11 @@ def drawer_in(tab):
     return drawer_over_memory(run)
 
 
-def bytes_of(drawer, scene, method, size=(49, 32)):
+def bytes_of(drawer, scene, method):
     """Return the bytes of all that a machine's frame with bounds holds, by name, and what it counted."""
     with drawn_by(drawer):
-        frame = render(scene, *size, method, threads=1, bounds=True)
-    planes = {"rgb": frame.rgb, "chambers": frame.chambers, "bounds": frame.bounds, "open": frame.open}
-    return {name: plane.tobytes() for name, plane in planes.items()} | frame._counts
+        frame = render(scene, *SIZE, method, threads=1, bounds=True)
+    return {name: getattr(frame, name).tobytes() for name in ("rgb", "chambers", "bounds", "open")} | frame._counts
 
 
 ENCLOSED = {

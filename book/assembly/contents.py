@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-import yaml
+from book.assembly.stamps import table_in
 
 
 def page_files(book: Path) -> dict[str, Path]:
@@ -11,7 +11,7 @@ def page_files(book: Path) -> dict[str, Path]:
     contents = book / "_toc.yml"
     if not contents.is_file():
         return {path.stem: path for path in sorted(book.glob("*.md"))}
-    table = yaml.safe_load(contents.read_text(encoding="utf-8"))
+    table = table_in(contents)
     parts = table.get("parts", [table])
     places = [table["root"], *(chapter["file"] for part in parts for chapter in part["chapters"])]
     return {Path(place).name: book / f"{place}.md" for place in places}

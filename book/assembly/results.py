@@ -1,9 +1,9 @@
 """The numbers that pages cite, from figures' and committed benchmarks' JSON: how they are asked for and written."""
 
-import json
 import re
 from pathlib import Path
 
+from book.assembly.stamps import table_in
 from renderer.picture.differences import Interval
 from verify import records
 
@@ -19,7 +19,7 @@ class UnknownResult(ValueError):
 def result_file(book: Path, id: str) -> Path:
     """The JSON file behind an id; ids with the prefix `bench:` are committed benchmarks."""
     if id.startswith(BENCHMARK_PREFIX):
-        folder, what = book.parent / "verify" / "benchmark" / "results", "benchmark"
+        folder, what = book.parent / records.BENCHMARKS, "benchmark"
     else:
         folder, what = book / "_generated", "figure"
     name = id.removeprefix(BENCHMARK_PREFIX)
@@ -31,7 +31,7 @@ def result_file(book: Path, id: str) -> Path:
 
 
 def load_result(book: Path, id: str) -> dict:
-    return json.loads(result_file(book, id).read_text(encoding="utf-8"))
+    return table_in(result_file(book, id))
 
 
 def remark(book: Path, id: str) -> str | None:

@@ -7,6 +7,8 @@ import json
 import tomllib
 from pathlib import Path
 
+import yaml
+
 from renderer.whole_files import write_whole
 from verify.sources import PACKAGES, ROOT, files_in, hashes, key, reachable  # noqa: F401
 
@@ -21,8 +23,9 @@ class Refused(ValueError):
 
 
 def table_in(path: Path) -> dict:
-    """What a JSON or a TOML file holds."""
-    return (tomllib if path.suffix == ".toml" else json).loads(path.read_text(encoding="utf-8"))
+    """What a JSON, a TOML or a YAML file holds."""
+    loads = {".toml": tomllib.loads, ".yml": yaml.safe_load}.get(path.suffix, json.loads)
+    return loads(path.read_text(encoding="utf-8"))
 
 
 def read(name: str) -> dict | None:

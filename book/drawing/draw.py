@@ -1,6 +1,10 @@
-"""Draw the figures that changed, two at a time, say why, and remove what no figure claims."""
+"""Draw the figures that changed, two at a time, say why, and remove what no figure claims.
+
+Each is kept by the hashes of all that it can depend on.
+"""
 
 import importlib
+import inspect
 import pkgutil
 import time
 from collections.abc import Sequence
@@ -10,9 +14,11 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from book.assembly import report, stamps
-from book.drawing import keys, save
+from book.drawing import save
 from book.drawing.registry import FIGURES, Registered
+from verify.sources import difference
 
+GENERATED = stamps.ROOT / "book" / "_generated"
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
 LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds", "error_maps")
@@ -39,15 +45,15 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
     _remove_unclaimed(figures)
     families: dict[str, list[Waiting]] = {}  # by their modules: a family shares what it computes
     for entry in (figures[id] for id in ids or figures):
-        now = keys.figure_hashes(entry)
-        if reason := "asked for" if force else keys.why_redraw(entry, now):
-            families.setdefault(keys.source_file(entry).stem, []).append((entry, now, reason))
+        now = figure_hashes(entry)
+        if reason := "asked for" if force else why_redraw(entry, now):
+            families.setdefault(source_file(entry).stem, []).append((entry, now, reason))
             stamps.remove(f"figures/{entry.id}")
     waiting = [families[name] for name in sorted(families, key=LONGEST.__contains__, reverse=True)]
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
         run = pool.map if PROCESSES > 1 and len(waiting) > 1 else map
-        for family, drawn in zip(waiting, run(_draw_family, waiting, repeat(keys.GENERATED)), strict=True):
+        for family, drawn in zip(waiting, run(_draw_family, waiting, repeat(GENERATED)), strict=True):
             for (entry, sources, reason), (files, seconds) in zip(family, drawn, strict=True):
                 stamps.write(f"figures/{entry.id}", {"files": files, "sources": sources})
                 print(f"  drew {entry.id} ({reason}), {seconds:.1f} s", flush=True)
@@ -60,7 +66,7 @@ def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[list[str], f
     """Draw some figures in this process: of each the names of its files, and the seconds."""
     drawn = []
     for entry, sources, _ in family:
-        start, source = time.perf_counter(), keys.source_file(entry).relative_to(stamps.ROOT)
+        start, source = time.perf_counter(), source_file(entry).relative_to(stamps.ROOT)
         try:
             files = save.save(entry, folder, source.as_posix(), stamps.key(sources))
         except Exception as error:
@@ -72,7 +78,26 @@ def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[list[str], f
 
 def _remove_unclaimed(figures) -> None:
     """A figure that is no longer registered must not live on in a page."""
-    for path in keys.GENERATED.glob("*.*"):
+    for path in GENERATED.glob("*.*"):
         if path != report.REPORT and path.name.split(".")[0] not in figures:
             print(f"  removed {path.name}: no figure of that id is registered")
             path.unlink()
+
+
+def source_file(entry: Registered) -> Path:
+    return Path(inspect.getsourcefile(entry.draw)).resolve()
+
+
+def figure_hashes(entry: Registered) -> dict[str, str]:
+    """The hashes of everything that a figure's pixels and numbers can depend on."""
+    code = stamps.reachable(source_file(entry)) | stamps.reachable(Path(save.__file__))
+    return stamps.hashes([*code, *map(stamps.ROOT.joinpath, entry.reads), stamps.LOCK_FILE])
+
+
+def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
+    """The reason to draw the figure again, in a few words; None when it is up to date."""
+    stamp = stamps.read(f"figures/{entry.id}")
+    if stamp is None:
+        return "new"
+    missing = [name for name in stamp["files"] if not (GENERATED / name).is_file()]
+    return f"{missing[0]} is missing" if missing else difference(stamp["sources"], now)

@@ -6,7 +6,7 @@
 import re
 from pathlib import Path
 
-from matplotlib.colors import to_hex, to_rgb
+from matplotlib.colors import LinearSegmentedColormap, to_hex, to_rgb
 
 CSS_FILE = Path(__file__).parent.parent / "static" / "palette.css"
 CSS_PIXELS_PER_INCH = 96
@@ -38,7 +38,7 @@ def colour_of(role: str, mode: str = "light") -> str:
 def readable(role: str, mode: str = "light", on: str = "paper") -> str:
     """A role's colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
     colour, ink, below = (colour_of(each, mode) for each in (role, "ink", on))
-    mixed = (_mix(colour, ink, step / 100) for step in range(101))
+    mixed = map(to_hex, LinearSegmentedColormap.from_list("", [colour, ink], 101)(range(101)))  # in sRGB
     return next((each for each in mixed if contrast(each, below) >= LEAST_CONTRAST), ink)
 
 
@@ -48,11 +48,6 @@ def for_dark(svg: str) -> str:
     rest = {colour.lower(): colour_of(role, "dark").lower() for role, colour in MODES["light"].items()}
     svg = re.sub('(?<=<g style="fill: )#[0-9a-f]{6}', lambda match: text.get(match[0], match[0]), svg)
     return re.sub("#[0-9a-f]{6}", lambda match: rest.get(match[0], match[0]), svg)
-
-
-def _mix(colour: str, other: str, share: float) -> str:
-    """A colour on the straight way from one to another, in sRGB."""
-    return to_hex([a + (b - a) * share for a, b in zip(to_rgb(colour), to_rgb(other), strict=True)])
 
 
 def _luminance(colour: str) -> float:

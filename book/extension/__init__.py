@@ -23,10 +23,22 @@ the theme                  its style sheets without what no page uses (styles.py
 the simulator              compiled into the site (pages.py)
 """
 
+import pkgutil
+from importlib import import_module
+
 from sphinx.application import Sphinx
 
 
 def setup(app: Sphinx) -> dict[str, str | bool]:
-    """Register everything with Sphinx."""
-    app.setup_extension(f"{__name__}.parts")  # by its name: what imports a module of this package does not import all
+    """Import every part, and give Sphinx what they have registered."""
+    from book.extension import elements, mathematics  # what imports a module of this package does not import all
+
+    for part in pkgutil.iter_modules(__path__, f"{__name__}."):
+        import_module(part.name)
+    app.setup_extension("sphinx.ext.autodoc")
+    app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
+    app.add_node(elements.Formula, html=(mathematics.write, None))
+    app.add_html_math_renderer("mathml", (mathematics.write, None), (mathematics.write, None))
+    for method, *given in elements.REGISTERED:
+        getattr(app, method)(*given)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

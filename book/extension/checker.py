@@ -2,13 +2,13 @@
 
 import json
 import re
-import unicodedata
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
 
 from docutils import nodes
 from sympy import Symbol, latex
+from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
@@ -102,10 +102,7 @@ def spelling(name: str) -> list[list[str]]:
 
 def _greek(command: re.Match) -> str:
     """The letter that a TeX command stands for; of another, such as cos, its name."""
-    try:
-        return unicodedata.lookup(f"GREEK SMALL LETTER {command[1].removeprefix('var').upper()}")
-    except KeyError:
-        return f"{command[1]}\N{THIN SPACE}"
+    return greek_unicode.get(command[1].removeprefix("var"), f"{command[1]}\N{THIN SPACE}")
 
 
 @on_page

@@ -43,7 +43,7 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
     if not options.get("alt"):
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
     description, width = load_result(book, id), options.get("width", "text")
-    figure = nodes.figure("", classes=[f"{width}-width", f"kind-{description['kind']}", *options.get("class", [])])
+    figure = nodes.figure("", classes=[f"{width}-width", *options.get("class", [])])
     here.set_source_info(figure)
     panels, pictures = options.get("panels", []), _pictures(here, id, options["alt"])
     if panels and sum(panels) != pictures[0]["width"]:

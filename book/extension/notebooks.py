@@ -14,7 +14,6 @@ from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
@@ -42,7 +41,7 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-    config = yaml.safe_load(Path(here.env.srcdir, "_config.yml").read_text(encoding="utf-8"))["repository"]
+    config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
     match, content = GITHUB.fullmatch(config["url"]), text_of(notebooks()[name]).encode()
     link = {
         "name": name,

@@ -5,7 +5,6 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 
 import nbclient
-import yaml
 from docutils import nodes
 from jupyter_cache.executors import utils
 from sphinx.application import Sphinx
@@ -15,6 +14,7 @@ from sphinx.project import Project
 from sphinx_external_toc.parsing import parse_toc_data
 
 from book import idea_kernels, loupe_module, simulator_module
+from book.assembly import stamps
 from book.extension.elements import on
 
 PROGRAMS = {
@@ -44,7 +44,7 @@ def name_contents(app: Sphinx, config: Config) -> None:
     """Give the contents, which name folders too, the pages' names."""
     contents = Path(app.srcdir) / "_toc.yml"
     if hasattr(config, "external_site_map") and contents.is_file():
-        table = yaml.safe_load(contents.read_text(encoding="utf-8"))
+        table = stamps.table_in(contents)
         for part in table["parts"]:
             for chapter in part["chapters"]:
                 chapter["file"] = PurePosixPath(chapter["file"]).name
@@ -70,9 +70,7 @@ def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""
     for name, module in PROGRAMS.items():
-        place = Path(app.outdir) / "_static" / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(module.source(), encoding="utf-8")
+        stamps.write_whole(Path(app.outdir) / "_static" / name, module.source().encode())
 
 
 @on("config-inited", priority=100)

@@ -18,11 +18,11 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 from sympy import Piecewise, Symbol, latex
 
+from book.extension import printed_claims
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.extension.figures import OPTIONS, chapter_figure
 from book.idea_kernels import PIXEL, lines_at
 from proofs.formulas.half_turns import ordinary
-from proofs.formulas.symbols import TEX_NAMES
 from renderer import Scene, kernels
 
 SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")
@@ -61,18 +61,17 @@ LINES = (
 
 Without a name it is the head of a step.
 """
-TEX = {s.name: tex for s, tex in TEX_NAMES.items()} | {
-    "rho_raw": r"\rho", "discriminant_a": "d_A", "discriminant_b": "d_B", "root_a": r"\sqrt{d_A}",
-    "root_b": r"\sqrt{d_B}",
+TEX = printed_claims.TEX | {
+    "rho_raw": r"\rho", "discriminant_a": "d_A", "root_a": r"\sqrt{d_A}", "root_b": r"\sqrt{d_B}",
     "t_a": "t_A", "t_b": "t_B", "tangent_squared": r"(e^2 - R^2)", "toward_b": "b", "distance": "(e - C_z)",
     "u_closed": "u",
-    "m_length": "|M|", "specular_base": "b", "specular": "b^p", "halfway_length": r"|\omega + \hat v|",
+    "m_length": "|M|", "specular_base": "b", "halfway_length": r"|\omega + \hat v|",
     "light_distance": r"|L - P|", "red_before": r"\text{ambient}", "lit_red": r"\text{red}",
     "cos_u": "c_1", "sin_u": "s_1", "cos_v": "c_2", "sin_v": "s_2", "kd": "k_d", "ks": "k_s",
     "halfway_x": r"(\omega + \hat v)_x", "halfway_y": r"(\omega + \hat v)_y", "halfway_z": r"(\omega + \hat v)_z",
-    "light_red": r"\text{colour}", "albedo_red": r"\text{albedo}", "beta": r"\beta",
+    "light_red": r"\text{colour}", "albedo_red": r"\text{albedo}",
     **{f"{name}_{axis}": f"{tex} {axis}}}" for axis in "xyz" for name, tex in
-       (("g", "g_{"), ("m", "M_{"), ("e_theta", r"e_{\theta"), ("e_phi", r"e_{\varphi"))},
+       (("g", "g_{"), ("m", "M_{"), ("e_phi", r"e_{\varphi"))},
 }  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """Maps of errors: the seed's form beside ours, as Herbie draws them, and which term of a difference's is largest."""
 
 import numpy as np
+from PIL import ImageColor
 
 from book.drawing.palette import OF_TERMS
 from book.drawing.registry import Drawing, figure
@@ -58,7 +59,7 @@ KEYS = [name.replace(" ", "_").replace("-", "_") for name in TERMS]
 
 def _coloured(kinds):
     """Return the kinds as colours, black off A and where there is no error."""
-    table = np.array([list(bytes.fromhex(colour[1:])) for colour in OF_TERMS], np.uint8)
+    table = np.array([*map(ImageColor.getrgb, OF_TERMS)], np.uint8)
     return enlarged(np.where(kinds[..., None] >= 0, table[kinds.clip(0)], np.uint8(0)), TIMES)
 
 

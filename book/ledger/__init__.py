@@ -29,10 +29,6 @@ refutes it, one that `holds` may have none.
 Every theorem needs a claim that rests on it. `python -m book.ledger` checks all of this against the last run (the
 site's build does so too), prints what is wrong by entry and field, and counts verdicts.
 
-    from book.ledger import load
+    from book.ledger.entries import load
     load().claims                 # (LedgerClaim, …), in the order of the files
 """
-
-from book.ledger.entries import VERDICTS, BadLedger, Evidence, Ledger, LedgerClaim, load
-
-__all__ = ["VERDICTS", "BadLedger", "Evidence", "Ledger", "LedgerClaim", "load"]

@@ -21,36 +21,32 @@ KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)  # of the bibliograph
 
 @dataclass(frozen=True)
 class Run:
-    """What a run has found: grades of theorems by id, and those expected; pages, bibliography keys; and two questions.
+    """What a run has found: the report's entries of theorems by id; pages, bibliography keys; and a question.
 
-    number: the value of "figure.key", or ValueError. test: whether a node id "file.py::name" exists.
+    number: the value of "figure.key", or ValueError.
     """
 
-    grades: dict[str, str]
-    expected: dict[str, str]
+    entries: dict[str, dict]
     pages: frozenset[str]
     sources: frozenset[str]
     number: Callable[[str], Any]
-    test: Callable[[str], bool]
 
 
 def last_run() -> Run:
     """The last run over the sources as they are; raises report.NoReport where there is none."""
-    book, entries = stamps.ROOT / "book", report.load()
+    book = stamps.ROOT / "book"
     return Run(
-        grades={id: entry["grade"] for id, entry in entries.items()},
-        expected={id: entry["expected"] for id, entry in entries.items()},
+        entries=report.load(),
         pages=frozenset(page_files(book)),
         sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *parse(name)[:2]),
-        test=lambda node: node_exists(stamps.ROOT, node),
     )
 
 
-def node_exists(root: Path, node: str) -> bool:
+def node_exists(node: str) -> bool:
     """Whether a test of this node id, "tests/test_x.py::test_y", is there; its parameters are not looked at."""
     file, _, name = node.partition("::")
-    return name.partition("[")[0] in tests_in(root / file)
+    return name.partition("[")[0] in tests_in(stamps.ROOT / file)
 
 
 @cache
@@ -80,7 +76,7 @@ def refutes(piece: Evidence, run: Run) -> bool:
     if piece.kind == "number":
         return bool(piece.claimed) and not relation(piece.claimed).holds(run.number(piece.name))
     if piece.refutes is None:
-        return piece.kind == "theorem" and run.grades[piece.name] == "refuted"
+        return piece.kind == "theorem" and run.entries[piece.name]["grade"] == "refuted"
     return piece.refutes
 
 
@@ -104,12 +100,12 @@ def _odd(piece: Evidence, run: Run) -> str:
             return f"number: it is the text {value!r}"
         return "" if relation(piece.wants).holds(value) else f"is: {piece.wants} is expected, the run has {value}"
     if piece.kind == "test":
-        return "" if run.test(piece.name) else "test: there is no such test"
+        return "" if node_exists(piece.name) else "test: there is no such test"
     if piece.kind == "source":
         return "" if piece.name in run.sources else "source: the bibliography has no such key"
-    if piece.name not in run.grades:
+    if piece.name not in run.entries:
         return "theorem: no theorem has this id"
-    grade, expected = run.grades[piece.name], run.expected[piece.name]
+    grade, expected = (run.entries[piece.name][of] for of in ("grade", "expected"))
     return "" if grade == expected else f"grade: {expected} is expected, the run made it {grade}"
 
 
@@ -127,7 +123,7 @@ def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
 def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
     """Theorems, findings and places of the seed that no claim accounts for."""
     needed = {piece.name for claim in ledger.claims for piece in claim.evidence if piece.kind == "theorem"}
-    yield from (f"theorem {id}: no claim rests on it" for id in run.grades if id not in needed)
+    yield from (f"theorem {id}: no claim rests on it" for id in run.entries if id not in needed)
     codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}
     yield from (f"finding {code}: no claim has it" for code in FINDINGS if code not in codes)
     yield from (f"finding {code}: findings.toml has no name for it" for code in sorted(codes - FINDINGS.keys()))

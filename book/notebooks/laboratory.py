@@ -9,12 +9,11 @@ from myst_nb.core.read import read_myst_markdown_notebook
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from pybtex.database import parse_file
 
-from book.assembly import stamps
 from book.assembly.results import E_NOTATION, formatted, look_up, measured, parse
+from book.assembly.website import BOOK
 from book.notebooks import WHOLE
 from book.releases.record import version
 
-BOOK = stamps.ROOT / "book"
 PAGE = BOOK / "chapter" / "s5.md"
 HEADING = re.compile(r"^### Cell (\d+)\. (.+)$", re.MULTILINE)
 ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")

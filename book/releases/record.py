@@ -6,6 +6,7 @@ how far a number may move between releases without being named.
 """
 
 import hashlib
+import math
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
@@ -97,4 +98,4 @@ def is_within(before: int | float | str, after: int | float | str, allowed: floa
         return True
     if isinstance(before, str) or isinstance(after, str):
         return False
-    return abs(after - before) <= float(allowed) * max(abs(before), abs(after))
+    return math.isclose(before, after, rel_tol=float(allowed))

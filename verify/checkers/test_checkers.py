@@ -26,9 +26,16 @@ from verify.checkers.known_bad import (
 )
 
 
+def of_a_hundred_digits(off):
+    """Return a product of fractions, which is true where it is off by no unit."""
+    of, proof = {"x": f"{3**200}/{2**100}", "": "1/3"}, {"rule": "ideal", "cofactors": [[0, {"x": "7/11"}]]}
+    product = {"x^2": f"{7 * 3**200 + off}/{11 * 2**100}", "x": "7/33"}
+    return pair_of([assume(of, "="), show(product, "=")], proof)
+
+
 def test_the_kernels_accept_what_is_well_formed():
     """A name may be one that every object of JavaScript has."""
-    pairs = [*WELL_FORMED]
+    pairs = [*WELL_FORMED, of_a_hundred_digits(off=0)]
     for name in ("constructor", "toString", "hasOwnProperty", "cos(constructor)"):
         steps = assume({name: "1"}, "="), show({name: "1"}, "=")
         pairs.append([derivation(*steps, variables=[name]), {"proofs": [BY_FIRST_FACT]}])
@@ -39,7 +46,8 @@ def test_the_kernels_accept_what_is_well_formed():
 def test_the_kernels_refuse_what_is_unsound_or_broken():
     """And a number that a double rounds, 2⁵³ + 1 as a literal; a key twice; a whole number as 1.0."""
     pairs = [*BROKEN.values(), *(pair_of(steps, proof) for steps, proof, _ in UNSOUND)]
-    pairs += [[derivation(show({"": 2**53 + 1}, "=")), {"proofs": [NOTHING]}]]
+    pairs += [[derivation(show({"": 2**53 + 1}, "=")), {"proofs": [NOTHING]}], of_a_hundred_digits(off=2)]
+    pairs += [[GOOD[0] | unknown, GOOD[1]] for unknown in ({"version": 2}, {"kind": "constructor"})]
     texts, good = [*map(compact, pairs), "[" * 10**5 + "]" * 10**5], compact(GOOD)
     for was, bad in (('"x^2":"1"', '"x^2":"-1","x^2":"1"'), ('"x^2"', '"\\u0078^2"'), ('"version":1', '"version":1.0')):
         texts.append(good.replace(was, bad))

@@ -72,9 +72,10 @@ def forged(pieces):
     return function
 
 
+OWN = [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]
 TAMPERED = {
-    "pieces of its own": {"pieces": lambda: [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]},
-    "pieces written down": {"pieces": [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]},
+    "pieces of its own": {"pieces": lambda: OWN},
+    "pieces written down": {"pieces": OWN},
     "no statement": {"what": ""},
     "nothing": {"pieces": forged([])},
     "no range": {"over": ()},
