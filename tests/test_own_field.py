@@ -40,7 +40,7 @@ from renderer.command_line.verbs import main
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.picture.sweep import Task, compared
-from renderer.scene.own import field_kernels
+from renderer.scene.own import field_kernels, own_from_record
 from tests.pictures import shows
 from tests.processes import python
 from tests.refusals import rejection
@@ -124,6 +124,7 @@ HOSTILE = [
     "Piecewise((u,v))", "exp(exp(exp(20)))", "sinpi(exp(exp(20)))",
     "abs(v-" * 9 + "u" + ")" * 9,
     "max(" + ",".join("uv" * 20) + ")",
+    "sqrt(u-2)", "Piecewise((v,v>1))", "cospi((k_u/2+k_v)*u)",
 ]  # fmt: skip
 
 
@@ -141,12 +142,30 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written():
         assert said in rejection(Scene(field=HeightField(name, expression)).as_record)
 
 
+BIG = ["specular_base = ((bumped_z**64 + 1)**64 + 1)**64", "mu = 1"]
+LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "sinpi(" * 38 + "v" + ")" * 38, "*".join(f"(v+{n})" for n in range(1, 199))]
+
+
+@pytest.mark.parametrize("text", LONG, ids=range(len(LONG)))
+def test_a_formula_that_would_take_long_is_refused_at_once(text):
+    assert "'long' is not allowed: at most 1000 op" in rejection(
+        own_from_record, "field", {"name": "long", "expression": text}
+    )
+
+
 NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
     "name = 'twice'": lambda: [Scene(field=HeightField("twice", each)) for each in (v, v**2)],
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "is not allowed: one of 'blinn'": lambda: Scene(model=HEIGHT_FIELDS["sine"]),
     "with the outputs mu and specular_base": lambda: Scene(model=LightModel("bare", light_direction)),
+    "program = 'big' is not allowed: at most 1000 operations": lambda: Scene.from_record(
+        {"model": {"name": "big", "program": BIG}}
+    ),
+    "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
+    "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
+    "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),
+    "number that no float64": lambda: HeightField("vanishing", v / 10**400),
 }
 """{how it is said: what is made}, beside the files of tests/test_again.py."""
 
@@ -154,6 +173,12 @@ NO_FIELDS = {
 @pytest.mark.parametrize("text", NO_FIELDS)
 def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
+
+
+def test_what_was_refused_has_no_name():
+    for program in (["sqrt = 1", *BIG[1:]], BIG):
+        rejection(Scene.from_record, {"model": {"name": "mended", "program": program}})
+    assert Scene.from_record({"model": {"name": "mended", "program": [*BIG[1:], "specular_base = mu"]}})
 
 
 def test_a_name_may_be_given_again_to_the_same_formula():

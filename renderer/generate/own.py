@@ -29,7 +29,7 @@ from proofs.formulas.symbols import (
 from renderer import kernels
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
-from renderer.generate.expression import expression_text, parse_expression
+from renderer.generate.expression import check_operations, expression_text, parse_expression
 from renderer.generate.kernels import field_entry, print_function, refuse_unknown_calls
 from renderer.generate.printer import KernelPrinter
 
@@ -37,6 +37,7 @@ _KNOWN: dict[type, dict[str, Any]] = {HeightField: dict(HEIGHT_FIELDS), LightMod
 _OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(), *LIGHT_MODELS.values())
 _SEEN_BY_A_LIGHT = (*point, *light, *bumped, *view)
 _MOST_LINES = 200
+_HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
 def _formulas(own):
@@ -47,16 +48,29 @@ def _formulas(own):
     return [program and check_kind("squared", program, Program).definitions for program in (own.program, own.squared)]
 
 
+def _known(own):
+    """Return what of this process's fields, or of its models, has which name."""
+    return _KNOWN[HeightField if isinstance(own, HeightField) else LightModel]
+
+
+def _named(own):
+    """Return the first of this process that has a name. Raises ValueError where that has other formulas."""
+    first = _known(own).get(own.name, own)
+    if _formulas(first) != _formulas(own):
+        raise not_allowed("name", own.name, "a name that no other formula has in this process")
+    return first
+
+
 def registered(own: HeightField | LightModel) -> str | HeightField | LightModel:
     """Return what has the name and the formulas of what is given: the first of this process, or a chapter's name.
 
-    Raises ValueError where other formulas have the name.
+    It has the name once its kernels are made. Raises ValueError where other formulas have it, or there are none.
     """
-    known = _KNOWN[HeightField if isinstance(own, HeightField) else LightModel]
-    first = known.setdefault(own.name, own)
-    if _formulas(first) != _formulas(own):
-        raise not_allowed("name", own.name, "a name that no other formula has in this process")
-    return own.name if first in _OF_THE_CHAPTER else first
+    first = _named(own)
+    if first in _OF_THE_CHAPTER:
+        return own.name
+    (field_kernels if isinstance(own, HeightField) else model_kernels)(first)
+    return _known(own).setdefault(own.name, first)
 
 
 def _made(source: str) -> dict[str, Any]:
@@ -70,15 +84,30 @@ def _made(source: str) -> dict[str, Any]:
 @cache
 def field_kernels(field: HeightField) -> dict[str, Any]:
     """Return the entry of a field of one's own, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
-    registered(field)
+    _named(field)
     printed = [print_function(p.name, p, KernelPrinter()) for p in programs.field_programs(field).values()]
     return _made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
+
+
+_largest = cache(HeightField.largest)
+
+
+def check_size(field: HeightField, ku: float, kv: float, beta: float) -> None:
+    """Raise ValueError where a field is not finite at wave numbers, or higher or steeper than float64 allows."""
+    try:
+        height, *slopes = _largest(field, ku, kv)
+    except ValueError as error:
+        raise not_allowed("(ku, kv)", (ku, kv), f"wave numbers of '{field}' at which it is finite: {error}") from None
+    most = max(1.0, abs(beta))  # by itself a picture's data has it too
+    if not (most * height <= _HIGHEST and most * max(slopes) <= _STEEPEST):
+        allowed = f"times the height of '{field}' at most {_HIGHEST:g}, times its slopes at most {_STEEPEST:g}"
+        raise not_allowed("beta", beta, allowed)
 
 
 @cache
 def model_kernels(model: LightModel) -> tuple[Callable, Callable | None]:
     """Return the entry of a model of one's own, as in `kernels.LIGHT_MODELS`. Raises ValueError as the above."""
-    registered(model)
+    _named(model)
     squared = _light_kernel(model.name, model.squared) if model.squared else None
     return _light_kernel(model.name, model.program), squared
 
@@ -121,7 +150,11 @@ def from_record(what: str, record: dict[str, Any]) -> HeightField | LightModel:
     """
     if what == "field":
         name, expression, seam = _parts(what, record, {"name": str, "expression": str, "seam": bool}, seam=False)
-        return HeightField(name, parse_expression(expression), seam)
+        parsed = parse_expression(expression)
+        check_operations("field", name, [parsed] * 2)  # slopes take as many or more, and long to be taken
+        field = HeightField(name, parsed, seam)
+        check_operations("field", name, [parsed, *field.gradient()])
+        return field
     name, program, squared = _parts(what, record, {"name": str, "program": list, "squared": list}, squared=[])
     return LightModel(name, _program_of(name, program), _program_of(name, squared) if squared else None)
 
@@ -139,6 +172,7 @@ def _program_of(name, lines):
         expression = parse_expression(text, names)
         names[target.strip()] = real(target.strip())
         definitions.append((names[target.strip()], expression))
+    check_operations("program", name, [expression for _, expression in definitions])
     try:
         return Program(name, _SEEN_BY_A_LIGHT, definitions, (mu, specular_base))
     except ValueError as error:
@@ -151,5 +185,5 @@ def _parts(what, record, kinds, **defaults):
         if key not in kinds:
             raise not_allowed(what, key, f"the parts {', '.join(kinds)}")
     for key in kinds.keys() - record.keys() - defaults.keys():
-        raise not_allowed(what, record, f"one with a {key}")
+        raise not_allowed(what, record, f"one with its {key}")
     return [check_kind(f"{what}.{key}", (defaults | record)[key], kind) for key, kind in kinds.items()]

@@ -10,6 +10,8 @@ from sympy import Basic, Derivative, Mul, Rational, S, Symbol, evaluate, prod, s
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
+from renderer.checks import not_allowed
+
 
 class KernelPrinter(StrPrinter):
     """Prints for `renderer.operations`; `verify.evaluate` prints the same lines for any other kind of number."""
@@ -113,7 +115,7 @@ class KernelPrinter(StrPrinter):
         """Return the text of a Piecewise, of the texts of its values and conditions."""
         (last, otherwise) = expr.args[-1]
         if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
-            raise ValueError(f"a selection without a last resort: {expr}")
+            raise not_allowed("expression", expr, "a selection whose last value is for all else")
         text = branch(last)
         for value, condition in reversed(expr.args[:-1]):
             text = self.select(decision(condition), branch(value), text)
