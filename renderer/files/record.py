@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile
 
+from renderer.checks import check_kind
 from renderer.files.pictures import KEYWORD, SIGNATURE
 from renderer.machines import machine
 from renderer.scene.methods import GradientMethod
@@ -57,8 +58,10 @@ def read(path: str | Path) -> Drawing:
         if len(text) > LARGEST:
             raise ValueError(f"a text of more than {LARGEST} bytes")
         record = read_json(text)
-        if record.keys() != NAMES or record["gradient"].keys() != {"name", "eps", "form"}:
+        if check_kind("record", record, dict).keys() != NAMES:
             raise ValueError("other names than a record has")
+        if check_kind("gradient", record["gradient"], dict).keys() != {"name", "eps", "form"}:
+            raise ValueError("other names than a gradient has")
         made_by = [record[name] for name in ("version", "machine")]
         if not all(isinstance(said, str) and len(said) < 100 and said.isprintable() for said in made_by):
             raise ValueError("no version and machine")
