@@ -37,6 +37,7 @@ from renderer import (
 )
 from renderer.command_line import grid
 from renderer.command_line.verbs import main
+from renderer.files import record
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.picture.sweep import Task, compared
@@ -134,12 +135,16 @@ def test_a_hostile_formula_is_refused_in_a_sentence(text):
     assert said.startswith("expression = ") and len(said) < 400
 
 
-def test_a_formula_that_no_text_says_is_drawn_and_not_written():
+def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
     for name, expression, said in (
         ("unevaluated", Mul(2, v + Rational(1, 3), evaluate=False), "as SymPy evaluates it"),
-        ("long", sum(sinpi(n * k_v * v) for n in range(1, 200)), "is not allowed: a text of at most"),
+        ("long", sum(sinpi(n * k_v * v) for n in range(1, 200)), "'long' is not allowed: at most 1000 operations"),
     ):
-        assert said in rejection(Scene(field=HeightField(name, expression)).as_record)
+        scene = Scene(field=HeightField(name, expression))
+        assert said in rejection(scene.as_record)
+        with drawn_by(numpy_rows.drawer):
+            render(scene, 4, 4).save(tmp_path / "a.npz")
+        assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
 
 
 BIG = ["specular_base = ((bumped_z**64 + 1)**64 + 1)**64", "mu = 1"]
@@ -161,6 +166,9 @@ NO_FIELDS = {
     "with the outputs mu and specular_base": lambda: Scene(model=LightModel("bare", light_direction)),
     "program = 'big' is not allowed: at most 1000 operations": lambda: Scene.from_record(
         {"model": {"name": "big", "program": BIG}}
+    ),
+    "squared = 'wrong' is not allowed: lines of": lambda: Scene(
+        model=replace(LIGHT_MODELS["blinn"], name="wrong", squared=LIGHT_MODELS["blinn"].program)
     ),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
@@ -36,6 +38,9 @@ from renderer.generate.printer import KernelPrinter
 _KNOWN: dict[type, dict[str, Any]] = {HeightField: dict(HEIGHT_FIELDS), LightModel: dict(LIGHT_MODELS)}
 _OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(), *LIGHT_MODELS.values())
 _SEEN_BY_A_LIGHT = (*point, *light, *bumped, *view)
+_SEEN = np.random.default_rng(9).normal(size=(4, 3, 99))  # points, lights, normals, views at which lines are compared
+_SEEN[2:] /= np.sqrt((_SEEN[2:] ** 2).sum(axis=1, keepdims=True))
+_SEEN = _SEEN.reshape(12, 99)
 _MOST_LINES = 200
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
@@ -108,8 +113,16 @@ def check_size(field: HeightField, ku: float, kv: float, beta: float) -> None:
 def model_kernels(model: LightModel) -> tuple[Callable, Callable | None]:
     """Return the entry of a model of one's own, as in `kernels.LIGHT_MODELS`. Raises ValueError as the above."""
     _named(model)
-    squared = _light_kernel(model.name, model.squared) if model.squared else None
-    return _light_kernel(model.name, model.program), squared
+    plain = _light_kernel(model.name, model.program)
+    if model.squared is None:
+        return plain, None
+    squared = _light_kernel(model.name, model.squared)
+    with np.errstate(all="ignore"):
+        (one_mu, base), (other_mu, square) = plain(*_SEEN), squared(*_SEEN)
+        same = [np.allclose(*pair, 1e-9, 1e-9, equal_nan=True) for pair in ((one_mu, other_mu), (base * base, square))]
+    if not all(same):
+        raise not_allowed("squared", model.name, "lines of the program's mu, and of the square of its specular_base")
+    return plain, squared
 
 
 def _light_kernel(name, program):
@@ -128,12 +141,20 @@ def _light_kernel(name, program):
 def as_record(own: HeightField | LightModel) -> dict[str, Any]:
     """Return what JSON can say of a field or a model. Raises ValueError where it has no text."""
     if isinstance(own, HeightField):
-        return {"name": own.name, "expression": expression_text(own.expression)} | ({"seam": True} if own.seam else {})
+        return {"name": own.name, "expression": _text_of(own)} | ({"seam": True} if own.seam else {})
     programs_of = {"program": own.program, "squared": own.squared}
     return {"name": own.name} | {role: _lines_of(p) for role, p in programs_of.items() if p}
 
 
+@cache
+def _text_of(field):
+    """Return the text of a field's expression. Raises ValueError where none is read as it."""
+    check_operations("field", field.name, [field.expression, *field.gradient()])
+    return expression_text(field.expression)
+
+
 def _lines_of(program):
+    check_operations("program", program.name, [expression for _, expression in program.definitions])
     names = {symbol.name: symbol for symbol in _SEEN_BY_A_LIGHT}
     lines = []
     for symbol, expression in program.definitions:
@@ -153,7 +174,7 @@ def from_record(what: str, record: dict[str, Any]) -> HeightField | LightModel:
         parsed = parse_expression(expression)
         check_operations("field", name, [parsed] * 2)  # slopes take as many or more, and long to be taken
         field = HeightField(name, parsed, seam)
-        check_operations("field", name, [parsed, *field.gradient()])
+        _text_of(field)
         return field
     name, program, squared = _parts(what, record, {"name": str, "program": list, "squared": list}, squared=[])
     return LightModel(name, _program_of(name, program), _program_of(name, squared) if squared else None)
