@@ -4,15 +4,20 @@ They alone let SymPy and the proofs be imported where something is drawn.
 """
 
 import builtins
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import numpy as np
+from mpmath import workdps
+from sympy import Expr, Rational
+from sympy.printing.precedence import precedence
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
+from proofs.formulas.ranges import DIGITS, values_of
 from proofs.formulas.registry import check_name
 from proofs.formulas.shading import LIGHT_MODELS, LightModel as LightModel
 from proofs.formulas.symbols import (
@@ -34,6 +39,7 @@ from renderer.generate import programs
 from renderer.generate.expression import check_operations, expression_text, parse_expression
 from renderer.generate.kernels import field_entry, print_function, refuse_unknown_calls
 from renderer.generate.printer import KernelPrinter
+from renderer.operations import Constant, maximum
 
 _KNOWN: dict[type, dict[str, Any]] = {HeightField: dict(HEIGHT_FIELDS), LightModel: dict(LIGHT_MODELS)}
 _OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(), *LIGHT_MODELS.values())
@@ -42,6 +48,7 @@ _SEEN = np.random.default_rng(9).normal(size=(4, 3, 99))  # points, lights, norm
 _SEEN[2:] /= np.sqrt((_SEEN[2:] ** 2).sum(axis=1, keepdims=True))
 _SEEN = _SEEN.reshape(12, 99)
 _MOST_LINES = 200
+_CALLED = vars(kernels) | {"Constant": Constant}  # what kernels of one's own may call
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
@@ -78,9 +85,34 @@ def registered(own: HeightField | LightModel) -> str | HeightField | LightModel:
     return _known(own).setdefault(own.name, first)
 
 
+class _Printer(KernelPrinter):
+    """Prints a part without a symbol as the float64 nearest to it, which has a bound: of floats nobody takes one."""
+
+    def _print(self, expr: Any, **settings: Any) -> str:
+        fixed = isinstance(expr, Expr) and not expr.free_symbols and not expr.is_Rational
+        return self._nearest(expr) if fixed else super()._print(expr, **settings)
+
+    @staticmethod
+    def _nearest(constant):
+        with workdps(DIGITS):
+            return f"Constant({float(values_of(constant, ())())!r})"
+
+    def _apart(self, expr, sign, otherwise):
+        fixed, rest = expr.as_independent(*expr.free_symbols, as_Add=expr.is_Add)
+        if fixed.is_Rational:
+            return otherwise(expr)
+        return f"{self._nearest(fixed)} {sign} {self.parenthesize(rest, precedence(expr))}"
+
+    def _print_Mul(self, expr):
+        return self._apart(expr, "*", super()._print_Mul)
+
+    def _print_Add(self, expr):
+        return self._apart(expr, "+", super()._print_Add)
+
+
 def _made(source: str) -> dict[str, Any]:
     """Return what a text of kernels defines, beside the kernels that are there."""
-    scope = dict(vars(kernels))
+    scope = dict(_CALLED)
     exec(source, scope)
     refuse_unknown_calls(scope)
     return scope
@@ -90,8 +122,20 @@ def _made(source: str) -> dict[str, Any]:
 def field_kernels(field: HeightField) -> dict[str, Any]:
     """Return the entry of a field of one's own, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
     _named(field)
-    printed = [print_function(p.name, p, KernelPrinter()) for p in programs.field_programs(field).values()]
-    return _made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
+    printed = [print_function(p.name, p, _Printer()) for p in programs.field_programs(field).values()]
+    entry = _made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
+    return entry | ({"wave_numbers": _exact_waves(field)} if field.wave_numbers else {})
+
+
+def _exact_waves(field):
+    """Return the function (k_u, k_v) → the wave numbers, NaN where they are no float64: rounded, they are another's."""
+
+    @cache
+    def waves(*at):
+        exact = [rate.subs(dict(zip((k_u, k_v), map(Rational, at), strict=True))) for rate in field.wave_numbers]
+        return [float(rate) if rate.is_Rational and Rational(float(rate)) == rate else math.nan for rate in exact]
+
+    return waves
 
 
 _largest = cache(HeightField.largest)
@@ -132,10 +176,20 @@ def _light_kernel(name, program):
         raise not_allowed("model", name, allowed)
     for symbol, _ in program.definitions:
         check_name(symbol.name)
-        if symbol.name in {*vars(kernels), *dir(builtins)}:
+        if symbol.name in {*_CALLED, *dir(builtins)}:
             raise not_allowed(f"a line of {name}", symbol.name, "a name that no kernel has")
-    whole = Program("own_model", _SEEN_BY_A_LIGHT, program.definitions, program.outputs)
-    return _made(print_function(whole.name, whole, KernelPrinter()))[whole.name]
+    lines = {}
+    for symbol, expression in program.definitions:  # one that is a constant is no number of a machine
+        lines[symbol] = expression.xreplace({s: fixed for s, fixed in lines.items() if not fixed.free_symbols})
+    whole = Program("own_model", _SEEN_BY_A_LIGHT, lines, program.outputs)
+    kernel = _made(print_function(whole.name, whole, _Printer()))[whole.name]
+
+    def with_base(*seen):
+        cosine, base = kernel(*seen)
+        least = max if isinstance(base, float) else maximum
+        return cosine, least(0.0, base)  # whose power is 0 where it is negative, whether whole or not
+
+    return with_base
 
 
 def as_record(own: HeightField | LightModel) -> dict[str, Any]:
