@@ -3,52 +3,25 @@
 They alone let SymPy and the proofs be imported where something is drawn.
 """
 
-import builtins
-import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-import numpy as np
-from mpmath import workdps
-from sympy import Expr, Rational
-from sympy.printing.precedence import precedence
-
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
-from proofs.formulas.ranges import DIGITS, values_of
 from proofs.formulas.registry import check_name
 from proofs.formulas.shading import LIGHT_MODELS, LightModel as LightModel
-from proofs.formulas.symbols import (
-    bumped,
-    k_u as k_u,
-    k_v as k_v,
-    light,
-    mu,
-    point,
-    real,
-    specular_base,
-    u as u,
-    v as v,
-    view,
-)
-from renderer import kernels
+from proofs.formulas.symbols import k_u as k_u, k_v as k_v, mu, real, specular_base, u as u, v as v
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
 from renderer.generate.expression import check_operations, expression_text, parse_expression
-from renderer.generate.kernels import field_entry, print_function, refuse_unknown_calls
-from renderer.generate.printer import KernelPrinter
-from renderer.operations import Constant, maximum
+from renderer.generate.kernels import field_entry, print_function
+from renderer.generate.own_kernels import SEEN_BY_A_LIGHT, OwnPrinter, exact_waves, light_kernels, made
 
 _KNOWN: dict[type, dict[str, Any]] = {HeightField: dict(HEIGHT_FIELDS), LightModel: dict(LIGHT_MODELS)}
 _OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(), *LIGHT_MODELS.values())
-_SEEN_BY_A_LIGHT = (*point, *light, *bumped, *view)
-_SEEN = np.random.default_rng(9).normal(size=(4, 3, 99))  # points, lights, normals, views at which lines are compared
-_SEEN[2:] /= np.sqrt((_SEEN[2:] ** 2).sum(axis=1, keepdims=True))
-_SEEN = _SEEN.reshape(12, 99)
 _MOST_LINES = 200
-_CALLED = vars(kernels) | {"Constant": Constant}  # what kernels of one's own may call
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
@@ -85,57 +58,13 @@ def registered(own: HeightField | LightModel) -> str | HeightField | LightModel:
     return _known(own).setdefault(own.name, first)
 
 
-class _Printer(KernelPrinter):
-    """Prints a part without a symbol as the float64 nearest to it, which has a bound: of floats nobody takes one."""
-
-    def _print(self, expr: Any, **settings: Any) -> str:
-        fixed = isinstance(expr, Expr) and not expr.free_symbols and not expr.is_Rational
-        return self._nearest(expr) if fixed else super()._print(expr, **settings)
-
-    @staticmethod
-    def _nearest(constant):
-        with workdps(DIGITS):
-            return f"Constant({float(values_of(constant, ())())!r})"
-
-    def _apart(self, expr, sign, otherwise):
-        fixed, rest = expr.as_independent(*expr.free_symbols, as_Add=expr.is_Add)
-        if fixed.is_Rational:
-            return otherwise(expr)
-        return f"{self._nearest(fixed)} {sign} {self.parenthesize(rest, precedence(expr))}"
-
-    def _print_Mul(self, expr):
-        return self._apart(expr, "*", super()._print_Mul)
-
-    def _print_Add(self, expr):
-        return self._apart(expr, "+", super()._print_Add)
-
-
-def _made(source: str) -> dict[str, Any]:
-    """Return what a text of kernels defines, beside the kernels that are there."""
-    scope = dict(_CALLED)
-    exec(source, scope)
-    refuse_unknown_calls(scope)
-    return scope
-
-
 @cache
 def field_kernels(field: HeightField) -> dict[str, Any]:
     """Return the entry of a field of one's own, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
     _named(field)
-    printed = [print_function(p.name, p, _Printer()) for p in programs.field_programs(field).values()]
-    entry = _made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
-    return entry | ({"wave_numbers": _exact_waves(field)} if field.wave_numbers else {})
-
-
-def _exact_waves(field):
-    """Return the function (k_u, k_v) → the wave numbers, NaN where they are no float64: rounded, they are another's."""
-
-    @cache
-    def waves(*at):
-        exact = [rate.subs(dict(zip((k_u, k_v), map(Rational, at), strict=True))) for rate in field.wave_numbers]
-        return [float(rate) if rate.is_Rational and Rational(float(rate)) == rate else math.nan for rate in exact]
-
-    return waves
+    printed = [print_function(p.name, p, OwnPrinter()) for p in programs.field_programs(field).values()]
+    entry = made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
+    return entry | ({"wave_numbers": exact_waves(field)} if field.wave_numbers else {})
 
 
 _largest = cache(HeightField.largest)
@@ -157,39 +86,7 @@ def check_size(field: HeightField, ku: float, kv: float, beta: float) -> None:
 def model_kernels(model: LightModel) -> tuple[Callable, Callable | None]:
     """Return the entry of a model of one's own, as in `kernels.LIGHT_MODELS`. Raises ValueError as the above."""
     _named(model)
-    plain = _light_kernel(model.name, model.program)
-    if model.squared is None:
-        return plain, None
-    squared = _light_kernel(model.name, model.squared)
-    with np.errstate(all="ignore"):
-        (one_mu, base), (other_mu, square) = plain(*_SEEN), squared(*_SEEN)
-        same = [np.allclose(*pair, 1e-9, 1e-9, equal_nan=True) for pair in ((one_mu, other_mu), (base * base, square))]
-    if not all(same):
-        raise not_allowed("squared", model.name, "lines of the program's mu, and of the square of its specular_base")
-    return plain, squared
-
-
-def _light_kernel(name, program):
-    """Return the kernel of one of a model's programs: it takes all that a light is seen by."""
-    if not {*program.inputs} <= {*_SEEN_BY_A_LIGHT} or program.outputs != (mu, specular_base):
-        allowed = f"a program of some of {', '.join(map(str, _SEEN_BY_A_LIGHT))}, with the outputs mu and specular_base"
-        raise not_allowed("model", name, allowed)
-    for symbol, _ in program.definitions:
-        check_name(symbol.name)
-        if symbol.name in {*_CALLED, *dir(builtins)}:
-            raise not_allowed(f"a line of {name}", symbol.name, "a name that no kernel has")
-    lines = {}
-    for symbol, expression in program.definitions:  # one that is a constant is no number of a machine
-        lines[symbol] = expression.xreplace({s: fixed for s, fixed in lines.items() if not fixed.free_symbols})
-    whole = Program("own_model", _SEEN_BY_A_LIGHT, lines, program.outputs)
-    kernel = _made(print_function(whole.name, whole, _Printer()))[whole.name]
-
-    def with_base(*seen):
-        cosine, base = kernel(*seen)
-        least = max if isinstance(base, float) else maximum
-        return cosine, least(0.0, base)  # whose power is 0 where it is negative, whether whole or not
-
-    return with_base
+    return light_kernels(model)
 
 
 def as_record(own: HeightField | LightModel) -> dict[str, Any]:
@@ -209,7 +106,7 @@ def _text_of(field):
 
 def _lines_of(program):
     check_operations("program", program.name, [expression for _, expression in program.definitions])
-    names = {symbol.name: symbol for symbol in _SEEN_BY_A_LIGHT}
+    names = {symbol.name: symbol for symbol in SEEN_BY_A_LIGHT}
     lines = []
     for symbol, expression in program.definitions:
         lines.append(f"{symbol.name} = {expression_text(expression, names)}")
@@ -237,7 +134,7 @@ def from_record(what: str, record: dict[str, Any]) -> HeightField | LightModel:
 def _program_of(name, lines):
     if len(lines) > _MOST_LINES:
         raise not_allowed("program", len(lines), f"at most {_MOST_LINES} lines")
-    names = {symbol.name: symbol for symbol in _SEEN_BY_A_LIGHT}
+    names = {symbol.name: symbol for symbol in SEEN_BY_A_LIGHT}
     definitions = []
     for line in lines:
         target, equals, text = check_kind("program", line, str, "lines of text").partition("=")
@@ -249,7 +146,7 @@ def _program_of(name, lines):
         definitions.append((names[target.strip()], expression))
     check_operations("program", name, [expression for _, expression in definitions])
     try:
-        return Program(name, _SEEN_BY_A_LIGHT, definitions, (mu, specular_base))
+        return Program(name, SEEN_BY_A_LIGHT, definitions, (mu, specular_base))
     except ValueError as error:
         raise not_allowed("program", name, f"{error}") from None
 
