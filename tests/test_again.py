@@ -1,7 +1,8 @@
 """A picture that draws itself again, a scene in a file; and what is refused of such files, which nothing runs."""
 
 import json
-from zipfile import ZipFile
+import os
+from zipfile import ZIP_LZMA, ZipFile
 
 import numpy as np
 import pytest
@@ -33,7 +34,7 @@ def test_a_picture_is_drawn_again(name, tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
-def with_text(path, text, copies=1):
+def with_text(path, text, copies=1, **zipped_by):
     """Make a picture that says a text, as a PNG or an NPZ."""
     told = text.encode("latin-1")
     if path.suffix == ".png":
@@ -41,7 +42,7 @@ def with_text(path, text, copies=1):
         head, data, rest = pictures.png_of(np.zeros((1, 1, 3), np.uint8)).partition(b"\0\0\0\x02IDAT")
         path.write_bytes(head + copies * chunk + data + rest)
     else:
-        with ZipFile(path, "w") as zipped:
+        with ZipFile(path, "w", **zipped_by) as zipped:
             for _ in range(copies):
                 zipped.writestr(record.MEMBER, told)
 
@@ -94,6 +95,11 @@ def test_a_damaged_file_is_refused(name, tmp_path):
     for copies in (0, 2):
         with_text(path, TEXT, copies)
         rejection(record.read, path)
+    os.mkfifo(tmp_path / f"pipe-{name}")
+    rejection(record.read, tmp_path / f"pipe-{name}")
+    if name == "a.npz":
+        with_text(path, TEXT, compression=ZIP_LZMA)
+        assert "in a way that NumPy has not" in rejection(record.read, path)
     lies = [(0, b"GIF"), (whole.index(b"0.1"), b"9")]
     if name == "a.png":
         lies += [(whole.index(b"tEXt") - 4, length) for length in (b"\xff\xff\xff\xff", b"\0\0\0\x14")]
@@ -115,12 +121,13 @@ WRONG_SCENES = {
     "beta = 'a'": "beta = 'a' is not allowed: a finite number",
     "bet = 1": "scene = 'bet' is not allowed: one of 'radius'",
     "ball = 1": "ball = 1 is not allowed: True or False",
-    "lights = 3": "",
-    "lights = [3]": "",
+    "lights = 3": "lights = 3 is not allowed: a list of records",
+    "lights = [3]": "lights[0] = 3 is not allowed: a record with a position",
+    "\ufefflights = ''": "lights = '' is not allowed: a list",
     "lights = [{color = 'off'}]": "lights[0] = {'color': None} is not allowed: a record with a position",
     "lights = [{position = [5, 5, 5], power = 1}]": "a record with a position and a color",
     "field = 3": "field = 3 is not allowed: one of",
-    "field = {name = 'x'}": "field = {'name': 'x'} is not allowed: one with a expression",
+    "field = {name = 'x'}": "field = {'name': 'x'} is not allowed: one with its expression",
     "field = {name = 'x', expression = 'v', more = 1}": "field = 'more' is not allowed: the parts name, expression",
     "field = {name = 'x', expression = 'v', seam = 'no'}": "field.seam = 'no' is not allowed: a bool",
     "field = {name = 'sine', expression = 'v'}": "name = 'sine' is not allowed: a name that no other formula has",

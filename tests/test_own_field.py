@@ -16,7 +16,8 @@ import pytest
 from distributed import Client, LocalCluster
 from sympy import Mul, Rational, exp
 
-from proofs.formulas.height_fields import HEIGHT_FIELDS
+from proofs.engine.program import flat
+from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
 from proofs.formulas.shading import LIGHT_MODELS, light_direction
 from renderer import (
     HeightField,
@@ -37,15 +38,19 @@ from renderer import (
 )
 from renderer.command_line import grid
 from renderer.command_line.verbs import main
+from renderer.files import record
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
 from renderer.machines import native, numpy_rows
+from renderer.machines.enclosing import Enclosed
 from renderer.picture.sweep import Task, compared
-from renderer.scene.own import field_kernels
+from renderer.scene.own import field_kernels, own_from_record
+from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
 from tests.processes import python
 from tests.refusals import rejection
 from tests.test_machines import differing, drawn_by, held
 from verify.enclosed_pixels import wrong
+from verify.evaluate.arrays import in_balls
 
 DUNES = "exp(-8*(v-1/2)**2)*sinpi(k_u*u)"
 WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/3)", "sign(2+sinpi(k_u*u))")
@@ -124,6 +129,7 @@ HOSTILE = [
     "Piecewise((u,v))", "exp(exp(exp(20)))", "sinpi(exp(exp(20)))",
     "abs(v-" * 9 + "u" + ")" * 9,
     "max(" + ",".join("uv" * 20) + ")",
+    "sqrt(u-2)", "Piecewise((v,v>1))", "cospi((k_u/2+k_v)*u)",
 ]  # fmt: skip
 
 
@@ -133,12 +139,27 @@ def test_a_hostile_formula_is_refused_in_a_sentence(text):
     assert said.startswith("expression = ") and len(said) < 400
 
 
-def test_a_formula_that_no_text_says_is_drawn_and_not_written():
+def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
     for name, expression, said in (
         ("unevaluated", Mul(2, v + Rational(1, 3), evaluate=False), "as SymPy evaluates it"),
-        ("long", sum(sinpi(n * k_v * v) for n in range(1, 200)), "is not allowed: a text of at most"),
+        ("long", sum(sinpi(n * k_v * v) for n in range(1, 200)), "'long' is not allowed: at most 1000 operations"),
     ):
-        assert said in rejection(Scene(field=HeightField(name, expression)).as_record)
+        scene = Scene(field=HeightField(name, expression))
+        assert said in rejection(scene.as_record)
+        with drawn_by(numpy_rows.drawer):
+            render(scene, 4, 4).save(tmp_path / "a.npz")
+        assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
+
+
+BIG = ["specular_base = ((bumped_z**64 + 1)**64 + 1)**64", "mu = 1"]
+LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "sinpi(" * 38 + "v" + ")" * 38, "*".join(f"(v+{n})" for n in range(1, 199))]
+
+
+@pytest.mark.parametrize("text", LONG, ids=range(len(LONG)))
+def test_a_formula_that_would_take_long_is_refused_at_once(text):
+    assert "'long' is not allowed: at most 1000 op" in rejection(
+        own_from_record, "field", {"name": "long", "expression": text}
+    )
 
 
 NO_FIELDS = {
@@ -147,6 +168,16 @@ NO_FIELDS = {
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "is not allowed: one of 'blinn'": lambda: Scene(model=HEIGHT_FIELDS["sine"]),
     "with the outputs mu and specular_base": lambda: Scene(model=LightModel("bare", light_direction)),
+    "program = 'big' is not allowed: at most 1000 operations": lambda: Scene.from_record(
+        {"model": {"name": "big", "program": BIG}}
+    ),
+    "squared = 'wrong' is not allowed: lines of": lambda: Scene(
+        model=replace(LIGHT_MODELS["blinn"], name="wrong", squared=LIGHT_MODELS["blinn"].program)
+    ),
+    "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
+    "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
+    "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),
+    "number that no float64": lambda: HeightField("vanishing", v / 10**400),
 }
 """{how it is said: what is made}, beside the files of tests/test_again.py."""
 
@@ -156,12 +187,19 @@ def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
 
 
+def test_what_was_refused_has_no_name():
+    for program in (["sqrt = 1", *BIG[1:]], ["Constant = 1", *BIG[1:]], BIG):
+        rejection(Scene.from_record, {"model": {"name": "mended", "program": program}})
+    assert Scene.from_record({"model": {"name": "mended", "program": [*BIG[1:], "specular_base = mu"]}})
+
+
 def test_a_name_may_be_given_again_to_the_same_formula():
     first, again = (Scene(field=HeightField("same", exp(v) * sinpi(k_u * u))) for _ in range(2))
     assert again == first and again.field is first.field
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
 
 
+WAVY = {"name": "wavy", "expression": "sinpi(k_u*u + k_v*v)"}
 WRAPPED = [
     "x = light_x - point_x",
     "y = light_y - point_y",
@@ -174,8 +212,7 @@ WRAPPED = [
 
 def test_a_model_of_light_of_ones_own(monkeypatch):
     """Drawn, bounded, written down and read again; as it is said, where a known one is given."""
-    wavy = {"name": "wavy", "expression": "sinpi(k_u*u + k_v*v)"}
-    scene = Scene.from_record({"model": {"name": "wrapped", "program": WRAPPED}, "field": wavy})
+    scene = Scene.from_record({"model": {"name": "wrapped", "program": WRAPPED}, "field": WAVY})
     assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
     monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
     assert_drawn(scene, exact(), monkeypatch)
@@ -183,6 +220,36 @@ def test_a_model_of_light_of_ones_own(monkeypatch):
         own = Scene(model=replace(LIGHT_MODELS[known], name=f"own_{known}"))
         drawn = render(Scene.from_record(own.as_record()), 24, 16).rgb
         assert (drawn == render(Scene(model=known), 24, 16).rgb).all()
+
+
+CONSTANTS = ("v*sqrt(2)", "v/pi", "v*(pi + 1)", "exp(1/3)*v", "v*pi**2/6", "v/3 + pi*v/7", "v*log(3)/log(2)")
+
+
+@pytest.mark.parametrize("text", CONSTANTS)
+def test_a_constant_of_ones_own_has_a_bound(text):
+    """Of h and of its slopes, at v = 1, where nothing else is rounded."""
+    field = HeightField(f"constant_{CONSTANTS.index(text)}", parse_expression(text))
+    at = dict(zip(("u", "v", "k_u", "k_v"), (0.25, 1.0, 8.0, 4.0), strict=True))
+    for role, program in (("height", height(field)), ("gradient", gradient(field))):
+        found = flat(field_kernels(field)[role](*map(Enclosed, map(np.float64, at.values()))))
+        true = in_balls(program, at)
+        for number, ball in zip(map(Enclosed.of, found), (true[s.name].item() for s in program.outputs), strict=True):
+            assert abs(ball - float(number.value)) <= number.bound
+
+
+@pytest.mark.parametrize("base", ["1/2", "-bumped_z", "max(bumped_z, 1/3, view_z)"])
+def test_a_model_of_little_or_nothing_is_drawn_and_bounded(base, monkeypatch):
+    """Of the floor's normal alone, which is a constant, and of a base below 0, whatever its power is."""
+    model = {"name": f"little_{len(base)}", "program": ["mu = bumped_z", f"specular_base = {base}"]}
+    for shininess in (2.0, 7.5):
+        scene = replace(Scene.from_record({"model": model, "field": WAVY}), shininess=shininess)
+        monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
+        assert_drawn(scene, exact(), monkeypatch)
+
+
+def test_a_wave_number_that_is_rounded_to_a_whole_one_is_none():
+    third = HeightField("third", sinpi(3 * k_u * u))
+    assert algebraic_powers(Scene(field=third, ku=4.0)) and not algebraic_powers(Scene(field=third, ku=64 / 3))
 
 
 def test_the_next_process_compiles_nothing(tmp_path):

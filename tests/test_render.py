@@ -16,6 +16,7 @@ from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.stage import Stage, band_rows
 from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
+from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
@@ -142,8 +143,9 @@ REFUSED = {
     "steps = 0.001 is not allowed: a sequence of numbers": lambda: sweep(DEFAULT, 8, 8, 1e-3),
     "reference = None is not allowed: a Frame": lambda: difference_on_a(default(), None),
     "frame = Frame(Raster(width=8,": lambda: distance_on_a(default(), render(DEFAULT, 8, 9)),
-    "form = 'algebraic' is not allowed for field 'ridges' with ku": lambda: render(ODD, 8, 8, exact("algebraic")),
-    "form = 'algebraic'": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
+    "form = 'algebraic' is not allowed: a field whose wave number in u": lambda: render(ODD, 8, 8, exact("algebraic")),
+    "form = 'general' is not allowed: one of 'auto'": lambda: GradientMethod("central", 1e-3, "general"),
+    "form = 'algebraic' is not allowed: a field": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
     "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
     "(u, v) = (1.0, 0.5) is not allowed: u in [0, 1), v in [0, 1]": lambda: height_at(DEFAULT, [0.5, 1.0], 0.5),
     "(u, v) = (-1e-09, 0.5)": lambda: height_at(DEFAULT, -1e-9, 0.5),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
-from sympy import Abs, Max, Piecewise, Rational, atan, log
+from sympy import Abs, Max, Piecewise, Rational, atan, log, sqrt
 
 from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central
@@ -86,6 +86,7 @@ REFUSED = {
     "power": ((2 + v) ** k_u, "no kernel has Pow as in"),
     "selected": (Piecewise((1, atan(v) > 1), (v, True)), "no kernel has atan"),
     "pole": (1 / (3 * v - 1), "on the chart .* is not shown to be finite"),
+    "root": (v * sqrt(u - 2), r"on the chart sqrt\(u - 2\) is not shown to be real"),
     "rates": (sinpi(v) / (k_u + 3), "on the chart .* is not shown to be finite"),
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),

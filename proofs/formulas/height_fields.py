@@ -4,9 +4,10 @@ the scene's and the command line's choices and the book's tables follow from it.
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, product
+from typing import Any
 
-from mpmath import iv
+from mpmath import iv, mpf, workdps
 from sympy import (
     Abs,
     DiracDelta,
@@ -28,7 +29,7 @@ from sympy.core.relational import Relational
 
 from proofs.engine.program import Program, evaluated
 from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.ranges import enclosure
+from proofs.formulas.ranges import DIGITS, enclosure, values_of
 from proofs.formulas.registry import by_name, check_name, not_allowed
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
 
@@ -36,7 +37,10 @@ sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
 IN_CHART = (u, v, k_u, k_v)
 CHART = dict.fromkeys((u, v), iv.mpf([0, 1])) | dict.fromkeys((k_u, k_v), iv.mpf([-64, 64]))
 """Where an entry and its slopes have to be finite: the chart, and wave numbers up to `MAX_WAVE_NUMBER`."""
-PERIODIC = [{v: Rational(n, 7), k_u: 2 * n, k_v: n} for n in (1, 3, 6)]
+PERIODIC = [
+    {v: Rational(number % 6 + 1, 7), k_u: even, k_v: whole}
+    for number, (even, whole) in enumerate(product((2, 4, -6), (1, 2, -3)))
+]
 """Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
 
@@ -61,16 +65,29 @@ class HeightField:
         check_name(self.name)
         if not isinstance(self.expression, Expr):
             raise self._refused("an expression of SymPy")
-        for formula in (self.expression, *self.gradient()):
-            try:
-                enclosure(formula, CHART)
-            except ValueError as error:
-                raise self._refused(f"{error}") from None
-        for at in () if self.seam else PERIODIC:
-            first, last = (float(self.expression.subs(at | {u: end})) for end in (0, 1))
+        try:
+            self.largest()
+        except ValueError as error:
+            raise self._refused(f"{error}") from None
+        if not self.seam:
+            self._check_ends()
+        self.creases  # noqa: B018  (refused where they are not known)
+
+    @workdps(DIGITS)
+    def _check_ends(self):
+        value = values_of(self.expression, (u, *PERIODIC[0]))
+        for at in PERIODIC:
+            first, last = (float(value(mpf(end), *(mpf(n.p) / n.q for n in map(S, at.values())))) for end in (0, 1))
             if not abs(first - last) < 1e-12:
                 raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
-        self.creases  # noqa: B018  (refused where they are not known)
+
+    def largest(self, ku: Any = CHART[k_u], kv: Any = CHART[k_v]) -> list[float]:
+        """Return what |h|, |∂h/∂u| and |∂h/∂v| are at most, at wave numbers or in intervals of them.
+
+        Raises ValueError where they are not shown to be finite.
+        """
+        box = CHART | {k_u: iv.mpf(ku), k_v: iv.mpf(kv)}
+        return [float(abs(enclosure(formula, box)).b) for formula in (self.expression, *self.gradient())]
 
     def __str__(self):
         return self.name

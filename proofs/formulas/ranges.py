@@ -1,15 +1,17 @@
-"""What a height field is made of, and intervals that enclose it where its symbols lie in intervals."""
+"""What a height field is made of, its values, and intervals that enclose it where its symbols lie in intervals."""
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 
+import mpmath
 from mpmath import iv
-from sympy import Abs, Add, Basic, Max, Min, Mul, Piecewise, Pow, S, Symbol, exp, log, pi, sign
+from sympy import Abs, Add, Basic, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbol, exp, lambdify, log, pi, sign
 from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair
 
 from proofs.formulas.half_turns import cospi, sinpi
+from proofs.formulas.registry import shown
 
 
 def _hull(lowest, highest):
@@ -35,19 +37,30 @@ ENCLOSURES = {
 
 
 LARGEST = 2.0**1000  # a larger number may be no float64
+DIGITS = 100
+
+
+def values_of(expression: Expr, symbols: Iterable[Symbol]) -> Callable[..., float]:
+    """Return an expression that is finite as a function of numbers, by mpmath: SymPy takes long where calls are nested.
+
+    The numbers are made within its digits, which `mpmath.workdps` says.
+    """
+    return lambdify([*symbols], expression, [{"sinpi": mpmath.sinpi, "cospi": mpmath.cospi}, "mpmath"])
 
 
 def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
     """Return an interval around every value of the expression in a box.
 
-    Raises ValueError where a part of it is not shown to be finite, and where it is made of more than the symbols,
-    rationals, π and `ENCLOSURES`. Powers are whole, or square roots.
+    Raises ValueError where a part of it is not shown to be real and finite, and where it is made of more than the
+    symbols, rationals, π and `ENCLOSURES`. Powers are whole, or square roots; the last of a Piecewise is for all else.
     """
     if expression in box:
         return box[expression]
     if expression == pi:
         return iv.pi
     if isinstance(expression, Basic) and expression.is_Rational:
+        if max(abs(expression.p), expression.q) >= LARGEST:
+            raise ValueError(f"{shown(expression)} has a number that no float64 is near")
         return iv.mpf(expression.p) / expression.q
     if isinstance(expression, ExprCondPair):
         for relation in expression.cond.atoms(Relational):
@@ -55,8 +68,13 @@ def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
         return enclosure(expression.expr, box)
     kind = getattr(expression, "func", type(expression))
     if kind not in ENCLOSURES or (kind is Pow and not (expression.exp.is_Integer or abs(expression.exp) == S.Half)):
-        raise ValueError(f"no kernel has {kind.__name__} as in {expression}")
-    found = ENCLOSURES[kind](*(enclosure(part, box) for part in expression.args))
+        raise ValueError(f"no kernel has {kind.__name__} as in {shown(expression)}")
+    if kind is Piecewise and expression.args[-1].cond != True:  # noqa: E712  (SymPy's true is not Python's)
+        raise ValueError(f"{shown(expression)} has no last value, for all else")
+    parts = [enclosure(part, box) for part in expression.args]
+    if kind is Pow and not expression.exp.is_Integer and not parts[0].a >= 0:
+        raise ValueError(f"on the chart {shown(expression)} is not shown to be real")
+    found = ENCLOSURES[kind](*parts)
     if not abs(found).b < LARGEST:
-        raise ValueError(f"on the chart {expression} is not shown to be finite")
+        raise ValueError(f"on the chart {shown(expression)} is not shown to be finite")
     return found

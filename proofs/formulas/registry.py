@@ -5,11 +5,18 @@ from keyword import iskeyword
 from typing import Any
 
 LONGEST_NAME = 60  # characters: a name is part of a message, a kernel's name and a file's
+SHOWN = 120  # of a value, in a message
+
+
+def shown(value: object) -> str:
+    """Return how a message shows a value: the beginning of a long one."""
+    text = repr(value)
+    return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
 
 
 def not_allowed(name: str, value: object, allowed: str) -> ValueError:
     """Return the ValueError that says so."""
-    return ValueError(f"{name} = {value!r} is not allowed: {allowed}")
+    return ValueError(f"{name} = {shown(value)} is not allowed: {allowed}")
 
 
 def check_name(name: str) -> None:

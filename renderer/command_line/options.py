@@ -19,11 +19,11 @@ Option = dict[str, Any]  # what argparse is told of one
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that says what is wrong in one line, and takes -1e-3 and -6,2,8 for values, not for options."""
+    """A parser that says what is wrong in one line, and takes -1e-3, -6,2,8 and -v**2 for values, not for options."""
 
     def __init__(self, *arguments: Any, **options: Any):
         super().__init__(*arguments, **options | {"allow_abbrev": False})
-        self._negative_number_matcher = re.compile(r"-(\d|\.|inf|nan)")  # argparse's own knows no exponent and no list
+        self._negative_number_matcher = re.compile("-[^-]")  # argparse's own knows no exponent, no list and no formula
 
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: error: {message}\n")

@@ -70,7 +70,8 @@ def draw_image(options: Namespace) -> None:
 
 def _drawn_again(options):
     """Return the scene, the method and the raster of a picture's file; say where what drew it is not what draws now."""
-    given = vars(options).keys() & {"scene", *(field.name for field in fields(Scene))}
+    of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
+    given = vars(options).keys() & of_scene
     given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
     if given:
         raise not_allowed("again", options.again, f"no --{min(given).replace('_', '-')} beside it")

@@ -1,12 +1,15 @@
 """What a picture's file says of how it was drawn, so that it can be drawn again: JSON, in a PNG or an NPZ."""
 
 import json
+import struct
 import zlib
 from dataclasses import asdict
+from os import SEEK_END
 from pathlib import Path
 from typing import NamedTuple
-from zipfile import BadZipFile, ZipFile
+from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile
 
+from renderer.checks import check_kind
 from renderer.files.pictures import KEYWORD, SIGNATURE
 from renderer.machines import machine
 from renderer.scene.methods import GradientMethod
@@ -46,12 +49,19 @@ def read(path: str | Path) -> Drawing:
     Raises ValueError of one sentence unless the file carries one whole record.
     """
     with distrusted("again", path):
-        (text,) = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
+        if not Path(path).is_file():  # one that is opened for ever, say
+            raise ValueError("there is no such file")
+        texts = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
+        if len(texts) != 1:
+            raise ValueError(f"{len(texts)} records")
+        (text,) = texts
         if len(text) > LARGEST:
             raise ValueError(f"a text of more than {LARGEST} bytes")
         record = read_json(text)
-        if record.keys() != NAMES or record["gradient"].keys() != {"name", "eps", "form"}:
+        if check_kind("record", record, dict).keys() != NAMES:
             raise ValueError("other names than a record has")
+        if check_kind("gradient", record["gradient"], dict).keys() != {"name", "eps", "form"}:
+            raise ValueError("other names than a gradient has")
         made_by = [record[name] for name in ("version", "machine")]
         if not all(isinstance(said, str) and len(said) < 100 and said.isprintable() for said in made_by):
             raise ValueError("no version and machine")
@@ -60,20 +70,24 @@ def read(path: str | Path) -> Drawing:
 
 
 def _of_png(path):
-    """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged."""
-    content, found, at, kind = Path(path).read_bytes(), [], len(SIGNATURE), b""
-    if not content.startswith(SIGNATURE):
-        raise ValueError("no PNG")
-    while kind != b"IEND":
-        begin, end = at + 8, at + 8 + int.from_bytes(content[at : at + 4])
-        kind, at = content[begin - 4 : begin], end + 4
-        if at > len(content):
-            raise ValueError("the file is cut")
-        if kind == b"tEXt":
-            if zlib.crc32(content[begin - 4 : end]) != int.from_bytes(content[end:at]):
-                raise ValueError("a damaged text")
-            keyword, _, text = content[begin:end].partition(b"\0")
-            found += [text] if keyword == KEYWORD else []
+    """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged or too long."""
+    found, at, kind, begins = [], len(SIGNATURE), b"", b"tEXt" + KEYWORD + b"\0"
+    with open(path, "rb") as file:
+        size = file.seek(0, SEEK_END)
+        file.seek(0)
+        if file.read(at) != SIGNATURE:
+            raise ValueError("no PNG")
+        while kind != b"IEND":
+            file.seek(at)
+            length, kind = struct.unpack(">I4s", file.read(8).ljust(8))
+            at += 12 + length
+            if at > size:
+                raise ValueError("the file is cut")
+            chunk = kind + file.read(min(length, LARGEST + len(KEYWORD) + 2))
+            if chunk.startswith(begins):
+                if len(chunk) == 4 + length and zlib.crc32(chunk) != int.from_bytes(file.read(4)):
+                    raise ValueError("a damaged text")
+                found.append(chunk.removeprefix(begins))
     return found
 
 
@@ -82,6 +96,8 @@ def _of_npz(path):
     try:
         with ZipFile(path) as zipped:
             members = [one for one in zipped.infolist() if one.filename == MEMBER]
+            if any(one.compress_type not in (ZIP_STORED, ZIP_DEFLATED) for one in members):
+                raise ValueError("compressed in a way that NumPy has not")
             return [zipped.open(one).read(LARGEST + 1) for one in members]
     except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
         raise ValueError(str(error)) from None

@@ -7,14 +7,17 @@ makes a tree of it, of which nothing is run: a walk makes SymPy's expression of 
 import ast
 import operator
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Any
 
 from sympy import (
     Abs,
     Add,
     And,
+    Basic,
     Expr,
+    Function,
     Max,
     Min,
     Mul,
@@ -41,6 +44,7 @@ from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer.checks import not_allowed
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
+MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
 MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
 OF_FIELDS: Mapping[str, Symbol] = {symbol.name: symbol for symbol in (u, v, k_u, k_v)}
 """What an expression may be of, unless it says otherwise."""
@@ -174,6 +178,20 @@ class _Writer(StrPrinter):
             part = self.parenthesize(1 / factor if below else factor, PRECEDENCE["Mul"], strict=not below)
             text += f"/{part}" if below else f"*{part}"
         return text.removeprefix("1*") if first == 1 else text.replace("-1*", "-", 1) if first == -1 else text
+
+
+@cache
+def _operations(expression: Basic) -> int:
+    """Return about how many operations a kernel has for an expression: a whole power is printed as a product."""
+    if expression.is_Pow and expression.exp.is_Integer:
+        return abs(int(expression.exp)) * (1 + _operations(expression.base))
+    return sum(map(_operations, expression.args)) + (OF_A_FUNCTION if isinstance(expression, Function) else 1)
+
+
+def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> None:
+    """Raise ValueError, which names what they are of, where the expressions of a text are too much for a kernel."""
+    if (count := sum(map(_operations, expressions))) > MOST_OPERATIONS:
+        raise not_allowed(name, value, f"at most {MOST_OPERATIONS} operations, slopes included, and here are {count}")
 
 
 @evaluated

@@ -4,11 +4,14 @@ What is printed fixes the operations and their order, so that all machines agree
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
+from functools import reduce
 from typing import ClassVar
 
 from sympy import Basic, Derivative, Mul, Rational, S, Symbol, evaluate, prod, sympify
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
+
+from renderer.checks import not_allowed
 
 
 class KernelPrinter(StrPrinter):
@@ -84,7 +87,14 @@ class KernelPrinter(StrPrinter):
     def _print_Function(self, expr):
         return self._call(self.names.get(type(expr).__name__, type(expr).__name__), expr.args)
 
-    _print_Max = _print_Min = _print_Abs = _print_Function
+    _print_Abs = _print_Function
+
+    def _print_Max(self, expr):
+        first, *others = map(self._print, expr.args)
+        name = self.names[type(expr).__name__]
+        return reduce(lambda largest, other: f"{name}({largest}, {other})", others, first)
+
+    _print_Min = _print_Max
 
     def _print_sign(self, expr):
         """The sign of a product is the product of the signs, which does not underflow."""
@@ -113,7 +123,7 @@ class KernelPrinter(StrPrinter):
         """Return the text of a Piecewise, of the texts of its values and conditions."""
         (last, otherwise) = expr.args[-1]
         if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
-            raise ValueError(f"a selection without a last resort: {expr}")
+            raise not_allowed("expression", expr, "a selection whose last value is for all else")
         text = branch(last)
         for value, condition in reversed(expr.args[:-1]):
             text = self.select(decision(condition), branch(value), text)

@@ -14,7 +14,7 @@ SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, 
 
 @dataclass(frozen=True)
 class GradientMethod:
-    """A way to take the gradient: its name; for a difference the step ε in [1e-40, 1/2]; for `exact` the form.
+    """A way to take the gradient: its name; for a difference the step ε in [1e-40, 1/2]; for `exact` alone the form.
 
     Make one with `exact`, `central`, `forward` or `central4`. Raises ValueError on anything else.
     """
@@ -30,6 +30,7 @@ class GradientMethod:
             if self.eps is not None:
                 raise not_allowed("eps", self.eps, "None for the exact gradient")
         else:
+            check_choice("form", self.form, ("auto",))  # the others are the exact gradient's
             vars(self).update(eps=check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
 

@@ -22,12 +22,14 @@ def check_own(name: str, value: Any, choices: Iterable[str]) -> Any:
     if isinstance(value, str):
         return str(check_choice(name, value, choices))
     own = _makers()
-    kind, kernels_of = (own.HeightField, field_kernels) if name == "field" else (own.LightModel, model_kernels)
-    if not isinstance(value, kind):
-        return check_choice(name, value, choices)
-    found = own.registered(value)
-    kernels_of(found)
-    return found
+    kind = own.HeightField if name == "field" else own.LightModel
+    return own.registered(value) if isinstance(value, kind) else check_choice(name, value, choices)
+
+
+def check_size(field: Any, ku: float, kv: float, beta: float) -> None:
+    """Raise ValueError where a field of one's own is not finite at the wave numbers, or so high that β would not be."""
+    if not isinstance(field, str):
+        _makers().check_size(field, ku, kv, beta)
 
 
 def field_kernels(field: Any) -> dict[str, Any]:

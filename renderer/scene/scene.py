@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.scene.own import check_own, own_from_record, own_record
+from renderer.scene.own import check_own, check_size, own_from_record, own_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
@@ -104,6 +104,7 @@ class Scene:
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
             vars(self)[each.name] = checked if each.type is Any else each.type(checked)
+        check_size(self.field, self.ku, self.kv, self.beta)
         self._check_lengths()
 
     def __repr__(self) -> str:

@@ -62,8 +62,9 @@ def read_toml(path: Any) -> dict[str, Any]:
         text = file.read(LARGEST + 1)
     if len(text) > LARGEST:
         raise ValueError(f"more than {LARGEST} bytes")
-    record = tomllib.loads(text.decode())
-    for light in record.get("lights", ()):
-        if light.get("color") == OFF:
+    record = tomllib.loads(text.decode("utf-8-sig"))  # as some editors begin a file
+    lights = record.get("lights")
+    for light in lights if isinstance(lights, list) else ():
+        if isinstance(light, dict) and light.get("color") == OFF:
             light["color"] = None
     return record

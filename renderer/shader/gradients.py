@@ -29,10 +29,9 @@ def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
     """
     powers = algebraic_powers(scene)
     if method.form == "algebraic" and powers is None:
-        raise ValueError(
-            f"form = 'algebraic' is not allowed for field '{scene.field}' with ku = {scene.ku:g}, kv = {scene.kv:g}: "
-            f"its wave number in u has to be even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
-        )
+        wave_numbers = f"a field whose wave number in u is even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
+        of_scene = f"not '{scene.field}' with ku = {scene.ku:g}, kv = {scene.kv:g}"
+        raise not_allowed("form", method.form, f"{wave_numbers}, {of_scene}")
     return powers is not None and method.form != "general"
 
 

@@ -246,7 +246,10 @@ class Group:
         def by(choice):
             name, style = choice
             base, squared = model_kernels(name)
-            mu, specular = (squared if style == "squared" else base)(*point, *light.position, *normal, *view)
+            seen = (*point, *light.position, *normal, *view)
+            if not isinstance(name, str):  # one's own may need nothing but the floor's normal, or no number at all
+                seen = map(self.value, seen)
+            mu, specular = map(self.value, (squared if style == "squared" else base)(*seen))
             if style == "diffuse":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
@@ -257,6 +260,10 @@ class Group:
             return mu, *power(self.machine, (specular,), s.power)
 
         return self.machine.choose(self.want.lights, s.model, by)
+
+    def value(self, number: Number) -> Number:
+        """Return a number as one of the machine's."""
+        return self.machine.variable(number).value if isinstance(number, float) else number
 
 
 def power(
