@@ -39,6 +39,11 @@ Proof.
 Qed.
 Lemma scaled_float64 (x : R) (k e : Z) : float64 x -> bpow radix2 k <= Rabs x -> (-1022 - k <= e)%Z -> float64 (x * bpow radix2 e).
 Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by ring; exact B). lia. Qed.
+Lemma multiple_of_power (x : R) (j : Z) : float64 x -> bpow radix2 (j + 52) <= Rabs x -> exists m : Z, x = IZR m * bpow radix2 j.
+Proof.
+  intros F B. unfold float64, generic_format, F2R in F. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F. assert (M : (j + 53 <= mag radix2 x)%Z) by (apply mag_ge_bpow; replace (j + 53 - 1)%Z with (j + 52)%Z by ring; exact B).
+  unfold cexp, FLT_exp in F. set (e := Z.max _ _) in F. assert (K : (j <= e)%Z) by (unfold e; lia). exists (m * 2 ^ (e - j))%Z. rewrite mult_IZR, (IZR_Zpower radix2), Rmult_assoc, <- bpow_plus by lia. etransitivity; [exact F|]. do 2 f_equal. lia.
+Qed.
 Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
 Proof. intros F B. replace (1/2 * x) with (x * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 x (-1020)); [exact F | exact B | easy]. Qed.
 Lemma one_rounding (x : R) : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
