@@ -2,36 +2,11 @@
 
 From Coq Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Mult_error.
+From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules EnclosingBounds.
 From Formal Require Statements.
 Open Scope R_scope.
-
-Definition SLACK : R := 562949953421313 / 562949953421312.
-Definition least : R := 1 / 2 ^ 1060.
-Lemma least_is : least = 2 ^ 14 * underflow.
-Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
-(* A bound becomes a count exactly. *)
-Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
-Proof.
-  intro F. apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [exact F | easy].
-Qed.
-(* What both add up to is made a count; SLACK makes up for the roundings. *)
-Lemma made_a_count (s v p d : R) : 1 <= s -> float64 v -> 0 <= v -> float64 p -> 0 <= p -> Rabs d + 4 * underflow <= (v + p) * (1 + 10 * unit53) ->
-  let c := rounded (9007199254740992 * rounded (rounded (v + p) * SLACK)) in float64 c /\ 0 <= c /\ Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
-Proof.
-  intros S V V0 P P0 D. assert (T := proj1 underflow_in_least). assert (0 <= SLACK) by (unfold SLACK; lra). cbv zeta. counts q (v + p). counts b (q * SLACK). rewrite count_of by is_float64. split; [rewrite <- count_of by is_float64; is_float64 | split; [lra|]].
-  apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
-  clearbody b q. unfold SLACK, unit53 in *. lra.
-Qed.
-(* A function's own error: a part of the result, and what is lost where that vanishes. *)
-Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
-Proof.
-  intros F P K. assert (T := proj1 underflow_in_least). cbv zeta. counts o (k * Rabs f). counts w (o + V). split; [is_float64 | split; [assumption | unfold unit53 in *; lra]].
-Qed.
-Lemma least_is_float64_too : float64 least.
-Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
 
 (* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
 Section half_turns.
@@ -99,13 +74,13 @@ Proof.
     counts a (Rabs d + own e). split; [is_float64 | split; [assumption|]].
     assert (M1 := Rabs_triang_inv (e - f) d). rewrite Rabs_minus_sym in O. assert (M2 := Rabs_triang (f - e) (e - t)). replace (f - e + (e - t)) with (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. assert (M3 := Rabs_triang_inv e f).
     assert (Kd : k * Rabs (e - f) <= 16 * unit53 * Rabs (e - f)) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]). assert (Ke : k * Rabs e <= k * Rabs f + k * Rabs (e - f)) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
-    assert (0 <= k * Rabs f) by not_negative. assert (0 <= k * Rabs e) by not_negative. assert (0 <= Rabs (e - f)) by not_negative.
+    assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative.
     set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. unfold unit53 in *. lra. }
   destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
   destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
   apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
   { destruct (Rle_lt_dec y f) as [L|L]; [left; rewrite !Rabs_pos_eq by lra; lra | right; rewrite !Rabs_left1 by lra; lra]. }
-  assert (0 <= k * Rabs f) by not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
+  assert (0 <= k * Rabs f) by is_not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
@@ -128,7 +103,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__exponential : Statements.enclosing_rules__exponential.
 Proof.
-  red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy).
+  red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 := one_is_float64).
   assert (Q := elementary_functions__two_product x 1 X F1). rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 : two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
   rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X), !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
   destruct (reached s x e x' S1 S2 X P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).

@@ -47,16 +47,18 @@ Proof.
   intros A B P Q. generalize (own_rounding_of_sum a b A B) (not_negative_rounded (a + b) ltac:(lra)). intros O N. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
   apply Rabs_le_between in O. unfold unit53 in *. nra.
 Qed.
-Lemma counted (x : R) : 0 <= x -> x * (1 - 11 / 10 * unit53) - 2 * underflow <= rounded x.
-Proof.
-  intro P. generalize (own_rounding x) (not_negative_rounded x P) (proj1 underflow_in_least). intros O N T. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
-  apply Rabs_le_between in O. unfold unit53 in *. nra.
-Qed.
+Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
+Proof. generalize (one_rounding x). unfold unit53, underflow. lra. Qed.
+Lemma counted (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
+Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
+Lemma less_of_squares (x y : R) : 0 <= y -> x * x <= y * y -> x <= y.
+Proof. intros. nra. Qed.
 Ltac is_float64 := first [assumption | apply rounded_is_float64 | apply generic_format_abs; is_float64 | apply generic_format_bpow; easy].
-Ltac not_negative := solve [assumption | apply Rabs_pos | apply sqrt_pos | apply Rle_0_sqr | apply not_negative_rounded; not_negative | apply Rmult_le_pos; not_negative | apply Rplus_le_le_0_compat; not_negative | lra].
+Ltac is_not_negative := solve [assumption | apply Rabs_pos | apply sqrt_pos | apply Rle_0_sqr | apply not_negative_rounded; is_not_negative | apply Rmult_le_pos; is_not_negative | apply Rplus_le_le_0_compat; is_not_negative | lra].
 (* Names the rounding of what is not negative, and says what is known of it. *)
-Ltac counts q x := assert (0 <= x) by not_negative; assert (0 <= rounded x) by not_negative;
-  lazymatch x with ?a + ?b => pose proof (counted_sum a b ltac:(is_float64) ltac:(is_float64) ltac:(not_negative) ltac:(not_negative)) | _ => pose proof (counted x ltac:(assumption)) end; set (q := rounded x) in *.
+Ltac counts q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) by is_not_negative;
+  lazymatch x with ?a + ?b => pose proof (counted_sum a b ltac:(is_float64) ltac:(is_float64) ltac:(is_not_negative) ltac:(is_not_negative)) | _ => pose proof (counted x ltac:(assumption)) end; set (q := rounded x) in *.
+Ltac rounds q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) by is_not_negative; pose proof (counted x ltac:(assumption)); set (q := rounded x) in *.
 
 (* What is moved by m counts, of which each is a slack more, and rounded once to a result of size t, is within c. *)
 Lemma enough (s m t c d lost : R) : 1 <= s -> 0 <= t -> 0 <= lost -> m + (1 + 4 * unit53) * t + lost * 2 ^ 53 <= (1 + 1 / 2 ^ 49) * c ->
@@ -86,7 +88,7 @@ Lemma product_moved (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> f
   let m := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)) in 0 <= m /\ Rabs (x * y - x' * y') <= s * (m / 2 ^ 53) * (1 + 4 * unit53) + 2 ^ 9 * underflow.
 Proof.
   intros S1 S2 Y Px Dx Py Dy L. assert (T := proj1 underflow_in_least). cbv zeta. destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Sy := Rabs_triang_inv y' y). rewrite (Rabs_minus_sym y' y) in Sy.
-  counts z (ROUNDING * ey). counts most (Rabs y + z). assert (Z : 0 <= Rabs y) by not_negative. assert (0 <= s * (ey / 2 ^ 53)) by not_negative. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. assert (0 <= Y1) by not_negative. assert (0 <= Y1 * ex) by not_negative.
+  counts z (ROUNDING * ey). counts most (Rabs y + z). assert (Z : 0 <= Rabs y) by is_not_negative. assert (0 <= s * (ey / 2 ^ 53)) by is_not_negative. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. assert (0 <= Y1) by is_not_negative. assert (0 <= Y1 * ex) by is_not_negative.
   counts a (Rabs x * ey). counts b (most * ex). counts m (a + b). split; [assumption|].
   assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= most * ex).
   { assert (W : (Y1 * (1 - unit53) - 2 * underflow) * ex <= most * ex) by (apply Rmult_le_compat_r; [exact Px | unfold Y1, unit53 in *; lra]). assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }

@@ -46,11 +46,6 @@ Proof.
 Qed.
 Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
 Proof. intros F B. replace (1/2 * x) with (x * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 x (-1020)); [exact F | exact B | easy]. Qed.
-Lemma one_rounding (x : R) : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
-Proof.
-  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
-  apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | exact D] | exact E].
-Qed.
 Lemma sum_float64 (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a + b) = (a + b) * (1 + d).
 Proof. intros A B. destruct (rounded_difference a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [exact D|]. replace (a + b) with (a - - b) by ring. exact E. Qed.
 
@@ -155,7 +150,7 @@ Proof.
 Qed.
 Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_half_turns_float64.first_octant y x - o) in d <= 85/100 / 2 ^ 53 /\ d <= 49/10 / 2 ^ 53 * o + 8 * bpow radix2 (-1074) /\ 0 <= o <= 26/100.
 Proof.
-  intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U : 0 <= bpow radix2 (-1074) <= 1 / 2 ^ 100) by (split; [apply bpow_ge_0 | replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); apply bpow_le; easy]).
+  intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U := underflow_is_less).
   assert (T : 0 <= s / l <= 1).
   { split; apply Rmult_le_reg_r with l; try exact P; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. }
   assert (Rh : Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra). destruct Rh as [Rh Er].
@@ -210,7 +205,7 @@ Qed.
 Lemma angle_near : let d := Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) in d <= 5/2 * (1 / 2 ^ 53) /\ d <= 49/10 / 2 ^ 53 * Rabs (atan2pi y x) + 2 ^ 4 * bpow radix2 (-1074).
 Proof.
   destruct first_octant_near as (E & E' & B). rewrite octants. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant.
-  set (o := atan (s / l) / PI) in *. set (oh := angle_in_half_turns_float64.first_octant y x) in *. assert (U : 0 <= bpow radix2 (-1074) <= 1 / 2 ^ 100) by (split; [apply bpow_ge_0 | replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); apply bpow_le; easy]).
+  set (o := atan (s / l) / PI) in *. set (oh := angle_in_half_turns_float64.first_octant y x) in *. assert (U := underflow_is_less).
   assert (Q : forall a b c, 0 <= c - b -> Rabs (rounded (c - a) - (c - b)) <= / 2 ^ 53 * (c - b + Rabs (a - b)) + bpow radix2 (-1074) + Rabs (a - b)).
   { intros a b c H. assert (M : Rabs (c - a - (c - b)) <= Rabs (a - b)) by (rewrite <- Rabs_Ropp; apply Req_le; f_equal; ring). apply through with (c - a); [|exact M]. eapply Rle_trans; [apply one_rounding|]. generalize (Rabs_triang_inv (c - a) (c - b)). rewrite (Rabs_pos_eq (c - b)) by exact H. lra. }
   set (q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o). set (qh := if Rlt_dec (Rabs x) (Rabs y) then _ else oh).
@@ -237,7 +232,7 @@ Theorem elementary_functions__arctangent__point : exists r : R, - (5/16 + 1/2^30
 Proof. exists 0. lra. Qed.
 Theorem elementary_functions__atan2pi__point : exists y x : R, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.
-  exists 0, 1. split; [apply generic_format_0|]. split; [apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy|].
+  exists 0, 1. split; [apply generic_format_0|]. split; [exact one_is_float64|].
   rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_l]. apply (bpow_le radix2 (-1018) 0). easy.
 Qed.
 (* Without the node that is taken off the polynomial is not so near, and where its quotient alone decides, the angle is not. *)
@@ -247,7 +242,7 @@ Proof.
 Qed.
 Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro H. assert (F : float64 (-1)) by (apply generic_format_opp, (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy).
+  intro H. assert (F := generic_format_opp _ _ _ one_is_float64 : float64 (-1)).
   assert (M : bpow radix2 (-1018) <= Rmax (Rabs (-1)) (Rabs 0)).
   { rewrite Rabs_left by lra. eapply Rle_trans; [|apply Rmax_l]. replace (- -1) with 1 by ring. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
@@ -256,7 +251,7 @@ Proof.
 Qed.
 Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.
 Proof.
-  intro H. assert (F : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy). assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
+  intro H. assert (F := one_is_float64). assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
   { rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_r]. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (elementary_functions__atan2pi 1 0 F (generic_format_0 _ _) M). rewrite (H 1 F). unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra.
   replace (0 - PI / 2 / PI) with (- (1/2)) by (field; apply PI_neq0). rewrite Rabs_Ropp, Rabs_pos_eq; lra.

@@ -8,23 +8,25 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
-Proof.
-  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
-  apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | unfold unit53; lra] | exact E].
-Qed.
-Lemma rounding_of_positive (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
-Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
-Lemma less_of_squares (x y : R) : 0 <= y -> x * x <= y * y -> x <= y.
-Proof. intros. nra. Qed.
 Lemma within_length (x L : R) : 0 <= L -> x * x <= L * L -> Rabs x <= L.
 Proof. intros P S. apply less_of_squares; [exact P | unfold Rabs; destruct Rcase_abs; lra]. Qed.
 Lemma over_length (x e L : R) : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
 Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact X. Qed.
 Lemma length_at_least (v : R) : / 1099511627776 <= v -> 1 / 2 ^ 20 <= sqrt v.
 Proof. intro P. rewrite <- (sqrt_square (1 / 2 ^ 20)) by lra. apply sqrt_le_1_alt. lra. Qed.
-(* Names the rounding of what is not negative, with both of its ends. *)
-Ltac rounds q x := assert (0 <= x) by not_negative; assert (0 <= rounded x) by not_negative; pose proof (rounding_of_positive x ltac:(assumption)); set (q := rounded x) in *.
+Lemma far_below : underflow * 2 ^ 600 <= 1 / 2 ^ 200.
+Proof.
+  replace (2 ^ 600) with (bpow radix2 600) by (change (bpow radix2 600) with (IZR (Z.pow_pos 2 600)); rewrite pow_IZR; reflexivity).
+  unfold underflow. rewrite <- bpow_plus. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy.
+Qed.
+(* The inverse of a number that is a part e off. *)
+Lemma inverse_rounded (q X e : R) : 0 <= e <= 20 * unit53 -> 1 / 2 ^ 60 <= X -> X <= 2 ^ 600 -> X * (1 - e) <= q <= X * (1 + e) -> Rabs (rounded (1 / q) * X - 1) <= e + 11/10 * unit53.
+Proof.
+  intros E L H B. assert (T := Rmult_le_compat_l _ _ _ (Rlt_le _ _ (proj1 underflow_in_least)) H). assert (F := far_below). assert (X * e <= X * (20 * unit53)) by (apply Rmult_le_compat_l; lra). assert (q0 : 0 < q) by (unfold unit53 in *; lra).
+  assert (J : 1 / q * q = 1) by (field; lra). assert (0 < 1 / q) by (apply Rdiv_lt_0_compat; lra). rounds k (1 / q). set (j := 1 / q) in *. assert (j * (X * (1 - e)) <= j * q) by (apply Rmult_le_compat_l; lra). assert (j * q <= j * (X * (1 + e))) by (apply Rmult_le_compat_l; lra).
+  assert ((j * (1 - unit53) - underflow) * X <= k * X) by (apply Rmult_le_compat_r; lra). assert (k * X <= (j * (1 + unit53) + underflow) * X) by (apply Rmult_le_compat_r; lra). assert (0 <= e * e <= 1 / 2 ^ 90) by (split; [is_not_negative | apply Rle_trans with (20 * unit53 * (20 * unit53)); [apply Rmult_le_compat; lra | unfold unit53; lra]]).
+  assert (Y : 1 - e <= j * X <= 1 + e + 1 / 2 ^ 89) by (split; [apply Rmult_le_reg_r with (1 + e) | apply Rmult_le_reg_r with (1 - e)]; unfold unit53 in *; lra). clearbody k. apply Rabs_le. unfold unit53 in *. lra.
+Qed.
 
 (* A vector over its length, as float64 carries it out, of components that are off by 9/4 roundings of the length. *)
 Section normalised.
@@ -67,18 +69,11 @@ Proof.
   assert (q0 : 0 <= q) by (unfold unit53 in *; lra). assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). unfold r. set (w := sqrt q) in *.
   assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [unfold unit53; lra | rewrite W; unfold unit53 in *; nra]).
   assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
-  assert (R := rounding_of_positive w Wp). set (l := rounded w) in *. clearbody l w. unfold unit53 in *. lra.
+  assert (R := counted w Wp). set (l := rounded w) in *. clearbody l w. unfold unit53 in *. lra.
 Qed.
 Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
 Proof.
-  assert (B := length_rounded). unfold c. set (l := r) in *. assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
-  assert (lp : 0 < l) by (unfold unit53 in *; lra). assert (J : 1 / l * l = 1) by (field; lra). assert (Jp : 0 < 1 / l) by (apply Rdiv_lt_0_compat; lra). assert (C := rounding_of_positive (1 / l) ltac:(lra)). set (j := 1 / l) in *. set (i := rounded j) in *.
-  assert (JL : 1 - 68/10 * unit53 <= j * L <= 1 + 68/10 * unit53).
-  { assert (j * (L * (1 - 67/10 * unit53)) <= j * l) by (apply Rmult_le_compat_l; lra). assert (j * l <= j * (L * (1 + 67/10 * unit53))) by (apply Rmult_le_compat_l; lra). unfold unit53 in *. lra. }
-  assert (TL : underflow * L <= 1 / 2 ^ 200).
-  { apply Rle_trans with (underflow * 2 ^ 450); [apply Rmult_le_compat_l; lra|]. replace (2 ^ 450) with (bpow radix2 450) by (change (bpow radix2 450) with (IZR (Z.pow_pos 2 450)); rewrite pow_IZR; reflexivity).
-    unfold underflow. rewrite <- bpow_plus. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy. }
-  assert ((j * (1 - unit53) - underflow) * L <= i * L) by (apply Rmult_le_compat_r; lra). assert (i * L <= (j * (1 + unit53) + underflow) * L) by (apply Rmult_le_compat_r; lra). clearbody i j l. apply Rabs_le. unfold unit53 in *. lra.
+  assert (B := length_rounded). unfold c. replace (8 * unit53) with (69/10 * unit53 + 11/10 * unit53) by lra. apply inverse_rounded; [unfold unit53; lra | lra | eapply Rle_trans; [exact high | apply Rle_pow; lra || lia] | unfold unit53 in *; lra].
 Qed.
 Lemma component_normalised (h m : R) : Rabs (h - m) <= 9/4 * unit53 * L -> m * m <= L * L -> Rabs (rounded (c * h) - m / L) <= 12 * unit53.
 Proof.
@@ -101,6 +96,9 @@ Proof.
   { replace h with ((h - (p + n)) + ((p + n - (b * g + n)) + (b * g + n))) at 1 by ring. eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat_l, Rabs_triang]. }
   replace (h - (b * g + n)) with ((h - (p + n)) + (p + n - (b * g + n))) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold unit53 in *. lra.
 Qed.
+Ltac of_length v := set (L := sqrt v); assert (LL : L * L = v) by (apply sqrt_sqrt; lra); assert (L1 : 1 / 2 ^ 20 <= L) by (apply length_at_least; lra).
+Lemma not_moved (h L : R) : 1 / 2 ^ 20 <= L -> Rabs (h - h) <= 9/4 * unit53 * L.
+Proof. intro P. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. unfold unit53. lra. Qed.
 Lemma length_at_most (x : R) : 0 <= x -> x <= 2 ^ 900 -> sqrt x <= 2 ^ 450.
 Proof. intros P U. replace (2 ^ 450) with (sqrt (2 ^ 900)); [apply sqrt_le_1_alt, U|]. change 900%nat with (450 + 450)%nat. rewrite pow_add. apply sqrt_square, pow_le. lra. Qed.
 Theorem colour_accuracy__normal : Statements.colour_accuracy__normal.
@@ -142,10 +140,9 @@ Qed.
 Theorem colour_accuracy__blinn : Statements.colour_accuracy__blinn.
 Proof.
   red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = hx * hx + hy * hy + hz * hz) by (unfold v; ring). clearbody v.
-  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 / 2 ^ 20 <= L) by (apply length_at_least; lra).
-  assert (O : forall h, Rabs (h - h) <= 9/4 * unit53 * L) by (intro h; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; unfold unit53; lra).
-  assert (Sx := Rle_0_sqr hx). assert (Sy := Rle_0_sqr hy). assert (Sz := Rle_0_sqr hz). unfold Rsqr in Sx, Sy, Sz. assert (T := underflow_is_small).
-  assert (R := length_rounded hx hy hz hx hy hz L (eq_trans LL V) L1 (O hx) (O hy) (O hz)). blinn_highlight_float64.lines; blinn_highlight.lines. replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring).
+  of_length v.
+  assert (T := underflow_is_small).
+  assert (R := length_rounded hx hy hz hx hy hz L (eq_trans LL V) L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). blinn_highlight_float64.lines; blinn_highlight.lines. replace (sqrt (_ ^ 2 + _ ^ 2 + _ ^ 2)) with L by (unfold L; rewrite V; f_equal; ring).
   set (l := rounded (sqrt _)) in *. assert (l0 : 0 < l) by (unfold unit53 in *; lra). destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply positive_part|].
   destruct (along_rounded nx ny nz hx hy hz L L1 (eq_trans LL V) Bx By Bz) as [D Bg]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny * hy + nz * hz) in *. apply Rabs_le_between in D. apply Rabs_le_between in Bg. clearbody d g l. clear - D Bg T R L1 l0.
   set (z := g / L). assert (Z : z * L = g) by (unfold z; field; lra). assert (Bz : Rabs z <= 301/100) by (apply Rabs_le; split; apply Rmult_le_reg_r with L; lra). rewrite <- Z in D. assert (E : Rabs (z * (L - l)) <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; [exact Bz | apply Rabs_le; lra]). apply Rabs_le_between in Bz. apply Rabs_le_between in E.
@@ -153,10 +150,38 @@ Proof.
   { assert (I : (d / l - z) * l = (d - z * L) + z * (L - l)) by (field; lra). set (w := d / l - z) in *. clearbody w z. unfold unit53 in *. split; apply Rmult_le_reg_r with l; lra. }
   assert (O3 := rounding_error (d / l)). assert (B3 : Rabs (d / l) <= 302/100) by (apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in O3. apply Rabs_le. unfold unit53 in *. lra.
 Qed.
+(* Its square divides by a square, and by a distance with which it was multiplied. *)
+Theorem colour_accuracy__squared : Statements.colour_accuracy__squared.
+Proof.
+  red. intros nx ny nz hx hy hz d _ _ _ _ _ _ _ low high dl dh Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = hx * hx + hy * hy + hz * hz) by (unfold v; ring). clearbody v.
+  of_length v. assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
+  assert (Q := square_of_length hx hy hz hx hy hz L (eq_trans LL V) L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). rewrite LL in Q. destruct (along_rounded nx ny nz hx hy hz L L1 (eq_trans LL V) Bx By Bz) as [D _]. assert (C : (nx * hx + ny * hy + nz * hz) * (nx * hx + ny * hy + nz * hz) <= 30001/10000 * v).
+  { assert (S : forall n, Rabs n <= / 1099511627776 + 1 -> n * n <= 1 + 1 / 2 ^ 30) by (intros n N; apply Rabs_le_between in N; nra). apply Rle_trans with ((nx * nx + ny * ny + nz * nz) * v); [|apply Rmult_le_compat_r; [lra | generalize (S _ Bx) (S _ By) (S _ Bz); lra]].
+    rewrite V. generalize (Rle_0_sqr (nx * hy - ny * hx)) (Rle_0_sqr (nx * hz - nz * hx)) (Rle_0_sqr (ny * hz - nz * hy)). unfold Rsqr. lra. }
+  squared_highlight_float64.lines; squared_highlight.lines. replace (hx ^ 2 + hy ^ 2 + hz ^ 2) with v by (rewrite V; ring). set (h := rounded (_ + rounded (hz * hz))) in *. set (e := nx * hx + ny * hy + nz * hz) in *. apply Rabs_le_between in Q.
+  assert (M := Rle_trans _ _ _ (positive_part _ e) D). assert (A0 := Rmax_l 0 (rounded (rounded (rounded (nx * hx) + rounded (ny * hy)) + rounded (nz * hz)))). set (A := Rmax 0 (rounded _)) in *. assert (B0 := Rmax_l 0 e). assert (B2 : Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. apply Rabs_le_between in M.
+  destruct (Rlt_dec 0 h) as [_|N]; [|destruct N; unfold unit53 in *; lra]. destruct (Rlt_dec 0 v) as [_|N]; [|lra]. set (X := v * d). assert (Xl : 1 / 2 ^ 60 <= X) by (apply Rle_trans with (/ 1099511627776 * / 1048576); [lra | apply Rmult_le_compat; lra]).
+  assert (Xu : X <= 2 ^ 600) by (change 600%nat with (400 + 200)%nat; rewrite pow_add; apply Rmult_le_compat; lra).
+  set (E := B * B / v). set (F := A * A / v). assert (Ev : E * v = B * B) by (unfold E; field; lra). assert (Fv : F * v = A * A) by (unfold F; field; lra). replace (B ^ 2 * d * (1 / X)) with E by (unfold E, X; field; lra).
+  assert (B1 : B <= 1733/1000 * L) by (apply less_of_squares; lra). assert (FE : - (283/10 * unit53) <= F - E <= 283/10 * unit53).
+  { assert (G : Rabs ((A - B) * (A + B)) <= 81/10 * unit53 * L * (3467/1000 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; unfold unit53 in *; lra). apply Rabs_le_between in G. split; apply Rmult_le_reg_r with v; unfold unit53 in *; lra. }
+  assert (Eu : 0 <= E <= 30001/10000) by (split; apply Rmult_le_reg_r with v; lra || (assert (0 <= B * B) by is_not_negative; lra)).
+  rounds a (A * A). assert (Ad : F * X * (1 - unit53) - X / 2 ^ 150 <= a * d <= F * X * (1 + unit53) + X / 2 ^ 150).
+  { assert (W : underflow * d <= v / 2 ^ 150 * d) by (apply Rmult_le_compat_r; lra). unfold X. replace (F * (v * d)) with (A * A * d) by (rewrite <- Fv; ring). assert ((A * A * (1 - unit53) - underflow) * d <= a * d) by (apply Rmult_le_compat_r; lra). assert (a * d <= (A * A * (1 + unit53) + underflow) * d) by (apply Rmult_le_compat_r; lra). lra. }
+  rounds b (a * d). assert (Hd : X * (1 - 111/10 * unit53) <= h * d <= X * (1 + 111/10 * unit53)).
+  { assert (v * (1 - 111/10 * unit53) * d <= h * d) by (apply Rmult_le_compat_r; lra). assert (h * d <= v * (1 + 111/10 * unit53) * d) by (apply Rmult_le_compat_r; lra). unfold X. lra. }
+  rounds q (h * d). assert (Qx : X * (1 - 1211/100 * unit53) <= q <= X * (1 + 1211/100 * unit53)) by (clearbody q X; unfold unit53 in *; lra). assert (KX := inverse_rounded q X (1211/100 * unit53) ltac:(unfold unit53; lra) ltac:(lra) Xu Qx). set (k := rounded (1 / q)) in *. apply Rabs_le_between in KX.
+  set (y := b / X). assert (Yx : y * X = b) by (unfold y; field; lra). assert (Y : - (345/10 * unit53) <= y - E <= 345/10 * unit53).
+  { assert (G : - (61/10 * unit53) <= y - F <= 61/10 * unit53); [|unfold unit53 in *; lra]. assert (F * X <= 30002/10000 * X) by (apply Rmult_le_compat_r; unfold unit53 in *; lra). assert (0 <= F * X) by (apply Rmult_le_pos; [apply Rmult_le_reg_r with v; [lra | rewrite Fv; lra] | lra]). clearbody b X y. split; apply Rmult_le_reg_r with X; unfold unit53 in *; lra. }
+  replace (b * k) with (y * (k * X)) by (rewrite <- Yx; ring). set (c := k * X) in *. assert (G : Rabs (y * c - E) <= 747/10 * unit53).
+  { replace (y * c - E) with ((y - E) * c + E * (c - 1)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. assert (Rabs (y - E) * Rabs c <= 345/10 * unit53 * (1 + 1322/100 * unit53)) by (apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; unfold unit53 in *; lra).
+    assert (Rabs E * Rabs (c - 1) <= 30001/10000 * (1322/100 * unit53)) by (apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; unfold unit53 in *; lra). unfold unit53 in *. lra. }
+  assert (R := rounding_error (y * c)). assert (S := Rabs_triang_inv (y * c) E). rewrite (Rabs_pos_eq E) in S by lra. eapply Rle_trans; [exact (through _ _ _ _ _ R G)|]. unfold unit53 in *. lra.
+Qed.
 Theorem colour_accuracy__cosine : Statements.colour_accuracy__cosine.
 Proof.
   red. intros px py pz lx ly lz nx ny nz Px Py Pz Lx Ly Lz _ _ _ low high Bx By Bz. set (v := _ + _ * _) in low, high. assert (V : v = (lx - px) * (lx - px) + (ly - py) * (ly - py) + (lz - pz) * (lz - pz)) by (unfold v; ring). clearbody v.
-  set (L := sqrt v). assert (LL : L * L = v) by (apply sqrt_sqrt; lra). assert (L1 : 1 / 2 ^ 20 <= L) by (apply length_at_least; lra).
+  of_length v.
   assert (Lu : L <= 2 ^ 450) by (apply length_at_most; lra).
   assert (Sx := Rle_0_sqr (lx - px)). assert (Sy := Rle_0_sqr (ly - py)). assert (Sz := Rle_0_sqr (lz - pz)). unfold Rsqr in Sx, Sy, Sz.
   assert (K : forall a b, float64 a -> float64 b -> (a - b) * (a - b) <= L * L -> Rabs (rounded (a - b) - (a - b)) <= 9/4 * unit53 * L).
@@ -246,14 +271,14 @@ Qed.
 Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta : R, float64 nx /\ float64 ny /\ float64 nz /\ float64 gx /\ float64 gy /\ float64 gz /\ float64 beta /\
   1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) <= 2 ^ 900.
 Proof.
-  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (1 <= 2 ^ 900) by (apply pow_R1_Rle; lra).
+  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64). assert (1 <= 2 ^ 900) by (apply pow_R1_Rle; lra).
   exists 0, 0, 1, 0, 0, 0, 0. repeat split; try assumption; lra.
 Qed.
 (* It is not the cosine of another normal: a light above a level place is not grazing. *)
 Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
   Rabs (light_direction_float64.mu 0 0 0 0 0 lz (perturbed_float64.bumped_x 0 0 1 0 0 0 0) (perturbed_float64.bumped_y 0 0 1 0 0 0 0) (perturbed_float64.bumped_z 0 0 1 0 0 0 0)) <= 81 * unit53.
 Proof.
-  assert (Z : float64 0) by apply generic_format_0. assert (U : float64 1) by (replace 1 with (bpow radix2 0) by reflexivity; apply generic_format_bpow; easy). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
+  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
   destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
   light_direction.lines; perturbed.lines.
   replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. apply Rabs_le_between in M. apply Rabs_le_between in H. unfold unit53 in *. lra.
