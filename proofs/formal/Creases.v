@@ -137,16 +137,6 @@ Qed.
 
 (* Ridges beside its creases, and where they cross *)
 
-Lemma sine_below (x : R) : Rabs (sin x) <= Rabs x.
-Proof.
-  assert (H : forall y, 0 <= y -> Rabs (sin y) <= y).
-  { intros y Y. generalize (growth 0 sin cos 1 y Y). rewrite pow_1. replace (1 * (y / INR (0 + 1))) with y by (simpl; field). intro G. apply G.
-    - intro s. auto_derive; trivial. ring.
-    - apply sin_0.
-    - intros s _. simpl. rewrite Rmult_1_r. apply Rabs_le, COS_bound. }
-  unfold Rabs at 2. destruct (Rcase_abs x); [|apply H; lra]. rewrite <- Rabs_Ropp, <- sin_neg. apply H. lra.
-Qed.
-
 Theorem ridges_at_crossings__crossing : Statements.ridges_at_crossings__crossing.
 Proof.
   red. intros k_u k_v m n a b K L M N. rewrite Rabs_mult, !beyond_a_crease, <- Rabs_mult, pow2_abs by (assumption || lra).

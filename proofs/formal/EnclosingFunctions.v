@@ -2,39 +2,11 @@
 
 From Coq Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Mult_error.
+From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules EnclosingBounds.
 From Formal Require Statements.
 Open Scope R_scope.
-
-Definition SLACK : R := 562949953421313 / 562949953421312.
-Definition least : R := 1 / 2 ^ 1060.
-Lemma least_is : least = 2 ^ 14 * underflow.
-Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
-(* A bound becomes a count exactly. *)
-Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
-Proof.
-  intro F. apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [exact F | easy].
-Qed.
-(* What both add up to is made a count; SLACK makes up for the roundings. *)
-Lemma made_a_count (s v p d : R) : 1 <= s -> float64 v -> 0 <= v -> float64 p -> 0 <= p -> Rabs d + 4 * underflow <= (v + p) * (1 + 10 * unit53) ->
-  let c := rounded (9007199254740992 * rounded (rounded (v + p) * SLACK)) in float64 c /\ 0 <= c /\ Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
-Proof.
-  intros S V V0 P P0 D. assert (T := proj1 underflow_in_least). assert (C3 := counted_sum v p V P V0 P0). assert (N3 := not_negative_rounded (v + p) ltac:(lra)). set (q := rounded (v + p)) in *.
-  assert (C4 := counted (q * SLACK) ltac:(unfold SLACK; lra)). assert (N4 := not_negative_rounded (q * SLACK) ltac:(unfold SLACK; lra)). set (b := rounded (q * SLACK)) in *.
-  cbv zeta. rewrite count_of by is_float64. split; [rewrite <- count_of by is_float64; is_float64 | split; [lra|]].
-  apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
-  clearbody b q. unfold SLACK, unit53 in *. lra.
-Qed.
-(* A function's own error: a part of the result, and what is lost where that vanishes. *)
-Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
-Proof.
-  intros F P K. assert (T := proj1 underflow_in_least). assert (Q : 0 <= k * Rabs f) by (apply Rmult_le_pos; [exact K | apply Rabs_pos]). assert (C1 := counted _ Q). assert (N1 := not_negative_rounded _ Q). set (o := rounded (k * Rabs f)) in *.
-  assert (C2 := counted_sum o V ltac:(is_float64) F N1 P). split; [is_float64 | split; [apply not_negative_rounded; lra | unfold unit53 in *; lra]].
-Qed.
-Lemma least_is_float64_too : float64 least.
-Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
 
 (* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
 Section half_turns.
@@ -50,8 +22,7 @@ Lemma half_turns_rule (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 ->
 Proof.
   intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded (rounded (_ * ey) + _)) in *.
   destruct (bound_of s m S1 S2 M0) as [B _]. assert (T := proj1 underflow_in_least).
-  assert (P : 0 <= ROUNDING * m) by (unfold ROUNDING; lra). assert (C1 := counted _ P). assert (N1 := not_negative_rounded _ P). set (b := rounded (ROUNDING * m)) in *.
-  set (h := 7074237752028453 / 2251799813685248) in *. assert (C2 := counted (h * b) ltac:(unfold h; lra)). assert (N2 := not_negative_rounded (h * b) ltac:(unfold h; lra)). set (t := rounded (h * b)) in *.
+  assert (0 <= ROUNDING * m) by (unfold ROUNDING; lra). counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h * b).
   assert (Q : PI <= h * (1 - 2 * unit53)) by (unfold h, unit53; interval with (i_prec 100)).
   assert (D : Rabs (wave (PI * (x * y)) - wave (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
@@ -63,7 +34,7 @@ Proof.
   apply made_a_count; [exact S1 | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | exact Fo | exact Po |].
   set (own := rounded (rounded (_ * Rabs computed_wave) + least)) in *. apply Rle_trans with (Rabs (computed_wave - e) + Rabs (e - wave (PI * (x' * y'))) + 4 * underflow).
   { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
-  assert (H : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
+  assert (K : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
   { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
   set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. unfold unit53 in *. lra.
 Qed.
@@ -79,16 +50,14 @@ Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 x -> 0 <
   let reach := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK) in
   rounded (x - reach) - 32 * underflow <= x' <= rounded (x + reach) + 32 * underflow /\ 0 <= reach <= ROUNDING * e * (1 + 2 ^ 6 * unit53) + 2 ^ 7 * unit53 * Rabs x + 32 * underflow.
 Proof.
-  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. assert (Q : 0 <= ROUNDING * e) by (unfold ROUNDING; lra). assert (O1 := own_rounding (ROUNDING * e)). assert (N1 := not_negative_rounded _ Q). set (b := rounded (ROUNDING * e)) in *.
-  assert (A := Rabs_pos x). assert (C2 := counted (1 / 4503599627370496 * Rabs x) ltac:(lra)). assert (O2 := own_rounding (1 / 4503599627370496 * Rabs x)). assert (N2 := not_negative_rounded (1 / 4503599627370496 * Rabs x) ltac:(lra)). set (h := rounded (_ * Rabs x)) in *.
-  assert (C3 := counted_sum b h ltac:(is_float64) ltac:(is_float64) N1 N2). assert (O3 := own_rounding (b + h)). assert (N3 := not_negative_rounded (b + h) ltac:(lra)). set (q := rounded (b + h)) in *.
-  assert (C4 := counted (q * SLACK) ltac:(unfold SLACK; lra)). assert (O4 := own_rounding (q * SLACK)). assert (N4 := not_negative_rounded (q * SLACK) ltac:(unfold SLACK; lra)). cbv zeta. set (r := rounded (q * SLACK)) in *.
+  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. assert (0 <= ROUNDING * e) by (unfold ROUNDING; lra). cbv zeta. assert (A := Rabs_pos x). assert (0 <= SLACK) by (unfold SLACK; lra).
+  assert (O1 := own_rounding (ROUNDING * e)). counts b (ROUNDING * e). assert (O2 := own_rounding (1 / 4503599627370496 * Rabs x)). counts h (1 / 4503599627370496 * Rabs x). assert (O3 := own_rounding (b + h)). counts q (b + h). assert (O4 := own_rounding (q * SLACK)). counts r (q * SLACK).
   rewrite (Rabs_pos_eq b), (Rabs_pos_eq h), (Rabs_pos_eq q), (Rabs_pos_eq r) in * by assumption. apply Rabs_le_between in O1. apply Rabs_le_between in O2. apply Rabs_le_between in O3. apply Rabs_le_between in O4.
   split; [|unfold ROUNDING, SLACK, unit53 in *; clearbody b h q r; lra].
-  assert (Fr : float64 r) by is_float64. assert (L := own_rounding_of_sum x (- r) X (generic_format_opp _ _ _ Fr)). assert (H := own_rounding_of_sum x r X Fr). change (x + - r) with (x - r) in L.
-  assert (Sl : Rabs (rounded (x - r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x - r)) (x - r)) (Rabs_triang x (- r)); rewrite Rabs_Ropp, (Rabs_pos_eq r) by exact N4; change (x + - r) with (x - r); lra).
-  assert (Sh : Rabs (rounded (x + r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x + r)) (x + r)) (Rabs_triang x r); rewrite (Rabs_pos_eq r) by exact N4; lra).
-  apply Rabs_le_between in L. apply Rabs_le_between in H. apply Rabs_le_between in D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. unfold SLACK, unit53 in *. lra.
+  assert (Fr : float64 r) by is_float64. assert (L := own_rounding_of_sum x (- r) X (generic_format_opp _ _ _ Fr)). assert (U := own_rounding_of_sum x r X Fr). change (x + - r) with (x - r) in L.
+  assert (Sl : Rabs (rounded (x - r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x - r)) (x - r)) (Rabs_triang x (- r)); rewrite Rabs_Ropp, (Rabs_pos_eq r) by assumption; change (x + - r) with (x - r); lra).
+  assert (Sh : Rabs (rounded (x + r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x + r)) (x + r)) (Rabs_triang x r); rewrite (Rabs_pos_eq r) by assumption; lra).
+  apply Rabs_le_between in L. apply Rabs_le_between in U. apply Rabs_le_between in D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. unfold SLACK, unit53 in *. lra.
 Qed.
 Lemma furthest_of (a b : R) : float64 a -> float64 b -> 0 <= a -> let first := if Rlt_dec 0 a then a else 0 in let furthest := if Rlt_dec first b then b else first in
   float64 furthest /\ a <= furthest /\ b <= furthest.
@@ -102,16 +71,16 @@ Proof.
   intros S F E1 E2 Fv Pv K Y T1 T2 own away. assert (T := proj1 underflow_in_least).
   assert (W : forall e t, float64 e -> Rabs (e - t) <= 9/8 * (k * Rabs e) + V -> float64 (away e) /\ 0 <= away e /\ Rabs (f - t) + 8 * underflow <= (away e + (k * Rabs f + V) * (1 - 3 * unit53)) * (1 + 10 * unit53)).
   { intros e t E D. destruct (own_error k V e Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own e) in Fo, Po, Co. assert (O := own_rounding_of_sum e (- f) E (generic_format_opp _ _ _ F)). change (e + - f) with (e - f) in O. unfold away. set (d := rounded (e - f)) in *.
-    assert (C := counted_sum (Rabs d) (own e) ltac:(is_float64) Fo (Rabs_pos d) Po). split; [is_float64 | split; [apply not_negative_rounded; generalize (Rabs_pos d); lra|]]. set (a := rounded (Rabs d + own e)) in *.
+    counts a (Rabs d + own e). split; [is_float64 | split; [assumption|]].
     assert (M1 := Rabs_triang_inv (e - f) d). rewrite Rabs_minus_sym in O. assert (M2 := Rabs_triang (f - e) (e - t)). replace (f - e + (e - t)) with (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. assert (M3 := Rabs_triang_inv e f).
     assert (Kd : k * Rabs (e - f) <= 16 * unit53 * Rabs (e - f)) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]). assert (Ke : k * Rabs e <= k * Rabs f + k * Rabs (e - f)) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
-    assert (0 <= k * Rabs f) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). assert (0 <= k * Rabs e) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). assert (0 <= Rabs (e - f)) by apply Rabs_pos.
+    assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative.
     set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. unfold unit53 in *. lra. }
   destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
   destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
   apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
   { destruct (Rle_lt_dec y f) as [L|L]; [left; rewrite !Rabs_pos_eq by lra; lra | right; rewrite !Rabs_left1 by lra; lra]. }
-  assert (0 <= k * Rabs f) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
+  assert (0 <= k * Rabs f) by is_not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
@@ -134,7 +103,7 @@ Proof.
 Qed.
 Theorem enclosing_rules__exponential : Statements.enclosing_rules__exponential.
 Proof.
-  red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy).
+  red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 := one_is_float64).
   assert (Q := elementary_functions__two_product x 1 X F1). rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 : two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
   rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X), !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
   destruct (reached s x e x' S1 S2 X P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).

@@ -47,12 +47,18 @@ Proof.
   intros A B P Q. generalize (own_rounding_of_sum a b A B) (not_negative_rounded (a + b) ltac:(lra)). intros O N. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
   apply Rabs_le_between in O. unfold unit53 in *. nra.
 Qed.
-Lemma counted (x : R) : 0 <= x -> x * (1 - 11 / 10 * unit53) - 2 * underflow <= rounded x.
-Proof.
-  intro P. generalize (own_rounding x) (not_negative_rounded x P) (proj1 underflow_in_least). intros O N T. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
-  apply Rabs_le_between in O. unfold unit53 in *. nra.
-Qed.
+Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
+Proof. generalize (one_rounding x). unfold unit53, underflow. lra. Qed.
+Lemma counted (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
+Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
+Lemma less_of_squares (x y : R) : 0 <= y -> x * x <= y * y -> x <= y.
+Proof. intros. nra. Qed.
 Ltac is_float64 := first [assumption | apply rounded_is_float64 | apply generic_format_abs; is_float64 | apply generic_format_bpow; easy].
+Ltac is_not_negative := solve [assumption | apply Rabs_pos | apply sqrt_pos | apply Rle_0_sqr | apply not_negative_rounded; is_not_negative | apply Rmult_le_pos; is_not_negative | apply Rplus_le_le_0_compat; is_not_negative | lra].
+(* Names the rounding of what is not negative, and says what is known of it. *)
+Ltac counts q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) by is_not_negative;
+  lazymatch x with ?a + ?b => pose proof (counted_sum a b ltac:(is_float64) ltac:(is_float64) ltac:(is_not_negative) ltac:(is_not_negative)) | _ => pose proof (counted x ltac:(assumption)) end; set (q := rounded x) in *.
+Ltac rounds q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) by is_not_negative; pose proof (counted x ltac:(assumption)); set (q := rounded x) in *.
 
 (* What is moved by m counts, of which each is a slack more, and rounded once to a result of size t, is within c. *)
 Lemma enough (s m t c d lost : R) : 1 <= s -> 0 <= t -> 0 <= lost -> m + (1 + 4 * unit53) * t + lost * 2 ^ 53 <= (1 + 1 / 2 ^ 49) * c ->
@@ -65,10 +71,8 @@ Qed.
 Theorem enclosing_rules__sum : Statements.enclosing_rules__sum.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. enclosed_sum_float64.lines.
-  assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *. assert (T : float64 t) by is_float64.
-  assert (C1 := counted_sum ex ey Ex Ey Px Py). set (e := rounded (ex + ey)) in *. assert (E : float64 e) by is_float64. assert (0 <= e) by (apply not_negative_rounded; lra).
-  assert (C := counted_sum e (Rabs t) E ltac:(is_float64) ltac:(assumption) (Rabs_pos t)). set (c := rounded (e + Rabs t)) in *.
-  split; [is_float64 | split; [apply not_negative_rounded; generalize (Rabs_pos t); lra|]].
+  assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *.
+  counts e (ex + ey). counts c (e + Rabs t). split; [is_float64 | split; [assumption|]].
   apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); unfold unit53 in *; lra|].
   replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. eapply Rle_trans; [apply Rabs_triang|]. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). unfold unit53 in *. lra.
 Qed.
@@ -77,43 +81,28 @@ Qed.
 Definition ROUNDING : R := 1048577 / 9444732965739290427392.
 Lemma bound_of (s e : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> s * (e / 2 ^ 53) * (1 + 4 * unit53) <= ROUNDING * e * (1 - 4 * unit53) /\ s * (e / 2 ^ 53) - 2 * underflow <= rounded (ROUNDING * e).
 Proof.
-  intros S1 S2 E. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption). assert (P : 0 <= ROUNDING * e) by (unfold ROUNDING; lra).
-  generalize (counted (ROUNDING * e) P). unfold ROUNDING, unit53 in *. lra.
+  intros S1 S2 E. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption). generalize (counted (ROUNDING * e)). unfold ROUNDING, unit53 in *. lra.
 Qed.
-Lemma exact_size (s y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) ->
-  Rabs y' <= Rabs y + s * (ey / 2 ^ 53) /\ (Rabs y + s * (ey / 2 ^ 53)) * (1 - unit53) - 2 * underflow <= rounded (Rabs y + rounded (ROUNDING * ey)).
-Proof.
-  intros S1 S2 Y P D. split; [generalize (Rabs_triang_inv y' y); rewrite (Rabs_minus_sym y' y); lra|].
-  destruct (bound_of s ey S1 S2 P) as [_ B]. set (z := rounded (ROUNDING * ey)) in *. assert (Z : 0 <= z) by (apply not_negative_rounded; unfold ROUNDING; lra).
-  generalize (counted_sum (Rabs y) z ltac:(is_float64) ltac:(is_float64) (Rabs_pos y) Z) (proj1 underflow_in_least). unfold unit53 in *. lra.
-Qed.
-
 (* How far a product moves where its factors do. *)
 Lemma product_moved (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
   let m := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)) in 0 <= m /\ Rabs (x * y - x' * y') <= s * (m / 2 ^ 53) * (1 + 4 * unit53) + 2 ^ 9 * underflow.
 Proof.
-  intros S1 S2 Y Px Dx Py Dy L. destruct (exact_size s y ey y' S1 S2 Y Py Dy) as [Sy Z]. set (size := rounded (Rabs y + _)) in *. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. cbv zeta.
-  assert (T := proj1 underflow_in_least). assert (0 <= Y1) by (unfold Y1; assert (0 <= s * (ey / 2 ^ 53)) by (apply Rmult_le_pos; lra); generalize (Rabs_pos y); lra).
-  assert (Sz : 0 <= size) by (apply not_negative_rounded; assert (0 <= rounded (ROUNDING * ey)) by (apply not_negative_rounded; unfold ROUNDING; lra); generalize (Rabs_pos y); lra).
-  assert (A0 : 0 <= Rabs x * ey) by (apply Rmult_le_pos; [apply Rabs_pos | assumption]). assert (B0 : 0 <= size * ex) by (apply Rmult_le_pos; assumption). assert (Q0 : 0 <= Y1 * ex) by (apply Rmult_le_pos; assumption).
-  assert (A := counted _ A0). set (a := rounded (Rabs x * ey)) in *. assert (B := counted _ B0). set (b := rounded (size * ex)) in *.
-  assert (Ba : 0 <= a) by (apply not_negative_rounded; assumption). assert (Bb : 0 <= b) by (apply not_negative_rounded; assumption).
-  assert (C := counted_sum a b ltac:(is_float64) ltac:(is_float64) Ba Bb). set (m := rounded (a + b)) in *. split; [apply not_negative_rounded; lra|].
-  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= size * ex).
-  { apply Rmult_le_compat_r with (r := ex) in Z; [|exact Px]. assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
+  intros S1 S2 Y Px Dx Py Dy L. assert (T := proj1 underflow_in_least). cbv zeta. destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Sy := Rabs_triang_inv y' y). rewrite (Rabs_minus_sym y' y) in Sy.
+  counts z (ROUNDING * ey). counts most (Rabs y + z). assert (Z : 0 <= Rabs y) by is_not_negative. assert (0 <= s * (ey / 2 ^ 53)) by is_not_negative. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. assert (0 <= Y1) by is_not_negative. assert (0 <= Y1 * ex) by is_not_negative.
+  counts a (Rabs x * ey). counts b (most * ex). counts m (a + b). split; [assumption|].
+  assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= most * ex).
+  { assert (W : (Y1 * (1 - unit53) - 2 * underflow) * ex <= most * ex) by (apply Rmult_le_compat_r; [exact Px | unfold Y1, unit53 in *; lra]). assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
   replace (x * y - x' * y') with (x * (y - y') + y' * (x - x')) by ring.
   assert (M : Rabs (x * (y - y') + y' * (x - x')) <= s * ((Rabs x * ey + Y1 * ex) / 2 ^ 53)).
-  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; assumption]. }
-  eapply Rle_trans; [exact M|]. assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by (clearbody m a b size Y1; unfold unit53 in *; lra).
+  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; unfold Y1; lra]. }
+  eapply Rle_trans; [exact M|]. assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by (clearbody m a b most Y1; unfold unit53 in *; lra).
   apply Rmult_le_compat_l with (r := s) in K; [|lra]. assert (s * underflow <= (1 + 3 / 2 ^ 22) * underflow) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 Theorem enclosing_rules__product : Statements.enclosing_rules__product.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING. destruct (product_moved s x ex x' y ey y') as [Bm M]; try assumption. set (m := rounded (rounded (_ * ey) + _)) in *.
   assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
-  assert (C2 := counted_sum (Rabs t) least ltac:(is_float64) F (Rabs_pos t) ltac:(lra)). set (o := rounded (Rabs t + least)) in *. assert (Bo : 0 <= o) by (apply not_negative_rounded; generalize (Rabs_pos t); lra).
-  assert (C := counted_sum m o ltac:(is_float64) ltac:(is_float64) Bm Bo). set (c := rounded (m + o)) in *.
-  split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+  counts o (Rabs t + least). counts c (m + o). split; [is_float64 | split; [assumption|]].
   apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody m o c t; unfold unit53 in *; lra|].
   replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. eapply Rle_trans; [apply Rabs_triang|]. lra.
 Qed.
@@ -154,8 +143,7 @@ Proof.
   destruct Rlt_dec as [L|_].
   - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
     destruct (own_rounding_of_root x X Xp) as (B & Br & A & _). fold r in Br, A. assert (Q0 : 0 < sqrt x) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact B]). assert (Rp : 0 < r) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact Br]).
-    assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). assert (K := counted _ K0). set (k := rounded (e / r)) in *. assert (Kp : 0 <= k) by (apply not_negative_rounded, K0).
-    assert (C := counted_sum k r ltac:(is_float64) ltac:(is_float64) Kp R0). set (c := rounded (k + r)) in *. split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+    assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). counts k (e / r). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); unfold unit53 in *; lra|].
     assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|lra].
     apply Rmult_le_reg_r with (sqrt x); [exact Q0|]. eapply Rle_trans; [exact M1|]. eapply Rle_trans; [exact D|]. replace (_ * sqrt x) with (s * ((e / r * ((1 + unit53) * sqrt x)) / 2 ^ 53)) by (field; lra).
@@ -163,9 +151,7 @@ Proof.
   - destruct root_of_one as [Kp Kc]. set (K := sqrt (1 / 2 ^ 53) * 2 ^ 53) in *. set (w := 398065740123893 / 4194304) in *.
     assert (W : 0 <= sqrt e) by apply sqrt_pos. assert (Q : sqrt e * (1 - unit53) <= rounded (sqrt e) /\ underflow * 2 ^ 200 <= sqrt e \/ sqrt e = 0).
     { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E Ep) as (B & _ & A & _). apply Rabs_le_between in A. generalize (not_near_zero _ B). lra. }
-    assert (Rp : 0 <= rounded (sqrt e)) by apply not_negative_rounded, W. assert (Wp : 1 <= w) by (unfold w; lra).
-    assert (A0 : 0 <= rounded (sqrt e) * w) by (apply Rmult_le_pos; lra). assert (A := counted _ A0). set (k := rounded (rounded (sqrt e) * w)) in *. assert (Bk : 0 <= k) by (apply not_negative_rounded, A0).
-    assert (C := counted_sum k r ltac:(is_float64) ltac:(is_float64) Bk R0). set (c := rounded (k + r)) in *. split; [is_float64 | split; [apply not_negative_rounded; lra|]].
+    assert (Wp : 1 <= w) by (unfold w; lra). counts k (rounded (sqrt e) * w). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (sqrt e * K) r 0; try lra.
     + assert (Z : sqrt e * K <= (1 + unit53) * k).
       { destruct Q as [[Q Y]|Q]; [|rewrite Q; unfold unit53; lra]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
@@ -181,8 +167,7 @@ Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. enclosed_quotient_float64.lines. fold ROUNDING.
   destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
-  destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Z0 : 0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). assert (Z := not_negative_rounded _ Z0). set (z := rounded (ROUNDING * ey)) in *.
-  rewrite (Rabs_pos_eq z) in Oz by exact Z. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
+  destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). counts z (ROUNDING * ey). rewrite (Rabs_pos_eq z) in Oz by assumption. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
   assert (Ol := own_rounding_of_sum (Rabs y) (- z) ltac:(is_float64) ltac:(apply generic_format_opp; is_float64)). change (Rabs y + - z) with (Rabs y - z) in Ol.
   assert (L0 := not_negative_rounded (Rabs y - z) ltac:(lra)). set (l := rounded (Rabs y - z)) in *. assert (Fl : float64 l) by is_float64. rewrite (Rabs_pos_eq l) in Ol by exact L0. apply Rabs_le_between in Ol.
   assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; unfold unit53 in *; lra). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; assert (0 < 2 ^ 960) by (apply pow_lt; lra); unfold unit53 in *; lra).
@@ -194,28 +179,26 @@ Proof.
   { apply Rmult_le_reg_r with l; [exact Lp|]. replace (J / 2 ^ 100 * l) with (J * l / 2 ^ 100) by field. rewrite Jl. apply Rle_trans with (underflow * (2 ^ 960 * 2)); [apply Rmult_le_compat_l; lra|].
     replace (2 ^ 960 * 2) with (bpow radix2 961) by (change (bpow radix2 961) with (IZR (Z.pow_pos 2 961)); rewrite pow_IZR, <- mult_IZR; apply f_equal; reflexivity).
     unfold underflow. rewrite <- bpow_plus. simpl. lra. }
-  assert (I := counted J ltac:(lra)). assert (Ip := not_negative_rounded J ltac:(lra)). set (i := rounded J) in *.
+  counts i J.
   assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *; nra).
   assert (O := own_rounding (x / y)). set (t := rounded (x / y)) in *. assert (T0 := Rabs_pos t). assert (Ht : Rabs (x / y) <= Rabs t + ((1 + 4 * unit53) * unit53 * Rabs t + underflow)) by (generalize (Rabs_triang_inv (x / y) t); rewrite (Rabs_minus_sym (x / y) t); lra).
-  assert (Cs := counted_sum (Rabs t) least ltac:(is_float64) F T0 ltac:(lra)). assert (Sp := not_negative_rounded (Rabs t + least) ltac:(lra)). set (size := rounded (Rabs t + least)) in *. assert (Fs : float64 size) by is_float64.
-  assert (Hs : Rabs (x / y) <= size * (1 + 3 * unit53)) by (clearbody size t; unfold unit53 in *; lra).
-  assert (W0 : 0 <= size * ey) by (apply Rmult_le_pos; assumption). assert (W := counted _ W0). assert (Wp := not_negative_rounded _ W0). set (w := rounded (size * ey)) in *.
-  assert (V := counted_sum ex w Ex ltac:(is_float64) Px Wp). assert (Vp := not_negative_rounded (ex + w) ltac:(lra)). set (v := rounded (ex + w)) in *.
-  set (E := ex + size * ey). assert (E0 : 0 <= E) by (unfold E; lra). assert (Ve : E * (1 - 22 / 10 * unit53) - 2 * underflow <= v) by (unfold E; clearbody w v size; unfold unit53 in *; lra).
-  assert (Q0 : 0 <= v * i) by (apply Rmult_le_pos; assumption). assert (P := counted _ Q0). assert (Pp := not_negative_rounded _ Q0). set (p := rounded (v * i)) in *.
-  assert (C := counted_sum p size ltac:(is_float64) ltac:(is_float64) Pp Sp). set (c := rounded (p + size)) in *. assert (EJ : 0 <= E * J) by (apply Rmult_le_pos; lra).
+  counts most (Rabs t + least).
+  assert (Hs : Rabs (x / y) <= most * (1 + 3 * unit53)) by (clearbody most t; unfold unit53 in *; lra).
+  counts w (most * ey). counts v (ex + w).
+  set (E := ex + most * ey). assert (E0 : 0 <= E) by (unfold E; lra). assert (Ve : E * (1 - 22 / 10 * unit53) - 2 * underflow <= v) by (unfold E; clearbody w v most; unfold unit53 in *; lra).
+  counts p (v * i). counts c (p + most). assert (EJ : 0 <= E * J) by (apply Rmult_le_pos; lra).
   assert (VI : E * J * (1 - 4 * unit53) - 2 ^ 62 * underflow <= v * i).
-  { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [exact Vp | clearbody i; unfold unit53 in *; lra]].
+  { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [assumption | clearbody i; unfold unit53 in *; lra]].
     apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [unfold unit53; lra | exact Ve]].
     assert (underflow * J <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). assert (0 <= underflow * J) by (apply Rmult_le_pos; lra). clearbody E. unfold unit53. lra. }
-  split; [exact Y0' | split; [is_float64 | split; [apply not_negative_rounded; lra|]]].
-  apply enough with (E * J * (1 + 7 * unit53)) (Rabs t) underflow; try lra; [set (K := v * i) in *; clearbody K p c size t E J; unfold unit53 in *; lra|].
+  split; [exact Y0' | split; [is_float64 | split; [assumption|]]].
+  apply enough with (E * J * (1 + 7 * unit53)) (Rabs t) underflow; try lra; [set (K := v * i) in *; clearbody K p c most t E J; unfold unit53 in *; lra|].
   replace (t - x' / y') with ((t - x / y) + ((x - x') + x / y * (y' - y)) / y') by (field; split; assumption). eapply Rle_trans; [apply Rabs_triang|].
-  assert (H : Rabs (((x - x') + x / y * (y' - y)) / y') <= s * (E * J * (1 + 7 * unit53) / 2 ^ 53)); [|lra].
+  assert (Moved : Rabs (((x - x') + x / y * (y' - y)) / y') <= s * (E * J * (1 + 7 * unit53) / 2 ^ 53)); [|lra].
   assert (Ay : 0 < Rabs y') by (apply Rabs_pos_lt, Y0'). unfold Rdiv at 1. rewrite Rabs_mult, Rabs_inv. apply Rmult_le_reg_r with (Rabs y'); [exact Ay|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   apply Rle_trans with (s * (E * (1 + 3 * unit53) / 2 ^ 53)).
-  - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_minus_sym y' y). assert (M : Rabs (x / y) * Rabs (y - y') <= size * (1 + 3 * unit53) * (s * (ey / 2 ^ 53))) by (apply Rmult_le_compat; try apply Rabs_pos; assumption).
-    assert (0 <= s * ex) by (apply Rmult_le_pos; lra). unfold E. clearbody size. unfold unit53 in *. lra.
+  - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_minus_sym y' y). assert (M : Rabs (x / y) * Rabs (y - y') <= most * (1 + 3 * unit53) * (s * (ey / 2 ^ 53))) by (apply Rmult_le_compat; try apply Rabs_pos; assumption).
+    assert (0 <= s * ex) by (apply Rmult_le_pos; lra). unfold E. clearbody most. unfold unit53 in *. lra.
   - rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. replace (E * J * (1 + 7 * unit53) / 2 ^ 53 * Rabs y') with (E * (J * Rabs y' * (1 + 7 * unit53)) / 2 ^ 53) by field. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [exact E0|].
     assert (J * (l * (1 - 2 * unit53)) <= J * Rabs y') by (apply Rmult_le_compat_l; lra). unfold unit53 in *. nra.
 Qed.
@@ -243,8 +226,7 @@ Proof.
     assert (F : rounded (Rabs t * 9007199254740992) = Rabs t * 9007199254740992).
     { apply round_generic; [typeclasses eauto|]. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [is_float64 | easy]. }
     rewrite F. assert (Ft : float64 (Rabs t * 9007199254740992)) by (rewrite <- F; is_float64).
-    assert (C1 := counted_sum _ ex Ft Ex ltac:(lra) Px). assert (N := not_negative_rounded (Rabs t * 9007199254740992 + ex) ltac:(lra)). set (k := rounded (_ + ex)) in *.
-    assert (C := counted_sum k ey ltac:(is_float64) Ey N Py). assert (Nc := not_negative_rounded (k + ey) ltac:(lra)). set (c := rounded (k + ey)) in *. split; [is_float64 | split; [exact Nc|]].
+    counts k (Rabs t * 9007199254740992 + ex). counts c (k + ey). split; [is_float64 | split; [assumption|]].
     assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); unfold unit53 in *; lra).
     apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; unfold unit53 in *; lra|].
     assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | unfold unit53; lra]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).

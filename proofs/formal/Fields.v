@@ -133,16 +133,11 @@ Qed.
 
 (* The truncation error *)
 
+Lemma sine_below (x : R) : Rabs (sin x) <= Rabs x.
+Proof. generalize (bounded_variation sin cos 1 0 x). rewrite sin_0, !Rminus_0_r, Rmult_1_l. intro H. apply H. intros t _. split; [apply is_derive_sin | apply Rabs_le, COS_bound]. Qed.
 Lemma cosine_from_below (x : R) : 1 - x ^ 2 / 2 <= cos x.
 Proof.
-  assert (H : forall y, 0 <= y -> sin y ^ 2 <= y ^ 2).
-  { intros y Y. destruct (Rle_dec y 1) as [L|L]; [|generalize (SIN_bound y); nra].
-    assert (0 <= sin y) by (apply sin_ge_0; generalize PI2_1; lra).
-    destruct Y as [Y|<-]; [generalize (sin_lt_x y Y); nra | rewrite sin_0; lra]. }
-  replace (cos x) with (1 - 2 * sin (Rabs (x / 2)) ^ 2).
-  - generalize (H (Rabs (x / 2)) (Rabs_pos _)). rewrite pow2_abs. lra.
-  - replace (cos x) with (cos (2 * (x / 2))) by (f_equal; field). rewrite cos_2a_sin.
-    unfold Rabs. destruct (Rcase_abs (x / 2)); [rewrite sin_neg|]; ring.
+  replace (cos x) with (1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field). generalize (pow_maj_Rabs _ _ 2 (sine_below (x / 2))). rewrite pow2_abs. lra.
 Qed.
 
 Lemma sine_from_below (x : R) : 0 <= x -> x - x ^ 3 / 6 <= sin x.

@@ -151,6 +151,17 @@ End program.
 Ltac lines := unfold specular_base, halfway_length.
 End blinn_highlight_float64.
 
+Module squared_highlight_float64.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance : R.
+Definition halfway_squared := rounded (rounded (rounded (halfway_x * halfway_x) + rounded (halfway_y * halfway_y)) + rounded (halfway_z * halfway_z)).
+Definition along_halfway := Rmax 0 (rounded (rounded (rounded (bumped_x * halfway_x) + rounded (bumped_y * halfway_y)) + rounded (bumped_z * halfway_z))).
+Definition light_scale := (if Rlt_dec 0 halfway_squared then rounded (1 / rounded (halfway_squared * light_distance)) else 0).
+Definition specular_base := rounded (rounded (rounded (along_halfway * along_halfway) * light_distance) * light_scale).
+End program.
+Ltac lines := unfold specular_base, light_scale, along_halfway, halfway_squared.
+End squared_highlight_float64.
+
 Module phong_highlight_float64.
 Section program.
 Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.

@@ -464,6 +464,17 @@ End program.
 Ltac lines := unfold specular_base.
 End phong_highlight.
 
+Module squared_highlight.
+Section program.
+Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance : R.
+Definition halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2.
+Definition along_halfway := Rmax 0 (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z).
+Definition light_scale := if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0.
+Definition specular_base := along_halfway ^ 2 * light_distance * light_scale.
+End program.
+Ltac lines := unfold specular_base, light_scale, along_halfway, halfway_squared.
+End squared_highlight.
+
 Module highlight.
 Section program.
 Variables specular_base shininess : R.

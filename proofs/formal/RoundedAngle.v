@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Lia ZArith Machin.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core.
+From Flocq Require Import Core Mult_error.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
@@ -12,6 +12,17 @@ Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/1
 Proof.
   intro B. arctangent_polynomial.lines.
   interval with (i_taylor r, i_degree 40, i_prec 120).
+Qed.
+(* Of a smaller one it is nearer, and it is relative to the ratio. *)
+Lemma arctangent_nearer (r : R) : -183/1000 <= r <= 183/1000 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 60.
+Proof. intro B. arctangent_polynomial.lines. interval with (i_taylor r, i_degree 30, i_prec 120). Qed.
+Lemma arctangent_relative (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1/4 / 2 ^ 53 * Rabs r.
+Proof.
+  intro B. set (g := fun t => arctangent_polynomial.small_part t 0 - atan t / PI). assert (G : g 0 = 0) by (unfold g, arctangent_polynomial.small_part; rewrite atan_0; unfold Rdiv; ring).
+  replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
+  assert (T' : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
+  - unfold g; arctangent_polynomial.lines. auto_derive; [exact I|]. unfold h. reflexivity.
+  - unfold h. clear - T'. interval with (i_taylor t, i_degree 40, i_prec 100).
 Qed.
 
 (* A rule for division: of two that were rounded before. *)
@@ -26,16 +37,15 @@ Proof.
     rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rabs_le. lra. }
   generalize (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B M)) M). intro T. eapply Rle_trans; [exact T|]. lra.
 Qed.
-Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
+Lemma scaled_float64 (x : R) (k e : Z) : float64 x -> bpow radix2 k <= Rabs x -> (-1022 - k <= e)%Z -> float64 (x * bpow radix2 e).
+Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by ring; exact B). lia. Qed.
+Lemma multiple_of_power (x : R) (j : Z) : float64 x -> bpow radix2 (j + 52) <= Rabs x -> exists m : Z, x = IZR m * bpow radix2 j.
 Proof.
-  intros F B. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  destruct (Z.eq_dec e (-1074)) as [S|S].
-  - exfalso. revert B. apply Rlt_not_le. rewrite E, S, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
-    apply Rlt_le_trans with (bpow radix2 53 * bpow radix2 (-1074)); [|rewrite <- bpow_plus; apply bpow_le; easy].
-    apply Rmult_lt_compat_r; [apply bpow_gt_0|]. rewrite <- abs_IZR. change (bpow radix2 53) with (IZR (2 ^ 53)). apply IZR_lt, M.
-  - replace (1/2 * x) with (IZR m * bpow radix2 (e - 1)); [apply whole_is_float64; [exact M | lia]|].
-    rewrite E. unfold Zminus. rewrite bpow_plus. change (bpow radix2 (-(1))) with (/ 2). field.
+  intros F B. unfold float64, generic_format, F2R in F. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F. assert (M : (j + 53 <= mag radix2 x)%Z) by (apply mag_ge_bpow; replace (j + 53 - 1)%Z with (j + 52)%Z by ring; exact B).
+  unfold cexp, FLT_exp in F. set (e := Z.max _ _) in F. assert (K : (j <= e)%Z) by (unfold e; lia). exists (m * 2 ^ (e - j))%Z. rewrite mult_IZR, (IZR_Zpower radix2), Rmult_assoc, <- bpow_plus by lia. etransitivity; [exact F|]. do 2 f_equal. lia.
 Qed.
+Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
+Proof. intros F B. replace (1/2 * x) with (x * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 x (-1020)); [exact F | exact B | easy]. Qed.
 Lemma sum_float64 (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a + b) = (a + b) * (1 + d).
 Proof. intros A B. destruct (rounded_difference a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [exact D|]. replace (a + b) with (a - - b) by ring. exact E. Qed.
 
@@ -46,23 +56,36 @@ Proof.
   { replace (_ - (a - b)) with ((ah - a) - (bh - b)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   apply through with (ah - bh); [|exact M]. exact (rounded_error _ _ (size _ _ _ _ B M)).
 Qed.
-Lemma small_part_rounded (y x : R) : let r := angle_in_half_turns_float64.ratio y x in let k := angle_in_half_turns_float64.node_correction y x in
-  - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> 0 <= k <= 1 / 2 ^ 56 ->
-  Rabs (angle_in_half_turns_float64.small_part y x - (k + arctangent_polynomial.small_part r 0)) <= 33/100 / 2 ^ 53.
+Section ratio.
+Variables y x : R.
+Let r := angle_in_half_turns_float64.ratio y x.
+Let k := angle_in_half_turns_float64.node_correction y x.
+Let f := rounded (angle_in_half_turns_float64.arctangent_tail y x + 5734161139222659 / 18014398509481984).
+Let P (t : R) := arctangent_polynomial.arctangent_tail t + 5734161139222659 / 18014398509481984.
+Lemma factor_of_ratio (t : R) : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30 -> 307/1000 <= P t <= 3184/10000 /\ arctangent_polynomial.small_part t 0 = t * P t.
+Proof. intro T. split; [unfold P, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared; split; interval | unfold arctangent_polynomial.small_part, P; ring]. Qed.
+Hypothesis B : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
+Lemma factor_near : Rabs (f - P r) <= 38/100 / 2 ^ 53.
 Proof.
-  intros r k B K. unfold angle_in_half_turns_float64.small_part, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.small_part, arctangent_polynomial.arctangent_tail.
-  rewrite Rplus_0_l. fold r k. set (zh := angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
+  unfold f, P, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.arctangent_tail. set (zh := angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
   assert (Z : 0 <= z <= 98/1000) by (unfold z, arctangent_polynomial.ratio_squared; split; [apply pow2_ge_0 | interval]).
   assert (E : Rabs (zh - z) <= 99/1000 / 2 ^ 53).
   { unfold zh, angle_in_half_turns_float64.ratio_squared. fold r. replace (r * r) with z by (unfold z, arctangent_polynomial.ratio_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (98/1000)); apply Rabs_le; lra | interval]. }
-  clearbody zh z r k.
+  clearbody zh z r. clear f P.
   match goal with |- context [rounded (?c - rounded (?d * zh))] =>
     assert (I : Rabs (rounded (c - rounded (d * zh)) - (c - d * z)) <= 2/100 / 2 ^ 53)
       by (eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | find_error] | interval]) end.
-  match goal with |- Rabs (rounded (k + ?bh) - (k + ?b)) <= _ => replace (k + bh) with (k - - bh) by ring; replace (k + b) with (k - - b) by ring end.
-  eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | apply of_opposites; find_error] | interval].
+  eapply Rle_trans; [find_error | interval].
 Qed.
+Lemma small_part_rounded (Q : R) : Rabs r <= Q -> Q <= 1/2 -> 0 <= k <= 1 / 2 ^ 56 -> Rabs (angle_in_half_turns_float64.small_part y x - (k + arctangent_polynomial.small_part r 0)) <= 102/100 * Q / 2 ^ 53 + 1 / 2 ^ 97.
+Proof.
+  intros S1 S2 K. destruct (factor_of_ratio r B) as [Bp ->]. assert (E := factor_near). unfold angle_in_half_turns_float64.small_part. fold r k f. clearbody f r k. set (p := P r) in *. clearbody p.
+  assert (Sp : Rabs p <= 3184/10000) by (apply Rabs_le; lra). assert (E1 := times_error r r p f Q (3184/10000) 0 _ S1 Sp (no_error r) E). assert (S3 : Rabs (r * p + k) <= 3184/10000 * Q + 1 / 2 ^ 56).
+  { eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq k) by lra. generalize (Rmult_le_compat _ _ _ _ (Rabs_pos r) (Rabs_pos p) S1 Sp). lra. }
+  rewrite !(Rplus_comm k). eapply Rle_trans; [exact (sum_error _ _ _ _ _ S3 E1)|]. assert (0 <= Q) by (eapply Rle_trans; [apply Rabs_pos | exact S1]). lra.
+Qed.
+End ratio.
 
 Section angle.
 Variables y x : R.
@@ -105,35 +128,32 @@ Proof.
 Qed.
 Lemma between_rates (a b Q : R) : 0 < b -> - Q * b <= a <= Q * b -> Rabs (a / b) <= Q.
 Proof. intros P B. apply Rabs_le. split; apply Rmult_le_reg_r with b; try exact P; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. Qed.
-Lemma by_node : (n = 0 \/ n = 1/2 \/ n = 1) /\ 0 <= k <= 1 / 2 ^ 56 /\ Rabs rho <= 5/16 + 1 / 2 ^ 31 /\
-  Rabs (angle_in_half_turns_float64.ratio y x - rho) <= 6/10 / 2 ^ 53 /\ 0 <= angle_in_half_turns_float64.node_value y x <= 1/4 /\
-  Rabs (angle_in_half_turns_float64.node_value y x + k - atan n / PI) <= 1 / 2 ^ 100.
+Let v := angle_in_half_turns_float64.node_value y x.
+Let r := angle_in_half_turns_float64.ratio y x.
+Lemma by_node : 0 <= n <= 1 /\ 0 <= k <= 1 / 2 ^ 56 /\ 0 <= v <= 1/4 /\ Rabs (v + k - atan n / PI) <= 1 / 2 ^ 100 /\
+  (n = 0 /\ k = 0 /\ v = 0 /\ Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= / 2 ^ 53 * Rabs rho + bpow radix2 (-1074) \/ Rabs rho <= 182/1000 /\ Rabs (r - rho) <= 547/1000 / 2 ^ 53 /\ 312/1000 * l <= s).
 Proof.
   destruct sides as (L & S & O & P). generalize (part_of_larger (5/16) ltac:(lra)) (part_of_larger (3/4) ltac:(lra)). intros C5 C3.
-  assert (K : forall Q, Q <= 19/100 -> 3001/1000 * Q / 2 ^ 53 + 1 / 2 ^ 100 <= 6/10 / 2 ^ 53) by (intros Q H; lra).
-  assert (G := taken_off). unfold rho in *. assert (En : n = n) by reflexivity. unfold n at 2, angle_in_half_turns_float64.node in En.
-  unfold k, angle_in_half_turns_float64.node_correction, angle_in_half_turns_float64.node_value.
+  assert (G := taken_off). unfold r, rho in *. assert (En : n = n) by reflexivity. unfold n at 2, angle_in_half_turns_float64.node in En.
+  unfold k, v, angle_in_half_turns_float64.node_correction, angle_in_half_turns_float64.node_value.
   unfold angle_in_half_turns_float64.steep, angle_in_half_turns_float64.middle in *. fold l s in En |- *.
   destruct (Rlt_dec (rounded (3/4 * l)) s) as [St|St]; [|destruct (Rlt_dec (rounded (5/16 * l)) s) as [Mi|Mi]]; repeat destruct Rlt_dec; try lra; rewrite En.
-  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra).
-    split; [lra|]. split; [lra|]. split; [lra|]. split; [|split; [lra|]].
-    + rewrite <- En. eapply Rle_trans; [apply (G 1 (15/100)); try assumption; lra | apply K; lra].
+  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra). split; [lra | split; [lra | split; [lra | split]]].
     + rewrite atan_1. replace (_ - _) with 0 by (field; apply PI_neq0). rewrite Rabs_R0. interval.
-  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 19/100) by (apply between_rates; lra).
-    split; [lra|]. split; [lra|]. split; [lra|]. split; [|split; [lra|]].
-    + rewrite <- En. eapply Rle_trans; [apply (G (1/2) (19/100)); try assumption; lra | apply K; lra].
-    + interval with (i_prec 150).
-  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). assert (R : Rabs (s / l) <= 5/16 + 1 / 2 ^ 31) by (apply between_rates; lra). rewrite Z.
-    split; [lra|]. split; [lra|]. split; [exact R|]. split; [|split; [lra|]].
-    + unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W]; [|contradiction].
-      rewrite Rmult_0_l, Rmult_0_r, !rounded_0, Rplus_0_r, Rminus_0_r, (kept _ S), (kept _ L). eapply Rle_trans; [apply (rounded_error _ _ R) | interval].
+    + right. split; [lra | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G 1 (15/100)); try assumption; lra | lra].
+  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 182/1000) by (apply between_rates; lra). split; [lra | split; [lra | split; [lra | split]]]; [interval with (i_prec 150)|].
+    right. split; [exact R | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G (1/2) (182/1000)); try assumption; lra | lra].
+  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). rewrite Z. split; [lra | split; [lra | split; [lra | split]]].
     + rewrite atan_0. replace (_ - _) with 0 by (field; apply PI_neq0). rewrite Rabs_R0. interval.
+    + left. split; [reflexivity | split; [reflexivity | split; [reflexivity | split; [apply between_rates; lra|]]]]. unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W]; [|contradiction].
+      rewrite Rmult_0_l, Rmult_0_r, !rounded_0, Rplus_0_r, Rminus_0_r, (kept _ S), (kept _ L). apply one_rounding.
 Qed.
-Lemma first_octant_near : Rabs (angle_in_half_turns_float64.first_octant y x - atan (s / l) / PI) <= 85/100 / 2 ^ 53 /\ 0 <= atan (s / l) / PI <= 26/100.
+Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_half_turns_float64.first_octant y x - o) in d <= 85/100 / 2 ^ 53 /\ d <= 49/10 / 2 ^ 53 * o + 8 * bpow radix2 (-1074) /\ 0 <= o <= 26/100.
 Proof.
-  destruct sides as (L & S & O & P). destruct by_node as (M & K & Rh & Er & V & A). set (r := angle_in_half_turns_float64.ratio y x) in *.
+  intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U := underflow_is_less).
   assert (T : 0 <= s / l <= 1).
   { split; apply Rmult_le_reg_r with l; try exact P; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+  assert (Rh : Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra). destruct Rh as [Rh Er].
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
   { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ Rh Er) | interval]. }
   assert (D : Rabs (atan r - atan rho) <= 1 * Rabs (r - rho)).
@@ -142,17 +162,27 @@ Proof.
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
     assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | generalize (atan_bound (atan_sub t n)); lra]. }
-  assert (B : 0 <= atan (s / l) / PI <= 26/100).
-  { set (t := s / l) in *. split; [|interval]. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat, PI_RGT_0].
+  assert (B : 0 <= o <= 26/100).
+  { unfold o. set (t := s / l) in *. split; [|interval]. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat, PI_RGT_0].
     rewrite <- atan_0. destruct (proj1 T) as [G | <-]; [left; apply atan_increasing, G | apply Rle_refl]. }
-  split; [|exact B]. generalize (small_part_rounded y x Br K) (elementary_functions__arctangent r Br). fold r k. intros E1 E2.
-  set (d := atan r - atan rho) in *. assert (E3 : Rabs (d / PI) <= 192/1000 / 2 ^ 53).
-  { assert (D' : - (6/10 / 2 ^ 53) <= d <= 6/10 / 2 ^ 53) by (apply Rabs_le_between; lra). interval. }
-  assert (E : Rabs (angle_in_half_turns_float64.node_value y x + angle_in_half_turns_float64.small_part y x - atan (s / l) / PI) <= 586/1000 / 2 ^ 53).
-  { assert (F : atan (s / l) / PI = atan n / PI + atan r / PI - d / PI) by (rewrite Add; unfold d; field; apply PI_neq0). rewrite F.
-    apply Rabs_le_between in E1. apply Rabs_le_between in E2. apply Rabs_le_between in E3. apply Rabs_le_between in A. apply Rabs_le. lra. }
-  assert (B' : Rabs (atan (s / l) / PI) <= 26/100) by (apply Rabs_le; lra).
-  eapply Rle_trans; [exact (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B' E)) E) | interval].
+  assert (E3 : Rabs ((atan r - atan rho) / PI) <= 3184/10000 * Rabs (r - rho)).
+  { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | lra]. }
+  assert (F : o = atan n / PI + atan r / PI - (atan r - atan rho) / PI) by (unfold o; rewrite Add; field; apply PI_neq0). set (g := (atan r - atan rho) / PI) in *.
+  unfold angle_in_half_turns_float64.first_octant. fold v. destruct C as [(N0 & K0 & V0 & Wr & Wd)|(Wr & Wd & Z)].
+  - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (apply Rabs_le_between in Wr; lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp, Wr, Wd.
+    assert (E2 := factor_near y x Br). fold r in E2. assert (E4 := arctangent_relative r Br). destruct (factor_of_ratio r Br) as [Br' Fr]. rewrite Fr in E4. unfold angle_in_half_turns_float64.small_part. fold k r. set (f := rounded (_ + _)) in *. set (p := _ + _) in Br', E2, E4. set (p' := _ + _) in Bp, E0.
+    rewrite V0, K0, !Rplus_0_l, !(kept _ (rounded_is_float64 _)). assert (E1 := one_rounding (r * f)). rewrite N0, atan_0 in F. unfold Rdiv at 1 in F. rewrite Rmult_0_l, Rplus_0_l in F.
+    assert (M1 : Rabs (r * f - r * p) <= Rabs r * (38/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat_l; [apply Rabs_pos | exact E2]).
+    assert (M2 : Rabs (r * p) <= Rabs r * (3184/10000)) by (rewrite Rabs_mult, (Rabs_pos_eq p) by lra; apply Rmult_le_compat_l; [apply Rabs_pos | lra]).
+    assert (M3 : 307/1000 * (s / l) <= s / l * p') by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra). assert (M4 := Rabs_triang_inv (r * f) (r * p)). assert (M5 := Rabs_triang_inv r (s / l)). rewrite Q in Er, E3. rewrite (Rabs_pos_eq (s / l)) in * by lra.
+    set (a := s / l) in *. set (R := Rabs r) in *. set (q := rounded (r * f)) in *. set (e := Rabs (r * f)) in *. set (w := Rabs (r - a)) in *. assert (M6 : e <= R * (38/100 / 2 ^ 53) + R * (3184/10000)) by lra. apply Rabs_le_between in E0. apply Rabs_le_between in M1. apply Rabs_le_between in E1. apply Rabs_le_between in E3. apply Rabs_le_between in E4.
+    assert (G : Rabs (q - o) <= 13/10 / 2 ^ 53 * a + 4 * bpow radix2 (-1074)) by (clearbody a R q e w g o p p'; apply Rabs_le; lra). clearbody a. lra.
+  - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (apply Rabs_le_between in Q; lra). assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m := angle_in_half_turns_float64.small_part y x) in *.
+    assert (E : Rabs (v + m - o) <= 37/100 / 2 ^ 53) by (apply Rabs_le_between in E1; apply Rabs_le_between in E2; apply Rabs_le_between in E3; apply Rabs_le_between in A; apply Rabs_le; lra).
+    assert (Ol : 962/10000 <= o).
+    { assert (W : 312/1000 <= s / l) by (apply Rmult_le_reg_r with l; [exact P | replace (s / l * l) with s by (field; lra); exact Z]). apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0|].
+      destruct W as [W | <-]; [left; apply atan_increasing, W | apply Rle_refl]. }
+    assert (E4 := one_rounding (v + m)). assert (E5 := Rabs_triang_inv (v + m) o). rewrite (Rabs_pos_eq o) in E5 by lra. assert (G := through _ _ _ _ _ E4 E). lra.
 Qed.
 (* The octant, of the exact angle and of the computed one. *)
 Lemma octants : let o := atan (s / l) / PI in let q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o in let h := if Rlt_dec x 0 then 1 - q else q in atan2pi y x = if Rlt_dec y 0 then - h else h.
@@ -172,17 +202,17 @@ Proof.
     repeat destruct Rlt_dec; try destruct Rle_dec; try lra; rewrite ?(Rabs_pos_eq x), ?(Rabs_pos_eq y), ?(Rabs_left x), ?(Rabs_left y) by lra;
       rewrite ?A', ?A, ?Ropp_involutive by lra; field; apply PI_neq0.
 Qed.
-Lemma angle_near : Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) <= 5/2 * (1 / 2 ^ 53).
+Lemma angle_near : let d := Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) in d <= 5/2 * (1 / 2 ^ 53) /\ d <= 49/10 / 2 ^ 53 * Rabs (atan2pi y x) + 2 ^ 4 * bpow radix2 (-1074).
 Proof.
-  destruct first_octant_near as [E B]. rewrite octants. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant.
-  set (o := atan (s / l) / PI) in *. set (oh := angle_in_half_turns_float64.first_octant y x) in *.
-  assert (Q : forall a b c e, Rabs (a - b) <= e -> 0 <= c - b <= c -> Rabs (rounded (c - a) - (c - b)) <= (c + e) / 2 ^ 53 + 1 / 2 ^ 100 + e).
-  { intros a b c e H K. assert (M : Rabs (c - a - (c - b)) <= e) by (replace (_ - (c - b)) with (- (a - b)) by ring; rewrite Rabs_Ropp; exact H).
-    assert (C : Rabs (c - b) <= c) by (apply Rabs_le; lra). exact (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ C M)) M). }
+  destruct first_octant_near as (E & E' & B). rewrite octants. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant.
+  set (o := atan (s / l) / PI) in *. set (oh := angle_in_half_turns_float64.first_octant y x) in *. assert (U := underflow_is_less).
+  assert (Q : forall a b c, 0 <= c - b -> Rabs (rounded (c - a) - (c - b)) <= / 2 ^ 53 * (c - b + Rabs (a - b)) + bpow radix2 (-1074) + Rabs (a - b)).
+  { intros a b c H. assert (M : Rabs (c - a - (c - b)) <= Rabs (a - b)) by (rewrite <- Rabs_Ropp; apply Req_le; f_equal; ring). apply through with (c - a); [|exact M]. eapply Rle_trans; [apply one_rounding|]. generalize (Rabs_triang_inv (c - a) (c - b)). rewrite (Rabs_pos_eq (c - b)) by exact H. lra. }
   set (q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o). set (qh := if Rlt_dec (Rabs x) (Rabs y) then _ else oh).
-  assert (Eq : Rabs (qh - q) <= 136/100 / 2 ^ 53 /\ 0 <= q <= 1/2).
-  { unfold qh, q. destruct Rlt_dec; (split; [|lra]); [|lra]. eapply Rle_trans; [exact (Q _ _ (1/2) _ E ltac:(lra)) | lra]. }
-  clearbody q qh. destruct Eq as [Eq Bq]. assert (Eh := Q _ _ 1 _ Eq ltac:(lra)). repeat destruct Rlt_dec; try apply of_opposites; lra.
+  assert (Eq : Rabs (qh - q) <= 136/100 / 2 ^ 53 /\ Rabs (qh - q) <= 49/10 / 2 ^ 53 * q + 8 * bpow radix2 (-1074) /\ 0 <= q <= 1/2).
+  { unfold qh, q. destruct Rlt_dec; [|lra]. generalize (Q oh o (1/2) ltac:(lra)). lra. }
+  clearbody q qh. assert (Eh := Q qh q 1 ltac:(lra)). cbv zeta. assert (F : forall a b, Rabs (- a - - b) = Rabs (a - b)) by (intros; rewrite <- Rabs_Ropp; f_equal; ring).
+  repeat destruct Rlt_dec; rewrite ?F, ?Rabs_Ropp, ?(Rabs_pos_eq q), ?(Rabs_pos_eq (1 - q)) by lra; lra.
 Qed.
 End angle.
 
@@ -202,7 +232,7 @@ Theorem elementary_functions__arctangent__point : exists r : R, - (5/16 + 1/2^30
 Proof. exists 0. lra. Qed.
 Theorem elementary_functions__atan2pi__point : exists y x : R, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.
-  exists 0, 1. split; [apply generic_format_0|]. split; [apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy|].
+  exists 0, 1. split; [apply generic_format_0|]. split; [exact one_is_float64|].
   rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_l]. apply (bpow_le radix2 (-1018) 0). easy.
 Qed.
 (* Without the node that is taken off the polynomial is not so near, and where its quotient alone decides, the angle is not. *)
@@ -212,7 +242,7 @@ Proof.
 Qed.
 Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro H. assert (F : float64 (-1)) by (apply generic_format_opp, (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy).
+  intro H. assert (F := generic_format_opp _ _ _ one_is_float64 : float64 (-1)).
   assert (M : bpow radix2 (-1018) <= Rmax (Rabs (-1)) (Rabs 0)).
   { rewrite Rabs_left by lra. eapply Rle_trans; [|apply Rmax_l]. replace (- -1) with 1 by ring. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
@@ -221,7 +251,7 @@ Proof.
 Qed.
 Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.
 Proof.
-  intro H. assert (F : float64 1) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy). assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
+  intro H. assert (F := one_is_float64). assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
   { rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_r]. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (elementary_functions__atan2pi 1 0 F (generic_format_0 _ _) M). rewrite (H 1 F). unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra.
   replace (0 - PI / 2 / PI) with (- (1/2)) by (field; apply PI_neq0). rewrite Rabs_Ropp, Rabs_pos_eq; lra.

@@ -14,27 +14,11 @@ Proof.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
-Lemma doubled_float64 (x : R) (n : Z) : float64 x -> 1/2 <= Rabs x -> (-1021 <= n)%Z -> float64 (x * bpow radix2 n).
-Proof.
-  intros F B N. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  assert (K := exponent_at_least m e (-1) M ltac:(rewrite <- E; change (bpow radix2 (-1)) with (/ 2); lra)).
-  rewrite E, Rmult_assoc, <- bpow_plus. apply whole_is_float64; [exact M | lia].
-Qed.
 Lemma rest_is_float64 (p : R) (k : Z) : float64 p -> Rabs (p - IZR k * bpow radix2 (-15)) < 1/2 -> 1/4 <= Rabs p \/ k = 0%Z -> float64 (p - IZR k * bpow radix2 (-15)).
 Proof.
-  intros F S [B | ->]; [|rewrite Rmult_0_l, Rminus_0_r; exact F]. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  assert (K := exponent_at_least m e (-2) M ltac:(rewrite <- E; change (bpow radix2 (-2)) with (/ 4); lra)).
-  assert (G : forall n j : Z, (-54 <= j)%Z -> p - IZR k * bpow radix2 (-15) = IZR n * bpow radix2 j -> float64 (IZR n * bpow radix2 j)).
-  { intros n j J H. apply whole_is_float64; [|lia]. rewrite H in S. apply lt_IZR. rewrite abs_IZR. apply Rmult_lt_reg_r with (bpow radix2 j); [apply bpow_gt_0|].
-    rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in S by apply bpow_ge_0. eapply Rlt_le_trans; [exact S|]. change (IZR (2 ^ 53)) with (bpow radix2 53).
-    rewrite <- bpow_plus. replace (1/2) with (bpow radix2 (-1)) by (simpl; lra). apply bpow_le. lia. }
-  destruct (Z_le_gt_dec e (-15)) as [L|L].
-  - assert (H : p - IZR k * bpow radix2 (-15) = IZR (m - k * 2 ^ (-15 - e)) * bpow radix2 e).
-    { rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, <- E, Rmult_assoc, <- bpow_plus. do 3 f_equal. lia. }
-    rewrite H. apply G; [lia | exact H].
-  - assert (H : p - IZR k * bpow radix2 (-15) = IZR (m * 2 ^ (e + 15) - k) * bpow radix2 (-15)).
-    { rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, Rmult_assoc, <- bpow_plus. rewrite E. do 3 f_equal. lia. }
-    rewrite H. apply G; [lia | exact H].
+  intros F S [B | ->]; [|rewrite Rmult_0_l, Rminus_0_r; exact F]. destruct (multiple_of_power p (-54) F) as [m E]; [simpl; lra|].
+  assert (H : p - IZR k * bpow radix2 (-15) = IZR (m - k * 2 ^ 39) * bpow radix2 (-54)) by (rewrite E, minus_IZR, mult_IZR; simpl; lra). rewrite H in *. apply whole_is_float64; [|easy].
+  apply lt_IZR. rewrite abs_IZR. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in S by apply bpow_ge_0. simpl in *. lra.
 Qed.
 
 Section exponential.
@@ -174,7 +158,7 @@ Proof.
   assert (X : exp (p + e) = exp (p + e - IZR n * ln 2) * bpow radix2 n) by (rewrite bpow_exp, <- exp_plus; f_equal; change (IZR radix2) with 2; ring).
   assert (Y : exponential_of_sum_float64.exponential p e = near * bpow radix2 n).
   { unfold exponential_of_sum_float64.exponential, power_of_two. fold near. change (exponential_of_sum_float64.whole p) with (IZR n). rewrite Zfloor_IZR. repeat destruct Rlt_dec; try lra.
-    apply kept, doubled_float64; [apply rounded_is_float64 | rewrite Rabs_pos_eq; lra | lia]. }
+    apply kept, (scaled_float64 near (-1)); [apply rounded_is_float64 | rewrite Rabs_pos_eq; simpl; lra | lia]. }
   rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact N].
 Qed.
 Theorem elementary_functions__exponential__point : exists r : R, - (3467/10000) <= r <= 3467/10000.

@@ -7,14 +7,6 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
 
-Lemma exponent_at_least (m e k : Z) : (Z.abs m < 2 ^ 53)%Z -> bpow radix2 k <= Rabs (IZR m * bpow radix2 e) -> (k - 52 <= e)%Z.
-Proof.
-  intros M B. assert (G : bpow radix2 k < bpow radix2 (53 + e)).
-  { eapply Rle_lt_trans; [exact B|]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), bpow_plus by apply bpow_ge_0. apply Rmult_lt_compat_r; [apply bpow_gt_0|].
-    rewrite <- abs_IZR. change (bpow radix2 53) with (IZR (2 ^ 53)). apply IZR_lt, M. }
-  apply lt_bpow in G. lia.
-Qed.
-
 (* Sine and cosine of any float64. *)
 Lemma remainder_of_float64 (x : R) : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters x) / 2 <= 1/4.
 Proof.

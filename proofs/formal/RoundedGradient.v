@@ -2,17 +2,16 @@
 
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Plus_error.
+From Flocq Require Import Core Plus_error Mult_error.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding.
 From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma twice_float64 (x : R) : float64 x -> float64 (2 * x).
-Proof.
-  intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. cbn [Fnum Fexp] in *.
-  apply generic_format_FLT. exists (Float radix2 m (e + 1)); [|exact M | cbn [Fexp]; lia]. rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite bpow_plus. change (bpow radix2 1) with 2. ring.
-Qed.
+Proof. intro F. rewrite Rmult_comm. apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 x 1); [exact F | easy]. Qed.
+Lemma four_quadrants (q : Z) : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z.
+Proof. generalize (Z.mod_pos_bound q 4 ltac:(easy)). lia. Qed.
 (* The number of quarters of a turn, and what remains of a float64 product: both are exact. *)
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
@@ -81,9 +80,7 @@ Proof.
   change (cosine_of_half_turns_float64.quadrant p) with (sine_of_half_turns_float64.quadrant p).
   change (sine_of_half_turns_float64.sine_near p e) with s. change (sine_of_half_turns_float64.cosine_near p e) with c.
   change (cosine_of_half_turns_float64.sine_near p e) with s. change (cosine_of_half_turns_float64.cosine_near p e) with c.
-  rewrite quadrant_printed. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
+  rewrite quadrant_printed. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
 Qed.
 End reduction.
 
@@ -99,11 +96,10 @@ Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * 
   sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
   cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof.
-  intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
+  intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
   assert (X : PI * (w + IZR q / 2) = PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 1; rewrite plus_IZR, !mult_IZR; field).
   rewrite X. set (t := PI * w + IZR (2 * (q / 4)) * PI) in *.
-  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia.
-  destruct K as [K|[K|[K|K]]]; rewrite K.
+  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K.
   - rewrite Rmult_0_l, Rplus_0_r. auto.
   - replace (t + 1 * (PI / 2)) with (PI / 2 + t) by ring. rewrite <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S. auto.
   - replace (t + 2 * (PI / 2)) with (t + PI) by field. rewrite neg_sin, neg_cos, S, C. auto.
@@ -135,8 +131,7 @@ Lemma in_each_quadrant (F : R -> R -> Prop) (q : Z) (s c s' c' : R) : F s s' -> 
   F (match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end) (match (q mod 4)%Z with 0%Z => s' | 1%Z => c' | 2%Z => - s' | _ => - c' end) /\
   F (match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end) (match (q mod 4)%Z with 0%Z => c' | 1%Z => - s' | 2%Z => - c' | _ => s' end).
 Proof.
-  intros S C N. assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (K : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z) by lia. destruct K as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
+  intros S C N. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Section product.

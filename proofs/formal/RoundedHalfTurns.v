@@ -18,11 +18,17 @@ Proof.
   destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [eapply Rle_trans; [exact D | unfold u_ro; simpl; lra]|].
   split; [eapply Rle_trans; [exact T | generalize (bpow_gt_0 radix2 (-1074)); lra] | split; [exact Z | exact E]].
 Qed.
+Lemma one_rounding (x : R) : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
+Proof.
+  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
+  apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | exact D] | exact E].
+Qed.
 (* What underflows is off by far less than 2^-100. *)
+Lemma underflow_is_less : 0 <= bpow radix2 (-1074) <= 1 / 2 ^ 100.
+Proof. split; [apply bpow_ge_0|]. replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy. Qed.
 Lemma rounded_error (x X : R) : Rabs x <= X -> Rabs (rounded x - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intro B. destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (x * d + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
-  apply Rplus_le_compat; [apply Rmult_le_compat; try apply Rabs_pos; assumption|]. eapply Rle_trans; [exact E|]. replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
+  intro B. generalize (one_rounding x) underflow_is_less. lra.
 Qed.
 Lemma sum_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
 Proof.
@@ -74,6 +80,12 @@ Proof.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
   eapply Rle_trans; [find_error | interval].
 Qed.
+(* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
+Theorem elementary_functions__cosine_float64 : Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
+Proof. eapply Rle_trans; [exact (through _ _ _ _ _ cosine_rounded (elementary_functions__cosine r B)) | lra]. Qed.
+(* and the sine within 9/4 2^-53 of the sine, *)
+Theorem elementary_functions__sine_float64 : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
+Proof. eapply Rle_trans; [exact (through _ _ _ _ _ sine_rounded (elementary_functions__sine r B)) | lra]. Qed.
 End polynomials.
 
 Lemma rounded_0 : rounded 0 = 0.
@@ -81,12 +93,6 @@ Proof. apply round_0. typeclasses eauto. Qed.
 Lemma rounded_1 : rounded 1 = 1.
 Proof. apply round_generic; [typeclasses eauto|]. change 1 with (bpow radix2 0). apply generic_format_bpow. easy. Qed.
 
-(* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
-Theorem elementary_functions__cosine_float64 (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
-Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (cosine_rounded r B) (elementary_functions__cosine r B)) | lra]. Qed.
-(* and the sine within 9/4 2^-53 of the sine, *)
-Theorem elementary_functions__sine_float64 (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
-Proof. intro B. eapply Rle_trans; [exact (through _ _ _ _ _ (sine_rounded r B) (elementary_functions__sine r B)) | lra]. Qed.
 (* and at a whole number of half-turns, where the reduced argument is 0, nothing is rounded: a crease's zero is exact. *)
 Theorem elementary_functions__zero_float64 : half_turn_polynomials_float64.sine_near 0 = 0 /\ half_turn_polynomials_float64.cosine_near 0 = 1.
 Proof.

@@ -7,18 +7,18 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient RoundedFunctions.
 Open Scope R_scope.
 
+Section reduced.
+Variable r : R.
+Hypothesis B : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 (* The sine's polynomial is off by at most 2^-53 of its argument: its derivative is by 2^-53. *)
-Theorem elementary_functions__sine_relative (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
+Theorem elementary_functions__sine_relative : Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
-  intro B. set (g := fun t => half_turn_polynomials.sine_near t - sin (PI * t)). assert (G : g 0 = 0) by (unfold g; rewrite (proj1 elementary_functions__zero), Rmult_0_r, sin_0; ring).
+  set (g := fun t => half_turn_polynomials.sine_near t - sin (PI * t)). assert (G : g 0 = 0) by (unfold g; rewrite (proj1 elementary_functions__zero), Rmult_0_r, sin_0; ring).
   replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
   assert (T' : - (1/4 + 1/2^30) <= t <= 1/4 + 1/2^30) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
   - unfold g; half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
   - unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 100).
 Qed.
-Section reduced.
-Variable r : R.
-Hypothesis B : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P := half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
   Rabs (f - P) <= 45/10 / 2 ^ 53 /\ 28/10 <= P <= 315/100.
 Proof.
@@ -28,7 +28,7 @@ Proof.
 Qed.
 Lemma sine_near_relative : let s := Rabs (sin (PI * r)) in Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 18/5 * (1 / 2 ^ 53) * s + bpow radix2 (-1074) /\ 279/100 * Rabs r <= s.
 Proof.
-  assert (X := elementary_functions__sine_relative r B). destruct factor_rounded as [F P].
+  assert (X := elementary_functions__sine_relative). destruct factor_rounded as [F P].
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near in *. set (f := rounded (_ + _)) in *. set (w := half_turn_polynomials.sine_tail r + _) in *.
   apply Rabs_le_between in F. destruct (rounding (r * f)) as (d & t & D & T & _ & ->). apply Rabs_le_between in D. set (s := sin (PI * r)) in *. assert (O := Rabs_pos r).
   assert (S : 279/100 * Rabs r <= Rabs s).

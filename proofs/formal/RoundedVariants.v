@@ -18,7 +18,7 @@ Proof.
 Qed.
 Lemma some_float64 : float64 0 /\ float64 1 /\ float64 (1/2) /\ float64 (1/4) /\ float64 (134217727/134217728).
 Proof.
-  split; [apply generic_format_0|]. split; [apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0); easy|]. split; [replace (1/2) with (IZR 1 * bpow radix2 (-1)) by (simpl; lra); apply whole_is_float64; easy|].
+  split; [apply generic_format_0|]. split; [exact one_is_float64|]. split; [replace (1/2) with (IZR 1 * bpow radix2 (-1)) by (simpl; lra); apply whole_is_float64; easy|].
   split; [replace (1/4) with (IZR 1 * bpow radix2 (-2)) by (simpl; lra) | replace (134217727/134217728) with (IZR 134217727 * bpow radix2 (-27)) by (simpl; lra)]; apply whole_is_float64; easy.
 Qed.
 Ltac hypothesis_holds := first [assumption | lra | rewrite Rabs_pos_eq; lra | right; lra | left; rewrite Rabs_pos_eq; lra].
@@ -39,6 +39,11 @@ Proof.
   intro H. destruct some_float64 as (F0 & F1 & _). assert (X := H 1 0 0 1 1 0 F1 F0 F0 F1 F1 F0 ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(hypothesis_holds)). no_float64 6369051672525772%Z (-53)%Z.
   - blinn_highlight_float64.lines. destruct Rlt_dec; [unfold Rmax; destruct Rle_dec; [apply rounded_is_float64|]|]; apply generic_format_0.
   - blinn_highlight.lines. destruct Rlt_dec as [_|N]; [|destruct N; interval]. rewrite Rmax_left by interval. split; interval with (i_prec 100).
+Qed.
+Theorem colour_accuracy__squared_nearer__false : Mutants.colour_accuracy__squared_nearer__false.
+Proof.
+  intro H. destruct some_float64 as (F0 & F1 & _). assert (X := H 1 1 0 1 1 1 1 F1 F1 F0 F1 F1 F1 F1). do 7 (lapply X; [clear X; intro X | hypothesis_holds]).
+  no_float64 6004799503160661%Z (-52)%Z; [apply rounded_is_float64 | squared_highlight.lines; destruct Rlt_dec; [|lra]; rewrite Rmax_right; lra].
 Qed.
 (* What is halfway between two has none. *)
 Theorem colour_accuracy__phong_nearer__false : Mutants.colour_accuracy__phong_nearer__false.

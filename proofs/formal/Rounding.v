@@ -126,6 +126,8 @@ Lemma rounded_is_float64 (x : R) : float64 (rounded x).
 Proof. apply generic_format_round; typeclasses eauto. Qed.
 Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
 Proof. intros N E. apply generic_format_FLT. exists (Float radix2 n e); [reflexivity | exact N | exact E]. Qed.
+Lemma one_is_float64 : float64 1.
+Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0). easy. Qed.
 Lemma kept (x : R) : float64 x -> rounded x = x.
 Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
 (* What is left of a float64 by multiples of a power of two, and is no larger than it, nor than that power, is exact. *)

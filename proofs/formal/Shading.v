@@ -110,12 +110,13 @@ Definition phong_base (n : vector) : R :=
 Definition omega : vector := scaled (/ magnitude (difference L P)) (difference L P).
 End models.
 
+Ltac square_of_difference := match goal with |- context [(?a - ?b) ^ 2 + (?c - ?d) ^ 2 + (?e - ?f) ^ 2] =>
+  replace ((a - b) ^ 2 + (c - d) ^ 2 + (e - f) ^ 2) with ((a + -1 * b) * (a + -1 * b) + (c + -1 * d) * (c + -1 * d) + (e + -1 * f) * (e + -1 * f)) by ring end.
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
   destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
   unfold mu, omega; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
-    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. ring.
+  square_of_difference. ring.
 Qed.
 Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
@@ -130,8 +131,7 @@ Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
 Proof.
   cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
   unfold blinn_base, omega; blinn.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
-    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring.
+  square_of_difference.
   set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
   set (a := s * _ + vx). set (b := s * _ + vy). set (c := s * _ + vz). replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
   destruct (Rlt_dec 0 (sqrt (a * a + b * b + c * c))); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold Rdiv. ring.
@@ -149,8 +149,7 @@ Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n 
 Proof.
   rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
   unfold phong_base, mu, omega; phong.lines; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  replace ((lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2) with
-    ((lx + -1 * px) * (lx + -1 * px) + (ly + -1 * py) * (ly + -1 * py) + (lz + -1 * pz) * (lz + -1 * pz)) by ring. f_equal. ring.
+  square_of_difference. f_equal. ring.
 Qed.
 
 Ltac expand_dots :=

@@ -294,6 +294,24 @@ Definition colour_accuracy__blinn : Prop :=
   Rabs bumped_z <= / 1099511627776 + 1 ->
   Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z - blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= 32 / 9007199254740992.
 
+Definition colour_accuracy__squared : Prop :=
+  forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance : R,
+  float64 bumped_x ->
+  float64 bumped_y ->
+  float64 bumped_z ->
+  float64 halfway_x ->
+  float64 halfway_y ->
+  float64 halfway_z ->
+  float64 light_distance ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y >= / 1099511627776 ->
+  halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y <= 2 ^ 400 ->
+  light_distance >= / 1048576 ->
+  light_distance <= 2 ^ 200 ->
+  Rabs bumped_x <= / 1099511627776 + 1 ->
+  Rabs bumped_y <= / 1099511627776 + 1 ->
+  Rabs bumped_z <= / 1099511627776 + 1 ->
+  Rabs (squared_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance - squared_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance) <= 80 / 9007199254740992.
+
 Definition colour_accuracy__phong : Prop :=
   forall bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R,
   float64 bumped_x ->

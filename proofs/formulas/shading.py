@@ -87,7 +87,13 @@ phong = chain(
 
 blinn_highlight = Program("blinn_highlight", (bumped, halfway), blinn.definitions[-2:])
 phong_highlight = Program("phong_highlight", (bumped, view, towards, mu), phong.definitions[-1:])
-"""The base alone, of what it is made of: ω + v̂, or ω and μ."""
+squared_highlight = Program(
+    "squared_highlight",
+    (bumped, halfway, light_distance),
+    {symbol: blinn_squared[symbol] for symbol in (halfway_squared, along_halfway, light_scale, specular_base)},
+    specular_base,
+)
+"""The base alone, or its square, of what it is made of: ω + v̂, |L − P| (ω + v̂) and |L − P|, or ω and μ."""
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """What float64 loses between the gradient and the colour: the bumped normal, the light's cosine, a share, the clip."""
 
 from proofs.formulas.bump import g, perturbed
-from proofs.formulas.certified import BLINN, COSINE, NORMAL, PHONG, SHARE
+from proofs.formulas.certified import BLINN, COSINE, NORMAL, PHONG, SHARE, SQUARED
 from proofs.formulas.pixel import CHANNELS
 from proofs.formulas.shading import (
     albedos,
@@ -14,9 +14,11 @@ from proofs.formulas.shading import (
     ks,
     light_colors,
     light_direction,
+    light_distance,
     light_term,
     lit,
     phong_highlight,
+    squared_highlight,
 )
 from proofs.theorems.language import *
 
@@ -29,18 +31,24 @@ def _units(*vectors):
     return [Abs(component) <= 1 + Pow(2, -40) for component in vectors]
 
 
+def _between(least, number, most):
+    return number >= Pow(2, least), number <= Pow(2, most)
+
+
 theorem = Theorem(
     "colour_accuracy",
     "What float64 loses between the gradient and the colour",
     rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; the "
-    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, that of "
+    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, and its "
+    rf"square, made of $h$ times a distance, within ${SQUARED}\mu$ of the square; that of "
     rf"Phong's within ${PHONG}\mu$ of $\max(0, (2(N' \cdot \omega)N' - \omega) \cdot \hat v)$; a light's share leaves "
     rf"a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
         r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that",
         r"$|N'_i| \le 1 + 2^{-40}$, and of Phong's highlight $|\omega_i|$, $|\hat v_i|$, $|N' \cdot \omega|$ as well",
-        r"$2^{-40} \le |L - P|^2, |h|^2 \le 2^{900}$; a light, its weights and what it adds to are not negative",
+        r"$2^{-40} \le |L - P|^2, |h|^2 \le 2^{900}$; for the square $|h|^2 \le 2^{400}$, a distance from $2^{-20}$ "
+        r"to $2^{200}$; a light, its weights and what it adds to are not negative",
         "each stage is of its own float64 inputs",
     ),
     rounded=(
@@ -51,16 +59,19 @@ theorem = Theorem(
             (squared(_m) >= 1, squared(_m) <= Pow(2, 900), [(beta * component) ** 2 <= squared(_m) for component in g]),
         ),
         Rounded(
-            "cosine",
-            light_direction,
-            {mu: COSINE * _UNIT},
-            (squared(_to_light) >= Pow(2, -40), squared(_to_light) <= Pow(2, 900), _units(*bumped)),
+            "cosine", light_direction, {mu: COSINE * _UNIT}, (_between(-40, squared(_to_light), 900), _units(*bumped))
         ),
         Rounded(
             "blinn",
             blinn_highlight,
             {specular_base: BLINN * _UNIT},
-            (squared(halfway) >= Pow(2, -40), squared(halfway) <= Pow(2, 900), _units(*bumped)),
+            (_between(-40, squared(halfway), 900), _units(*bumped)),
+        ),
+        Rounded(
+            "squared",
+            squared_highlight,
+            {specular_base: SQUARED * _UNIT},
+            (_between(-40, squared(halfway), 400), _between(-20, light_distance, 200), _units(*bumped)),
         ),
         Rounded("phong", phong_highlight, {specular_base: PHONG * _UNIT}, _units(*bumped, *view, *towards, mu)),
         [
@@ -81,6 +92,7 @@ theorem = Theorem(
         r"$N + \beta g$ is off by $\tfrac94\mu$ of its length": "two roundings a component",
         "its square by 11, its length by 7, the quotient by 12 of them": "three products, two sums, a root, a quotient",
         "the highlight": "sums of bounded products; of Blinn's, 8 of the length, over a length that is off by 7",
+        "its square": r"$|N'|^2 \le 3$, twice 8 and 15 roundings of what is at most 3",
         "the share": "nothing cancels in a sum of what is not negative",
     },
     expected="measured",

@@ -33,6 +33,7 @@ def float64_source() -> str:
         bump.perturbed,
         shading.light_direction,
         shading.blinn_highlight,
+        shading.squared_highlight,
         shading.phong_highlight,
         shading.light_term,
         shading.clip,
