@@ -15,6 +15,7 @@ function simulator_layout(root, resized) {
   const GAP = 16;
   const stage = find_element(root, ".sim-stage");
   const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
+  modes[1].hidden = !document.fullscreenEnabled;
   const page = root.closest("main") ?? document.body;
   let is_apart = false;
   let last = "";
