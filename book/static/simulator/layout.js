@@ -13,6 +13,7 @@ function simulator_layout(root, resized) {
   const COMPACT = 900; // has the curve below the pictures, and the pixel beside that
   const SCENE = 176; // the least width of the sliders
   const GAP = 16;
+  const LEAST = 128; // of a picture's side: a low window is scrolled
   const stage = find_element(root, ".sim-stage");
   const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
   modes[1].hidden = !document.fullscreenEnabled;
@@ -23,7 +24,7 @@ function simulator_layout(root, resized) {
   /** The largest side for which there is room, if it can be in whole multiples of the raster's pixels. @param {number} room @param {number} size */
   function side_for(room, size) {
     const ratio = window.devicePixelRatio || 1;
-    const pixels = room * ratio;
+    const pixels = Math.max(LEAST, room) * ratio;
     const whole = pixels >= size ? Math.floor(pixels / size) * size : size / 2 ** Math.ceil(Math.log2(size / pixels));
     return (whole < 0.66 * pixels ? Math.floor(pixels) : whole) / ratio;
   }
