@@ -172,7 +172,7 @@ def test_a_shift_a_hidden_focus_and_a_page_too_wide_are_seen(visit):
 
 def test_bar_is_as_wide_as_what_moves_below_it(visit):
     tab = visit("s4")
-    for width in (1100, 1210, 1440):
+    for width in (1100, 1210, 1440, 2560):
         tab.set_viewport_size({"width": width, "height": 900})
         tab.wait_for_function(COVERED)
 
