@@ -142,7 +142,7 @@ def test_bump_surface_turns_and_moves_rim_and_shadow_in_the_last_state_alone(ide
 
 def test_two_slopes_says_what_the_renderer_says_and_shows_where_float64_puts_the_samples(idea):
     tab, figure, handles = idea("two_slopes")
-    point, step = handles.all()
+    step, point = handles.all()
     unit, apart, met = figure.locator("svg").nth(1).bounding_box()["width"] / 4, [], []
     for exponent in (-2, -4, -6, -12, -15.9, -17):
         figure.locator("input").fill(str(exponent))
@@ -161,6 +161,8 @@ def test_two_slopes_says_what_the_renderer_says_and_shows_where_float64_puts_the
     x, y = np.transpose(met)
     assert is_lost and numeric == 0.0 and apart[0] > apart[1] < apart[3]  # the U
     assert (np.diff(x) < 0).all() and np.array_equal(np.argsort(-y), np.argsort(apart))  # y is measured downwards
+    point.drag_to(figure.locator("svg").first, target_position={"x": 200, "y": 50})  # though both are in one place
+    assert now(point) > u
     press(tab, step, "ArrowUp")
     assert now(step) > eps
 

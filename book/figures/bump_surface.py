@@ -11,7 +11,7 @@ from renderer.picture.views import to_bytes
 TITLES = ("the chapter's normal", "its sign mended", "and its scale", "and its metric", "really displaced")
 SIDE, HIGH, UNIT, MIDDLE = 176, 170, 52, (106, 72)  # a still's pixels, those of the radius, where the centre is
 TURN, TIP = -0.5, 0.45  # where the eye stands around and above, in radians
-FLOOR, DISC = -1.4, (-0.6, -0.6, 2.4)  # the floor's height; its middle and radius
+FLOOR, DISC = -1.4, (-0.6, -0.6, 2.2)  # the floor's height; its middle and radius
 DENSE = 2000  # points around the sphere: more than the finer pixels that they fall on
 RED, GROUND, AMBIENT, SHADE = (0.72, 0.25, 0.17), (0.8, 0.77, 0.7), 0.08, 0.35
 LIGHT = np.array(SCENE.lights[0].position)

@@ -17,7 +17,7 @@ IDEAS.bump_surface = (stage, module, data) => {
   const AROUND = 320; // points; a crease lies between two of them
   const ALONG = 160;
   const FLOOR = -1.4;
-  const DISC = [-0.6, -0.6, 2.4]; // the floor's middle and radius
+  const DISC = [-0.6, -0.6, 2.2]; // the floor's middle and radius
   const RED = [0.88, 0.54, 0.45, 0]; // the least light at the end
   const GROUND = [0.91, 0.89, 0.85, 1];
   const SHADE = [0.564, 0.552, 0.527, 1];
@@ -134,14 +134,14 @@ IDEAS.bump_surface = (stage, module, data) => {
 
   return () => {
     const wide = panel.width();
-    const size = Math.min(wide / 4.2, HIGH / 3.5); // CSS pixels of the sphere's radius
+    const size = Math.min(wide / 4.5, HIGH / 3.7); // CSS pixels of the sphere's radius
     set_attributes(canvas, { width: wide * devicePixelRatio, height: HIGH * devicePixelRatio });
     gl.viewport(0, 0, canvas.width, canvas.height);
     const [c, s, ct, st] = [Math.cos(turn), Math.sin(turn), Math.cos(tip), Math.sin(tip)];
     const [x, y, z] = [(2 * size) / wide, (2 * size) / HIGH, -1 / 8];
     // By columns; the centre is a little above the middle, and to the right of it, where its shadow falls to the left.
     const columns = [-s * x, -st * c * y, ct * c * z, 0, c * x, -st * s * y, ct * s * z, 0, 0, ct * y, st * z, 0];
-    gl.uniformMatrix4fv(view_at, false, [...columns, 0.4 * x, 0.19, 0, 1]);
+    gl.uniformMatrix4fv(view_at, false, [...columns, 0.8 * x, 0.19, 0, 1]);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const shape = shapes[Number(shown === DISPLACED)];
     if (tip > 0) {

@@ -11,7 +11,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
   const raster = { width: 360, height: 360, left: 30, top: 4, wide: SIZE, high: SIZE };
   const all = float64s(513, (n) => n / 512);
   const between = float64s(512, (n) => (n + 0.5) / 512);
-  const few = float64s(2 * ku, (n) => (n + 0.5) / (2 * ku));
+  const few = float64s(2 * ku, (n) => (n + 0.25 + 0.5 * (n % 2)) / (2 * ku)); // beside the creases: they do not cross
   let u = 0.453;
   let beta = first_beta;
   let drawn = NaN;
@@ -97,7 +97,7 @@ IDEAS.slope_is_texture = (stage, module, data) => {
     const points = Array.from(all, (along, n) => at(along, heights[n]));
     const reach = 26 / Math.hypot(width, slope * HEIGHTS.high);
     const tangent = [at(u - reach, h - reach * slope), at(u + reach, h + reach * slope)];
-    const normals = Array.from(few, (along, n) => normal(at(along, 0)[0], slopes[n], tilts[n], 30, "few"));
+    const normals = Array.from(few, (along, n) => normal(at(along, 0)[0], slopes[n], tilts[n], 24, "few"));
     profile.show(
       text_at(EDGE, 16, "the height <tspan class='i'>h</tspan>, and its slope at the point") +
         line_markup("height", points) +

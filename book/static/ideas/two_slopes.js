@@ -50,16 +50,17 @@ IDEAS.two_slopes = (stage, module, data) => {
   const place = (at, height) => [rescaled(at, FROM, TO, 0, panel.width()), BASE - TALL * height];
   /** @param {number} x */
   const at_x = (x) => rescaled(x, 0, panel.width(), FROM, TO);
-  const put_point = panel.handle(
-    "the point, u",
-    (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
-    (right) => set(u + right / 2000, eps)
-  );
   const put_step = panel.handle(
     "the step, ε",
     (x) => set(u, at_x(x) - u),
     (right, up) => set(u, eps * 1.1 ** (right + up)),
     "step"
+  );
+  // Over the step's, which a slider moves, too: at a tiny step the two are in one place.
+  const put_point = panel.handle(
+    "the point, u",
+    (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
+    (right) => set(u + right / 2000, eps)
   );
 
   /**
@@ -99,7 +100,7 @@ IDEAS.two_slopes = (stage, module, data) => {
       );
     });
     lens.show(
-      text_at(0, 12, `a window of 4ε, magnified ${in_powers(1 / eps, 1)} times`) +
+      text_at(0, 12, `a window of 4ε, magnified ${eps > 0.001 ? Math.round(1 / eps) : in_powers(1 / eps, 1)} times`) +
         line_markup(
           "height",
           Array.from(across, (x, n) => at(x, heights[n]))

@@ -5,10 +5,12 @@
 function simulator_hand(pictures, act) {
   const LINES = "c"; // the key that shows the crease lines while it is held
   const STEADY = 4; // pixels that a click may move
+  const TURN = 50; // pixels of the wheel that zoom by a step: a notch has more, a finger on a pad sends many small ones
   /** @type {Map<number, Point>} */
   const fingers = new Map();
   let begun = begin();
   let pinned = false;
+  let turned = 0; // of the wheel
 
   function begin() {
     const { left, top, zoom } = act.state();
@@ -89,7 +91,10 @@ function simulator_hand(pictures, act) {
     const wheel = (/** @type {WheelEvent} */ event) => {
       if (!event.ctrlKey && document.activeElement !== box) return; // else the page scrolls
       event.preventDefault();
-      act.zoom(event.deltaY < 0 ? 1 : -1, share(event, box));
+      turned = clamp(-TURN, turned - event.deltaY, TURN);
+      const steps = Math.trunc(turned / TURN);
+      turned -= steps * TURN;
+      if (steps) act.zoom(steps, share(event, box));
     };
     box.addEventListener("wheel", wheel, { passive: false });
     box.addEventListener("keydown", press);

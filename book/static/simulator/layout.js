@@ -11,10 +11,12 @@ function simulator_layout(root, resized) {
   const TITLE = 26;
   const PLOT = 252; // the least height of curve, stills and step, with the difference's scale
   const COMPACT = 900; // has the curve below the pictures, and the pixel beside that
-  const SCENE = 176; // the least width of the sliders
+  const SCENE = 176; // the least width of the sliders; a little more where there is room
   const GAP = 16;
+  const LEAST = 128; // of a picture's side: a low window is scrolled
   const stage = find_element(root, ".sim-stage");
   const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
+  modes[1].hidden = !document.fullscreenEnabled;
   const page = root.closest("main") ?? document.body;
   let is_apart = false;
   let last = "";
@@ -22,14 +24,15 @@ function simulator_layout(root, resized) {
   /** The largest side for which there is room, if it can be in whole multiples of the raster's pixels. @param {number} room @param {number} size */
   function side_for(room, size) {
     const ratio = window.devicePixelRatio || 1;
-    const pixels = room * ratio;
+    const pixels = Math.max(LEAST, room) * ratio;
     const whole = pixels >= size ? Math.floor(pixels / size) * size : size / 2 ** Math.ceil(Math.log2(size / pixels));
     return (whole < 0.66 * pixels ? Math.floor(pixels) : whole) / ratio;
   }
 
-  // Break out of the text's column.
+  // Break out of the text's column, to the window's edge.
   function spread() {
-    const { left, width } = page.getBoundingClientRect();
+    const { left } = page.getBoundingClientRect();
+    const width = document.documentElement.clientWidth - left;
     const edge = width < NARROW ? 8 : 24;
     const shift = left + edge - root.getBoundingClientRect().left + (parseFloat(root.style.marginLeft) || 0);
     root.style.marginLeft = `${shift}px`;
@@ -56,7 +59,7 @@ function simulator_layout(root, resized) {
     );
     const large = Math.max(below, beside);
     const is_tall = beside > below;
-    const small = side_for(Math.min(wide - large - 2 * GAP - SCENE, large - PLOT - (is_tall ? TABLE : 0)), size);
+    const small = side_for(Math.min(wide - large - 2 * GAP - 1.3 * SCENE, large - PLOT - (is_tall ? TABLE : 0)), size);
     return { large, small, is_tall };
   }
 

@@ -21,6 +21,8 @@ function simulator_presets(root, states, act) {
   let now = null;
   let share = 0; // of the experiment that has gone by
   let frame = 0;
+  /** @type {HTMLElement} */
+  let asked_by; // the experiment's button
 
   /** @param {number} to */
   function put(to) {
@@ -58,13 +60,15 @@ function simulator_presets(root, states, act) {
   function stop() {
     pause();
     now = null;
+    if (play.contains(document.activeElement)) asked_by.focus({ preventScroll: true });
     play.hidden = true;
     root.classList.remove("sim-running");
   }
 
-  /** @param {string} experiment */
-  function run(experiment) {
+  /** @param {string} experiment @param {HTMLElement} button */
+  function run(experiment, button) {
     stop();
+    asked_by = button;
     /** @type {Experiment} */
     const begun = JSON.parse(experiment);
     now = begun;
@@ -73,6 +77,7 @@ function simulator_presets(root, states, act) {
     act.replace({ ...states.start(), size, column, row, ...begun.begin });
     play.hidden = false;
     root.classList.add("sim-running");
+    pause_button.focus({ preventScroll: true }); // a space bar would begin anew
     if (!no_motion.matches) {
       share = 0;
       return go_on();
@@ -114,5 +119,5 @@ function simulator_presets(root, states, act) {
     pause();
     put(Number(bar.value));
   });
-  return { run, stop, reset, toggle, step, running: () => frame !== 0 };
+  return { run, pause, stop, reset, toggle, step, running: () => frame !== 0 };
 }

@@ -118,7 +118,7 @@ function simulator_start(root, compiled, module) {
   const presets = simulator_presets(root, states, act);
   const readouts = simulator_readouts(root, data, module);
   const pictures = simulator_pictures(root, states, data, module);
-  const layout = simulator_layout(root, resized);
+  const layout = simulator_layout(root, pictures.resized);
   const hand = simulator_hand(pictures, act);
   const curve = simulator_curve(root, module);
   const cursor = simulator_cursor(root, states, data, module);
@@ -133,11 +133,6 @@ function simulator_start(root, compiled, module) {
     cursor.show(state); // after the curve, which asks how wide it is
     root.dispatchEvent(new CustomEvent("pixel", { detail: state })); // for what shows more of it, such as the loupe
     shown_panels = performance.now();
-  }
-
-  function resized() {
-    pictures.resized();
-    panels_soon();
   }
 
   /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
@@ -209,7 +204,7 @@ function simulator_start(root, compiled, module) {
     }
   }
 
-  /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: Element) => void>} */
+  /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: HTMLElement) => void>} */
   const buttons = {
     preset: presets.run,
     pause: presets.toggle,
@@ -234,7 +229,7 @@ function simulator_start(root, compiled, module) {
 
   function wire_buttons() {
     for (const [name, work] of Object.entries(buttons)) {
-      for (const button of root.querySelectorAll(`button[data-${name}]`))
+      for (const button of find_all(root, `button[data-${name}]`))
         button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
     }
   }
@@ -276,7 +271,7 @@ function simulator_start(root, compiled, module) {
 
   function show_or_hide() {
     if (document.hidden) {
-      presets.stop();
+      presets.pause();
       engine.stop();
     } else {
       engine.start();
@@ -293,6 +288,7 @@ function simulator_start(root, compiled, module) {
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
   const fitting = new ResizeObserver(() => layout.fit(state.size));
   for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
+  new ResizeObserver(panels_soon).observe($(".sim-curve")); // also what stands beside it changes its width
   window.addEventListener("resize", () => layout.fit(state.size));
   document.addEventListener("visibilitychange", show_or_hide);
   return {
