@@ -39,7 +39,7 @@ from sympy.core.relational import Relational
 
 from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of, denominators_of, parts_of
 from proofs.engine.claim import Claim
-from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner, small
+from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, few, inner, small
 from proofs.engine.names import plain, symbols_of
 from proofs.engine.program import flat
 
@@ -97,7 +97,7 @@ class Translation:
 
     def introduce(self, kind: str, symbol: Symbol, of: Expr) -> None:
         """Add the step that makes a new symbol of a polynomial: a "root", an "inverse", or what abbreviates it."""
-        self.steps.append({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
+        self._add({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
         if kind == "define":
             self.abbreviated[symbol] = self._written_out(of)
 
@@ -134,13 +134,18 @@ class Translation:
         """Add a given: the sign of `difference` is one of `signs`."""
         key, orientation, possible = self._known(difference)
         self.signs[key] = {orientation * s for s in possible & signs}
-        self.steps.append(_fact("assume", difference, signs))
+        self._add(_fact("assume", difference, signs))
 
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         fact = _fact("show", difference, signs)
         self.shown += 1
-        self.steps += [fact] * (fact not in self.steps)
+        if fact not in self.steps:
+            self._add(fact)
+
+    def _add(self, step):
+        self.steps.append(step)
+        few(len(self.steps))
 
     def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
