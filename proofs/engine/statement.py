@@ -39,6 +39,7 @@ from sympy.core.relational import Relational
 
 from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of, denominators_of, parts_of
 from proofs.engine.claim import Claim
+from proofs.engine.definitions import Reading
 from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, few, inner, small
 from proofs.engine.names import plain, symbols_of
 from proofs.engine.program import flat
@@ -336,7 +337,7 @@ def _case(claim, choices):
     expressions = flat((claim.shows, pending, definitions))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
-    undefined, given = set(t.lines), []
+    undefined, given, as_read, reading = set(t.lines), [], [], Reading(definitions)
     for line in (None, *definitions):
         if line:
             t.line(*line)
@@ -348,12 +349,14 @@ def _case(claim, choices):
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
                 given.append(t.relation(part))
+                as_read += reading.of(part)
                 t.assume(*given[-1])
     t.showing, idle = True, set()
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
-        if before == t.shown and _follows(difference, signs, given):  # no branch was taken
+        said = [(difference, signs, given)] * (before == t.shown)  # where no branch was taken
+        if any(_follows(*r) for r in (*said, *((*read, as_read) for read in reading.of(relation)))):
             idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle
