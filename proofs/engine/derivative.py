@@ -36,6 +36,9 @@ OUTER = {
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
 HIGHEST = 3  # derivative of a derivative of …
 LARGEST = 999  # powers, ten times multiples of an angle or cases, terms of a product: the kernel's powers go as far
+MOST_STEPS = (
+    60  # hypotheses, lines, roots, quotients and conclusions of a claim, or what an induction has in their place
+)
 
 
 class NotFound(ValueError):
@@ -50,6 +53,12 @@ def small(number: float) -> None:
     """Refuse what would take more than seconds to write out: so many terms or powers, a tenth as many cases."""
     if number > LARGEST:
         raise Untranslatable(f"terms, powers, cases or levels come to {number}, more than {LARGEST}")
+
+
+def few(steps: int) -> None:
+    """Refuse a claim with which a search would take more than seconds."""
+    if steps > MOST_STEPS:
+        raise Untranslatable(f"hypotheses, lines, roots, quotients and conclusions are more than {MOST_STEPS}")
 
 
 def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:

@@ -7,7 +7,7 @@ from sympy.core.relational import Eq
 
 from proofs.engine.angles import angles_in, circle_of
 from proofs.engine.claim import Induction
-from proofs.engine.derivative import Untranslatable
+from proofs.engine.derivative import Untranslatable, few
 from proofs.engine.names import plain, symbols_of
 from proofs.engine.program import flat
 from proofs.engine.statement import VERSION, Translation, polynomial_data
@@ -44,6 +44,7 @@ def induction(claim: Induction) -> dict:
     expressions = tuple(map(sympify, flat((claim.given, claim.shows, claim.states))))
     if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
         raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
+    few(len(expressions))
     symbols = {*symbols_of(expressions), *flat([*dict(claim.ranges)])}
     plain([*(symbols - {claim.n}), Symbol(claim.n.name, real=True)])
     if not all(isinstance(r, Eq) for r in claim.shows):

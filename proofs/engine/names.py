@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-from sympy import Basic, Symbol
+from sympy import Basic, Pow, Symbol
 
 from proofs.engine.derivative import Untranslatable, small
 
@@ -31,7 +31,9 @@ def _depth(e):
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too; refuse one that is nested too deeply."""
+    """Return every symbol of some expressions, bound ones too; refuse nesting too deep, and powers 0."""
     expressions = [*expressions]
     small(20 * max(map(_depth, expressions), default=0))
+    if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:
+        raise Untranslatable(f"no rule translates {zeroth[0]}: what has the exponent 0 is written 1")
     return set().union(*(e.atoms(Symbol) for e in expressions))

@@ -15,7 +15,7 @@ from proofs.engine.counterexample import NotRational, rational_root
 
 WHOLE, PARTS = (0, 1, 2, 3, 10, 1000), ((3, 5), (4, 5), (5, 13), (12, 13), (3, 4), (4, 3), (5, 12), (24, 7))
 SIMPLE = [*map(Fraction, WHOLE), *(Fraction(*pair) for pair in (*PARTS, (1, 2), (1, 3), (2, 3), (1, 4), (1, 10)))]
-TRIES = 4000
+TRIES, USUAL, PICKS = 4000, 256, 8  # fewer tries where there are more names times facts than usual
 
 
 def without_unused(statement: dict, certificate: dict) -> tuple[dict, dict]:
@@ -60,7 +60,7 @@ def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] 
     new = [step["new"] for step in said["steps"] if step["step"] in ("root", "inverse")]
     names = [*said["variables"], *new]
     fixed = {name: value for name, value in example.items() if name in names}
-    for _ in range(TRIES):
+    for _ in range(TRIES * USUAL // max(USUAL, len(names) * len(facts))):
         with suppress(NotRational):
             values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
             point = {name: str(value) for name, value in sorted(values.items())}
@@ -71,10 +71,11 @@ def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] 
 
 def _attempt(names, facts, fixed, rng, pool):
     """Return values of all names: some as fixed, or solved for where an equation allows it, the others at random."""
-    values = dict(fixed)
+    values, new = dict(fixed), dict(fixed)
+    known = {name: kernel.variable(name) for name in names}
     while True:
-        known = {name: kernel.multiply(values[name]) if name in values else kernel.variable(name) for name in names}
-        facts = [(kernel.substitute(p, known), relation) for p, relation in facts]
+        known |= {name: kernel.multiply(value) for name, value in new.items()}
+        facts = [(p if new.keys().isdisjoint(_names(p)) else kernel.substitute(p, known), r) for p, r in facts]
         if not all(kernel.HOLDS[r](p.get((), 0)) for p, r in facts if not any(p)):
             raise NotRational
         facts = [(p, r) for p, r in facts if any(p)]
@@ -82,7 +83,18 @@ def _attempt(names, facts, fixed, rng, pool):
         if not unknown:
             return values
         equations = sorted((p for p, r in facts if r == "="), key=lambda p: len(_names(p)))
-        values |= (equations and _solved(equations[0], rng, pool)) or {rng.choice(unknown): _simple(rng, pool)}
+        new = (equations and _solved(equations[0], rng, pool)) or _chosen(rng.choice(unknown), facts, rng, pool)
+        values |= new
+
+
+def _chosen(name, facts, rng, pool):
+    """Return a value of a name, with which the facts about it alone hold where one of some is such a value."""
+    alone = [(p, kernel.HOLDS[r]) for p, r in facts if r != "=" and set(_names(p)) == {name}]
+    for _ in range(PICKS):
+        value = {name: kernel.multiply(_simple(rng, pool))}
+        if all(holds(kernel.substitute(p, value).get((), 0)) for p, holds in alone):
+            break
+    return {name: value[name].get((), 0)}
 
 
 def _simple(rng, pool):

@@ -39,7 +39,8 @@ from sympy.core.relational import Relational
 
 from proofs.engine.angles import COSINES, SINES, angle_of, angles_in, circle_of, denominators_of, parts_of
 from proofs.engine.claim import Claim
-from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, inner, small
+from proofs.engine.definitions import Reading
+from proofs.engine.derivative import TRUE_FOR, Untranslatable, branch, few, inner, small
 from proofs.engine.names import plain, symbols_of
 from proofs.engine.program import flat
 
@@ -97,7 +98,7 @@ class Translation:
 
     def introduce(self, kind: str, symbol: Symbol, of: Expr) -> None:
         """Add the step that makes a new symbol of a polynomial: a "root", an "inverse", or what abbreviates it."""
-        self.steps.append({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
+        self._add({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
         if kind == "define":
             self.abbreviated[symbol] = self._written_out(of)
 
@@ -134,13 +135,18 @@ class Translation:
         """Add a given: the sign of `difference` is one of `signs`."""
         key, orientation, possible = self._known(difference)
         self.signs[key] = {orientation * s for s in possible & signs}
-        self.steps.append(_fact("assume", difference, signs))
+        self._add(_fact("assume", difference, signs))
 
     def show(self, difference: Expr, signs: set[int]) -> None:
         """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
         fact = _fact("show", difference, signs)
         self.shown += 1
-        self.steps += [fact] * (fact not in self.steps)
+        if fact not in self.steps:
+            self._add(fact)
+
+    def _add(self, step):
+        self.steps.append(step)
+        few(len(self.steps))
 
     def decide(self, condition: Basic) -> bool:
         """Return whether a condition holds: as given, or else as chosen."""
@@ -331,7 +337,7 @@ def _case(claim, choices):
     expressions = flat((claim.shows, pending, definitions))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
-    undefined, given = set(t.lines), []
+    undefined, given, as_read, reading = set(t.lines), [], [], Reading(definitions)
     for line in (None, *definitions):
         if line:
             t.line(*line)
@@ -343,12 +349,14 @@ def _case(claim, choices):
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
                 given.append(t.relation(part))
+                as_read += reading.of(part)
                 t.assume(*given[-1])
     t.showing, idle = True, set()
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
-        if before == t.shown and _follows(difference, signs, given):  # no branch was taken
+        said = [(difference, signs, given)] * (before == t.shown)  # where no branch was taken
+        if any(_follows(*r) for r in (*said, *((*read, as_read) for read in reading.of(relation)))):
             idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

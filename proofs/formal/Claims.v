@@ -107,15 +107,15 @@ Proof.
 Qed.
 
 Theorem chart__range : Statements.chart__range.
-Proof. claim. Qed.
+Proof. red. intros. pose proof PI_RGT_0. assert (phi = v * PI) by (unfold v; field; lra). clearbody v. each shown. Qed.
 Theorem chart__inside : Statements.chart__inside.
 Proof. claim. Qed.
 Theorem chart__seam : Statements.chart__seam.
 Proof. claim. Qed.
 Theorem chart__round_trip : Statements.chart__round_trip.
 Proof.
-  red. intros. unfold cos_theta, sin_theta. replace (PI * (2 * (1 / 2 * turn + 1 / 2))) with (PI * turn + PI) by field.
-  rewrite neg_cos, neg_sin. repeat split; ring.
+  red. intros. unfold cos_theta, sin_theta, cos_phi, sin_phi. replace (PI * (2 * (1 / 2 * turn + 1 / 2))) with (PI * turn + PI) by field.
+  replace (PI * (phi / PI)) with phi by (field; exact PI_neq0). rewrite neg_cos, neg_sin. repeat split; ring.
 Qed.
 Theorem chart__on_the_seam : Statements.chart__on_the_seam.
 Proof. claim. Qed.
@@ -149,7 +149,7 @@ Proof.
   assert (0 < Rabs (sin (PI * k_u) * sin (PI * (k_v * v)))); [|lra]. apply Rabs_pos_lt, Rmult_integral_contrapositive_currified; intro Z; rewrite Z in *; lra.
 Qed.
 Theorem seam__rings : Statements.seam__rings.
-Proof. claim. Qed.
+Proof. slopes. Qed.
 Theorem kink_loci__crease_u : Statements.kink_loci__crease_u.
 Proof.
   red. intros. unfold h, crease. replace (PI * (k_u * m / k_u)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_l, Rabs_R0. repeat split; lra.

@@ -65,13 +65,13 @@ Definition algebraic_gradient__square_5__false : Prop :=
 
 Definition chart__range_1__false : Prop :=
   ~ (
-  forall polar turn : R,
+  forall phi turn : R,
   let u_closed := (1 / 2) * turn + (1 / 2) in
   let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
   turn > -1 ->
   turn <= 1 ->
-  polar >= 0 ->
-  polar <= 1 ->
+  phi >= 0 ->
+  phi <= PI ->
   (1 / 2) >= u).
 
 Definition chart__seam_2__false : Prop :=

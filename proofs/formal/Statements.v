@@ -90,14 +90,14 @@ Definition algebraic_gradient__reciprocal : Prop :=
   product_imaginary = 0.
 
 Definition chart__range : Prop :=
-  forall polar turn : R,
+  forall phi turn : R,
   let u_closed := (1 / 2) * turn + (1 / 2) in
   let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
-  let v := polar in
+  let v := phi / PI in
   turn > -1 ->
   turn <= 1 ->
-  polar >= 0 ->
-  polar <= 1 ->
+  phi >= 0 ->
+  phi <= PI ->
   u >= 0 /\
   1 > u /\
   v >= 0 /\
@@ -116,19 +116,18 @@ Definition chart__seam : Prop :=
   let u_closed := (1 / 2) * turn + (1 / 2) in
   let u := (if Rlt_dec u_closed 1 then u_closed else 0) in
   turn = 1 ->
-  u_closed = 1 /\
   u = 0.
 
 Definition chart__round_trip : Prop :=
-  forall polar turn : R,
+  forall phi turn : R,
   let cos_theta := -(cos (PI * (2 * ((1 / 2) * turn + (1 / 2))))) in
   let sin_theta := -(sin (PI * (2 * ((1 / 2) * turn + (1 / 2))))) in
-  let cos_phi := cos (PI * polar) in
-  let sin_phi := sin (PI * polar) in
+  let cos_phi := cos (PI * (phi / PI)) in
+  let sin_phi := sin (PI * (phi / PI)) in
   cos_theta = cos (PI * turn) /\
   sin_theta = sin (PI * turn) /\
-  cos_phi = cos (PI * polar) /\
-  sin_phi = sin (PI * polar).
+  cos_phi = cos phi /\
+  sin_phi = sin phi.
 
 Definition chart__on_the_seam : Prop :=
   let cos_theta := -(cos (PI * (2 * 0))) in
@@ -154,17 +153,15 @@ Definition chart_inverse__unit : Prop :=
   (-(cos (PI * (2 * u)))) * (sin (PI * v)) * (-(cos (PI * (2 * u)))) * (sin (PI * v)) + (-(sin (PI * (2 * u)))) * (sin (PI * v)) * (-(sin (PI * (2 * u)))) * (sin (PI * v)) + (cos (PI * v)) * (cos (PI * v)) = 1.
 
 Definition chart_inverse__recovered : Prop :=
-  forall cos_phi cos_theta sin_phi sin_theta : R,
+  forall cos_theta sin_phi sin_theta : R,
   let normal_x := cos_theta * sin_phi in
   let normal_y := sin_phi * sin_theta in
-  let normal_z := cos_phi in
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   sin_phi > 0 ->
   normal_x ^ 2 + normal_y ^ 2 >= 0 /\
   sqrt (normal_x ^ 2 + normal_y ^ 2) <> 0 /\
   (sqrt (normal_x ^ 2 + normal_y ^ 2)) ^ 2 = sin_phi ^ 2 /\
   sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_phi /\
-  normal_z = cos_phi /\
   normal_x / sqrt (normal_x ^ 2 + normal_y ^ 2) = cos_theta /\
   normal_y / sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_theta.
 
@@ -984,7 +981,6 @@ Definition gradients__rings : Prop :=
   let h_v := 2 * PI * cos_v * k_v in
   ex_derive (fun u : R => sin (PI * (2 * k_v * v))) u /\
   ex_derive (fun v : R => sin (PI * (2 * k_v * v))) v /\
-  h_u = 0 /\
   h_v = 2 * PI * k_v * (cos (v * 2 * PI * k_v)) /\
   h_u = (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) /\
   h_v = (Derive (fun v : R => sin (PI * (2 * k_v * v))) v) /\
@@ -2203,7 +2199,6 @@ Definition stable_frame__seed_frame : Prop :=
   let normal_z := cos_phi in
   let e_theta_x := -sin_theta in
   let e_theta_y := cos_theta in
-  let e_theta_z := 0 in
   let e_phi_x := cos_phi * cos_theta in
   let e_phi_y := cos_phi * sin_theta in
   let e_phi_z := -sin_phi in
@@ -2214,7 +2209,6 @@ Definition stable_frame__seed_frame : Prop :=
   sqrt (1 - normal_z ^ 2) = sin_phi /\
   -normal_y / sqrt (1 - normal_z ^ 2) = e_theta_x /\
   normal_x / sqrt (1 - normal_z ^ 2) = e_theta_y /\
-  0 = e_theta_z /\
   normal_x * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_x /\
   normal_y * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_y /\
   -sqrt (1 - normal_z ^ 2) = e_phi_z.
@@ -2398,11 +2392,9 @@ Definition seam__ridges_jump : Prop :=
   -(Rabs ((sin (PI * (0 * k_u))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (1 * k_u))) * (sin (PI * (k_v * v)))))) > 0.
 
 Definition seam__rings : Prop :=
-  forall k_v v : R,
-  let h := sin (PI * (2 * k_v * v)) in
-  let h_u := 0 in
-  h = sin (PI * (2 * k_v * v)) /\
-  h_u = 0.
+  forall k_v u v : R,
+  ex_derive (fun u : R => sin (PI * (2 * k_v * v))) u /\
+  (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) = 0.
 
 Definition occlusion_by_signs__quadratic : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z s : R,

@@ -6,33 +6,32 @@ from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.language import *
 
-turn, polar = real("turn polar")  # θ/π in (−1, 1] and φ/π in [0, 1]: what atan2pi is
-_of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): polar}
+turn = real("turn")  # θ/π in (−1, 1]: what atan2pi is
+_of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): phi / pi}
 _by_turns = chain("by_turns", {s: e.xreplace(_of_angles) for s, e in chart.definitions})
 _range = Claim(
-    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (turn > -1, turn <= 1, polar >= 0, polar <= 1), _by_turns
+    "range", (u >= 0, greater(1, u), v >= 0, at_least(1, v)), (turn > -1, turn <= 1, phi >= 0, phi <= pi), _by_turns
 )
-_seam = Claim("seam", (equation(u_closed, 1), zero(u)), equation(turn, 1), _by_turns)
+_seam = Claim("seam", zero(u), equation(turn, 1), _by_turns)
 _inside = Claim("inside", (equation(u, u_closed), equation(chart_radians[theta], pi * turn)), turn < 1, _by_turns)
 
 
 _round_trip = Claim(
     "round_trip",
-    equations(chart_inverse.outputs, [f(a) for a in (turn, polar) for f in (cospi, sinpi)]),
+    equations(chart_inverse.outputs, [cospi(turn), sinpi(turn), cos(phi), sin(phi)]),
     lines=chart_inverse.at({u: _by_turns.expand(u_closed), v: _by_turns.expand(v)}),
 )
 _on_the_seam = Claim(
     "on_the_seam", equations(chart_inverse.outputs[:2], [cospi(1), sinpi(1)]), lines=chart_inverse.at({u: S.Zero})
 )
 
-_nx, _ny, _nz = normal
+_nx, _ny, _ = normal
 _across = sqrt(_nx**2 + _ny**2)
 _recovered = Claim(
     "recovered",
     (
         equation(_across**2, sin_phi**2),
         equation(_across, sin_phi),
-        equation(_nz, cos_phi),
         equations((_nx / _across, _ny / _across), (cos_theta, sin_theta)),
     ),
     (on_circles[0], sin_phi > 0),
@@ -65,17 +64,15 @@ forward = Theorem(
         variant("u is (θ + π)/2π on the seam as well", _seam, equation(u, u_closed)),
         variant("back with cos 2πu, without the minus", _round_trip, negated(_round_trip)),
     ),
-    side_conditions=SideCondition(
-        r"$\theta < \pi$", "inside", holds={turn: "12/13", polar: 0}, fails={turn: 1, polar: 0}
-    ),
+    side_conditions=SideCondition(r"$\theta < \pi$", "inside", holds={turn: "12/13", phi: 0}, fails={turn: 1, phi: 0}),
 )
 
 inverse = Theorem(
     "chart_inverse",
     "The inverse of the chart",
     r"""$N(u, v) = (-\sin\pi v\cos 2\pi u, -\sin\pi v\sin 2\pi u, \cos\pi v)$ has length 1. Where $\sin\varphi >
-    0$, $N$ gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\varphi = N_z$, $\cos\theta = N_x/\sin\varphi$,
-    $\sin\theta = N_y/\sin\varphi$.""",
+    0$, $N$, whose $N_z$ is $\cos\varphi$, gives back $\sin\varphi = \sqrt{N_x^2+N_y^2}$, $\cos\theta =
+    N_x/\sin\varphi$, $\sin\theta = N_y/\sin\varphi$.""",
     hypotheses=r"$\sin\varphi > 0$ for the way back",
     claims=(_formula, _unit, _recovered),
     steps={

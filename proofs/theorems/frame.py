@@ -63,7 +63,7 @@ seed_orientation = Theorem(
     ),
 )
 
-_both = (*e_theta, *e_phi)
+_both = (*e_theta[:2], *e_phi)  # the third is 0 in either
 _seed = Claim(
     "seed_frame",
     (equation(seed_frame[seed_sin_phi], sin_phi), equations(seed_frame.expand(_both), _both)),

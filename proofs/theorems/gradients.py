@@ -27,7 +27,6 @@ _sine = Claim(
 _rings = Claim(
     "rings",
     (
-        zero(h_u),
         equation(h_v, 2 * pi * k_v * cos(2 * pi * k_v * v)),
         equations((h_u, h_v), [Derivative(rings.expression, c) for c in (u, v)]),
         _difference(rings, v, h_v, 2 * pi * k_v),

@@ -37,7 +37,7 @@ from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided
 from verify.checkers.proof_checker import by_definition, examine
 
-x, y, n, p, a, s = symbols("x y n p a s", real=True)
+x, y, n, p, q, a, s = symbols("x y n p q a s", real=True)
 TINY = Rational(1, 10**41)
 
 
@@ -112,10 +112,19 @@ TRUE_CLAIMS = [
     Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a),
     Induction("whole", Symbol("n", integer=True), equation(y, 2 * x), ((y, 2 * x, 3 * y - 4 * x),)),
     says(equation(Abs(p), x - 5), greater(p, x - 6), given=greater(x, 5), lines=line(p, x - 5)),
+    says(equation(p, x**2 - 1), lines=line(p, (x - 1) * (x + 1))),
     says(equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)), at_least((x + y) ** 8, 0), squares=(x + y) ** 4),
     says(Max(x, y) >= x, abs(x) >= x, at_least(Piecewise((x, x > 0), (-x, True)), 0)),
     says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
 ]
+PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
+RESTATED = [
+    *((relation, ()) for relation in (equation(p, x - 5), equation(x, p + 5), at_least(2 * p, 2 * x - 10))),
+    (equation(q, y * (x - 5)), ()),
+    (greater(q, 0), greater(y * p, 0)),
+    (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
+]
+"""[(what its lines and what is given already say, what is given)]"""
 SINES = ("proved", 0), ("failed", TINY), ("failed", TINY * Rational(1, 10**15))
 """(grade, what is added to the sine of which x ≥ 0 is said to be one): no kernel knows that there is no such x"""
 CONTRADICTIONS = [(x > 0, x < 0), equation(x**2, -1), (x > 5, x**2 < 20)]
@@ -167,6 +176,7 @@ GRADES = [
     *(("failed", says(r, given=g, cited=CitedLemma(r, "DLMF", g), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
     *(("failed", says(greater(x, 10), borrowed=(("attack", "attack"),)), {"uses": uses}) for uses in ((), "attack")),
     *(("failed", c, {"mutants": TRUE, "expected": "refuted", "refuted_at": point}) for c, point in UNREFUTED),
+    *(("by definition", says(r, given=given, lines=PUT_IN), {}) for r, given in RESTATED),
     ("by definition", Induction("to nothing", n, (equation(x, x), equation(0, 0))), {}),
 ]
 

@@ -76,6 +76,8 @@ def of_values():
         yield equation(value, x), "no rule|compar|no value"
     for condition in (y, Contains(x, S.Integers), Xor(x > 0, y > 0), ITE(y > 0, x > 1, x > 0)):
         yield equation(Piecewise((1, condition), (0, True)), 0), "no condition of relations"
+    for zeroth in (Pow(x, 0, evaluate=False), cos(Pow(1 / x, 0, evaluate=False), evaluate=False)):
+        yield equation(zeroth, 1), "exponent 0 is written 1"
     for corner in (floor(x), DiracDelta(x)):
         yield equation(Derivative(corner, x), 0), "no rule differentiates"
         yield equation(corner, 0), "no rule translates"
@@ -98,7 +100,13 @@ def of_states():
     """Yield (a claim, why it has no statement): a line's name may change with x, and a state with n."""
     for changing in (Derivative(y, x), Derivative(y**2, y), Derivative(y * x, x)):
         yield Claim("of a line", equation(changing, 0), (), line(y, x + 1)), "a line defines"
-    none = equation(x, 0)
+    none, many = equation(x, 0), symbols("a:80", real=True)
+    for shown, given in (
+        (none, zeros := [equation(each, 0) for each in many]),
+        (equation(sum(map(sqrt, many)), 0), ()),
+    ):
+        yield Claim("of many", shown, given), "more than 60"
+    yield Induction("of many", n, zeros), "more than 60"
     state = Induction("of states", n, none, ((x, 0, x),))
     for why, shown in (
         ("in an angle", equation(cos(x), 1)),
