@@ -43,15 +43,15 @@ class Reading:
         return name
 
     def sum(self, e: Expr) -> Expr:
-        """Return an expression as a sum of multiples of what it is made of, in which only such sums are put in."""
+        """Return an expression as a sum of multiples of parts, in which what lines say is a sum, too."""
         if e.is_Add:
             return Add(*map(self.sum, e.args))
         if e.is_Rational:
             return e
-        if e.is_Mul and len(others := [a for a in e.args if not a.is_Rational]) == 1:
-            number = Mul(*(a for a in e.args if a.is_Rational))
-            return (number * self.sum(others[0])).expand()
-        return self.sums.setdefault(e, Symbol(f"sum_{len(self.sums)}"))
+        if e.is_Mul and (numbers := [a for a in e.args if a.is_Rational]):
+            others = [a for a in e.args if not a.is_Rational]
+            return (Mul(*numbers) * self.sum(Mul(*others, evaluate=False))).expand()
+        return self.sums.get(e, self.part(e))
 
     def of(self, relation: Relational) -> list[tuple[Expr, set[int]]]:
         """Return (left − right, the signs for which the relation holds), of parts and of sums."""

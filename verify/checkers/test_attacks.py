@@ -120,7 +120,7 @@ TRUE_CLAIMS = [
 PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
 RESTATED = [
     *((relation, ()) for relation in (equation(p, x - 5), equation(x, p + 5), at_least(2 * p, 2 * x - 10))),
-    (equation(q, y * (x - 5)), ()),
+    *((relation, ()) for relation in (equation(q, y * (x - 5)), equation(q - p * y, 0))),
     (greater(q, 0), greater(y * p, 0)),
     (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
 ]
