@@ -60,19 +60,19 @@ Section ratio.
 Variables y x : R.
 Let r := angle_in_half_turns_float64.ratio y x.
 Let k := angle_in_half_turns_float64.node_correction y x.
-Let f := rounded (angle_in_half_turns_float64.arctangent_tail y x + 5734161139222659 / 18014398509481984).
+Let factor := rounded (angle_in_half_turns_float64.arctangent_tail y x + 5734161139222659 / 18014398509481984).
 Let P (t : R) := arctangent_polynomial.arctangent_tail t + 5734161139222659 / 18014398509481984.
 Lemma factor_of_ratio (t : R) : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30 -> 307/1000 <= P t <= 3184/10000 /\ arctangent_polynomial.small_part t 0 = t * P t.
 Proof. intro T. split; [unfold P, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared; split; interval | unfold arctangent_polynomial.small_part, P; ring]. Qed.
 Hypothesis B : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
-Lemma factor_near : Rabs (f - P r) <= 38/100 / 2 ^ 53.
+Lemma factor_near : Rabs (factor - P r) <= 38/100 / 2 ^ 53.
 Proof.
-  unfold f, P, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.arctangent_tail. set (zh := angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
+  unfold factor, P, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.arctangent_tail. set (zh := angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
   assert (Z : 0 <= z <= 98/1000) by (unfold z, arctangent_polynomial.ratio_squared; split; [apply pow2_ge_0 | interval]).
   assert (E : Rabs (zh - z) <= 99/1000 / 2 ^ 53).
   { unfold zh, angle_in_half_turns_float64.ratio_squared. fold r. replace (r * r) with z by (unfold z, arctangent_polynomial.ratio_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (98/1000)); apply Rabs_le; lra | interval]. }
-  clearbody zh z r. clear f P.
+  clearbody zh z r. clear factor P.
   match goal with |- context [rounded (?c - rounded (?d * zh))] =>
     assert (I : Rabs (rounded (c - rounded (d * zh)) - (c - d * z)) <= 2/100 / 2 ^ 53)
       by (eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | find_error] | interval]) end.
@@ -80,8 +80,8 @@ Proof.
 Qed.
 Lemma small_part_rounded (Q : R) : Rabs r <= Q -> Q <= 1/2 -> 0 <= k <= 1 / 2 ^ 56 -> Rabs (angle_in_half_turns_float64.small_part y x - (k + arctangent_polynomial.small_part r 0)) <= 102/100 * Q / 2 ^ 53 + 1 / 2 ^ 97.
 Proof.
-  intros S1 S2 K. destruct (factor_of_ratio r B) as [Bp ->]. assert (E := factor_near). unfold angle_in_half_turns_float64.small_part. fold r k f. clearbody f r k. set (p := P r) in *. clearbody p.
-  assert (Sp : Rabs p <= 3184/10000) by (apply Rabs_le; lra). assert (E1 := times_error r r p f Q (3184/10000) 0 _ S1 Sp (no_error r) E). assert (S3 : Rabs (r * p + k) <= 3184/10000 * Q + 1 / 2 ^ 56).
+  intros S1 S2 K. destruct (factor_of_ratio r B) as [Bp ->]. assert (E := factor_near). unfold angle_in_half_turns_float64.small_part. fold r k factor. clearbody factor r k. set (p := P r) in *. clearbody p.
+  assert (Sp : Rabs p <= 3184/10000) by (apply Rabs_le; lra). assert (E1 := times_error r r p factor Q (3184/10000) 0 _ S1 Sp (no_error r) E). assert (S3 : Rabs (r * p + k) <= 3184/10000 * Q + 1 / 2 ^ 56).
   { eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq k) by lra. generalize (Rmult_le_compat _ _ _ _ (Rabs_pos r) (Rabs_pos p) S1 Sp). lra. }
   rewrite !(Rplus_comm k). eapply Rle_trans; [exact (sum_error _ _ _ _ _ S3 E1)|]. assert (0 <= Q) by (eapply Rle_trans; [apply Rabs_pos | exact S1]). lra.
 Qed.
