@@ -1,8 +1,7 @@
 """What a relation says beside what is given and the lines of its program. This file is trusted.
 
-What says nothing reads 0 = 0 once the lines are put in, or is given then, turned round, multiplied by a number or
-weakened. Nothing else is done to it: terms are moved, and the order of sums and products is none; nothing is
-multiplied out, and no value is simplified.
+What says nothing reads 0 = 0 once the lines are put in, or is given then. Terms are moved, and the order of sums and
+products is none; nothing is multiplied out, and no value is simplified.
 """
 
 from collections import Counter
@@ -29,17 +28,13 @@ class Reading:
         """Return the name of what an expression reads."""
         if e in self.parts:
             return self.parts[e]
-        parts: Counter | tuple = tuple(map(self.part, e.args))
+        key, parts = (e.func, *map(self.part, e.args)) if e.args else (e,), Counter[Symbol]()
         if e.func in (Add, Mul):
-            several: Counter = Counter()
-            for each in parts:
-                for inner, times in self.factors.get((e.func, each), {each: 1}).items():
-                    several[inner] += times
-            parts = several
-        key = (e.func, frozenset(parts.items())) if isinstance(parts, Counter) else (e.func, *parts) if parts else (e,)
+            for each in key[1:]:
+                parts.update(self.factors.get((e.func, each), {each: 1}))
+            key = e.func, frozenset(parts.items())
         name = self.parts[e] = self.names.setdefault(key, Symbol(f"part_{len(self.names)}"))
-        if isinstance(parts, Counter):
-            self.factors[e.func, name] = parts
+        self.factors[e.func, name] = parts
         return name
 
     def sum(self, e: Expr) -> Expr:
