@@ -11,8 +11,6 @@ Definition differ (x y : R) : {x <> y} + {x = y} := sumbool_not _ _ (Req_EM_T x 
 
 (* A power with any exponent, of a base that is not negative: Coq's own is 1 at the base 0. *)
 Definition power (base exponent : R) : R := if Rlt_dec 0 base then Rpower base exponent else 0.
-Lemma power_positive (base exponent : R) : 0 < base -> power base exponent = Rpower base exponent.
-Proof. intro P. unfold power. destruct (Rlt_dec 0 base); [reflexivity | contradiction]. Qed.
 
 (* The angle of the point (x, y) of the plane: in (-PI, PI], and 0 at the origin. *)
 Definition atan2 (y x : R) : R :=
