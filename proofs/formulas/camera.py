@@ -8,6 +8,7 @@ from sympy import And, Max, Piecewise, Rational, oo, sqrt, symbols
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.symbols import (
+    ANGLES,
     Vector,
     ball_center,
     ball_on,
@@ -38,6 +39,7 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
+from proofs.formulas.tangent_frame import unit_normal
 
 POLE = Rational(1, 10**150)  # below this ρ/e a point is the pole itself
 
@@ -136,18 +138,14 @@ angles_on_a = chain(
         sin_phi: tangent_squared * rho * hit_scale,
         cos_phi: eye * (root_a + radius**2) * hit_scale,
     },
-    outputs=(cos_theta, sin_theta, cos_phi, sin_phi),
+    outputs=ANGLES,
 )
 """The angles of the visible point of A from ρ and t alone: sin φ = tρ/R, cos φ = e(1 − t)/R, θ's from x/ρ, y/ρ.
 
 No term cancels, so they keep their digits up to the pole, where both of θ's are set to 0; quotients with one divisor
 share its reciprocal. Theorem: stable_frame."""
 
-point_on_a = Program(
-    "point_on_a",
-    (cos_theta, sin_theta, cos_phi, sin_phi, radius),
-    {point: radius * Vector((sin_phi * cos_theta, sin_phi * sin_theta, cos_phi))},
-)
+point_on_a = Program("point_on_a", (ANGLES, radius), {point: radius * unit_normal.expand(normal)})
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 point_on_b = chain("point_on_b", hit_of_b, {point: (t_b * x, t_b * y, eye * (1 - t_b))})
