@@ -39,7 +39,6 @@ from proofs.formulas.symbols import (
     x,
     y,
 )
-from proofs.formulas.tangent_frame import unit_normal
 
 POLE = Rational(1, 10**150)  # below this ρ/e a point is the pole itself
 
@@ -145,7 +144,9 @@ angles_on_a = chain(
 No term cancels, so they keep their digits up to the pole, where both of θ's are set to 0; quotients with one divisor
 share its reciprocal. Theorem: stable_frame."""
 
-point_on_a = Program("point_on_a", (ANGLES, radius), {point: radius * unit_normal.expand(normal)})
+point_on_a = Program(
+    "point_on_a", (ANGLES, radius), {point: radius * Vector((sin_phi * cos_theta, sin_phi * sin_theta, cos_phi))}
+)
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 point_on_b = chain("point_on_b", hit_of_b, {point: (t_b * x, t_b * y, eye * (1 - t_b))})

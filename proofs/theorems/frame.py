@@ -13,7 +13,7 @@ place = {u: (theta + pi) / (2 * pi), v: phi / pi}  # in the chart
 
 def at_angle(c: Expr | int, s: Expr | int) -> dict:
     """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
-    return {cos_theta: 1, sin_theta: 0, cos_phi: c, sin_phi: s}
+    return {ANGLES: (1, 0, c, s)}
 
 
 _n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))

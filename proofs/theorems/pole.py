@@ -2,14 +2,14 @@
 
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import gradient
-from proofs.theorems.frame import place
+from proofs.theorems.frame import angles, place
 from proofs.theorems.language import *
 
 
 def _at_pole(field):
     """Return the lines of g on the meridian θ as v → 0: those at v = 0, φ = 0."""
-    pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
-    return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(place | pole)
+    pole = angles | place | {cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
+    return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(pole)
 
 
 _turned = k_u * (theta + pi) / 2
