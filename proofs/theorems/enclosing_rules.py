@@ -7,11 +7,12 @@ x_error, y_error, x_exact = real("x_error y_error x_exact")
 _few = x_error <= Pow(2, 60), y_error <= Pow(2, 60)
 
 
-def _not_tiny(number):
+def not_tiny(number: Expr) -> Basic:
+    """Return that a number is 0 or above 10⁻²⁸⁵, in size."""
     return Or(equation(number, 0), Abs(number) * Pow(10, 285) >= 1)
 
 
-_in_two = *_few, Abs(x * y) <= Pow(2, 21), _not_tiny(x * y)
+_in_two = *_few, Abs(x * y) <= Pow(2, 21), not_tiny(x * y)
 
 theorem = Theorem(
     "enclosing_rules",
@@ -39,7 +40,7 @@ theorem = Theorem(
             "selection": (),
             "sine": _in_two,
             "cosine": _in_two,
-            "exponential": (x <= 704, x_error <= Pow(2, 55), _not_tiny(x)),
+            "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
         }.items()
     ],
     steps={
