@@ -29,17 +29,14 @@ class Reading:
         """Return the name of what an expression reads."""
         if e in self.parts:
             return self.parts[e]
-        parts: Counter | tuple = tuple(map(self.part, e.args))
+        parts, several = [*map(self.part, e.args)], Counter[Symbol]()
+        key = (e.func, *parts) if parts else (e,)
         if e.func in (Add, Mul):
-            several: Counter = Counter()
             for each in parts:
-                for inner, times in self.factors.get((e.func, each), {each: 1}).items():
-                    several[inner] += times
-            parts = several
-        key = (e.func, frozenset(parts.items())) if isinstance(parts, Counter) else (e.func, *parts) if parts else (e,)
+                several.update(self.factors.get((e.func, each), [each]))
+            key = e.func, frozenset(several.items())
         name = self.parts[e] = self.names.setdefault(key, Symbol(f"part_{len(self.names)}"))
-        if isinstance(parts, Counter):
-            self.factors[e.func, name] = parts
+        self.factors[e.func, name] = several
         return name
 
     def sum(self, e: Expr) -> Expr:
