@@ -36,9 +36,7 @@ OUTER = {
 TRUE_FOR = {"==": {0}, "!=": {-1, 1}, ">": {1}, ">=": {0, 1}, "<": {-1}, "<=": {-1, 0}}  # signs of left − right
 HIGHEST = 3  # derivative of a derivative of …
 LARGEST = 999  # powers, ten times multiples of an angle or cases, terms of a product: the kernel's powers go as far
-MOST_STEPS = (
-    60  # hypotheses, lines, roots, quotients and conclusions of a claim, or what an induction has in their place
-)
+MOST_STEPS = 60  # hypotheses, lines, roots, quotients and conclusions of a claim, or an induction's parts
 
 
 class NotFound(ValueError):

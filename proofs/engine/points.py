@@ -13,8 +13,9 @@ from proofs.check import consistency
 from proofs.engine import kernel
 from proofs.engine.counterexample import NotRational, rational_root
 
-WHOLE, PARTS = (0, 1, 2, 3, 10, 1000), ((3, 5), (4, 5), (5, 13), (12, 13), (3, 4), (4, 3), (5, 12), (24, 7))
-SIMPLE = [*map(Fraction, WHOLE), *(Fraction(*pair) for pair in (*PARTS, (1, 2), (1, 3), (2, 3), (1, 4), (1, 10)))]
+WHOLE, PARTS = ("0", "1", "2", "3", "10", "1000"), ("1/2", "1/3", "2/3", "1/4", "1/10")
+OF_CIRCLES = ("3/5", "4/5", "5/13", "12/13", "3/4", "4/3", "5/12", "24/7")  # sines, cosines and tangents
+SIMPLE = [*map(Fraction, (*WHOLE, *OF_CIRCLES, *PARTS))]
 TRIES, USUAL, PICKS = 4000, 256, 8  # fewer tries where there are more names times facts than usual
 
 

@@ -191,7 +191,8 @@ class Translation:
             base, power = self.polynomial(e.base), 2 * e.exp
             base, power = (base, power / 2) if power % 2 == 0 else (self._generator("root", base), power)
             base = self._named(base)
-            small(max(n := abs(int(power)), comb(len(base.as_ordered_terms()) + min(n, 999) - 1, min(n, 999))))
+            small(n := abs(int(power)))
+            small(comb(len(base.as_ordered_terms()) + n - 1, n))
             return base**power if power > 0 else self._generator("inverse", base) ** -power
         if isinstance(e, (*COSINES, *SINES)):
             if not e.args[0].is_polynomial():

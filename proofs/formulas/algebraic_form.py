@@ -9,39 +9,40 @@ Theorem: algebraic_gradient.
 """
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cos_phi, cos_theta, real, sin_phi, sin_theta
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, real, sin_phi, sin_theta
 
 MAX_WAVE_NUMBER = 64  # beyond it the power's rounding error, which grows like k, is worse than a reduced argument's
 
 base_of_u = (-cos_theta, -sin_theta)
 base_of_v = (cos_phi, sin_phi)
 
-real_part, imaginary_part, other_real, other_imaginary = real("real_part imaginary_part other_real other_imaginary")
-product_real, product_imaginary = real("product_real product_imaginary")
-
-_product = (product_real, product_imaginary)
+_factors = real_part, imaginary_part, other_real, other_imaginary = real(
+    "real_part imaginary_part other_real other_imaginary"
+)
+_product = real("product_real product_imaginary")
 
 complex_square = Program(
     "complex_square",
-    (real_part, imaginary_part),
+    _factors[:2],
     {_product: ((real_part - imaginary_part) * (real_part + imaginary_part), 2 * real_part * imaginary_part)},
 )
 """(a + ib)² = (a − b)(a + b) + 2iab."""
 
 complex_product = Program(
     "complex_product",
-    (real_part, imaginary_part, other_real, other_imaginary),
+    _factors,
     {
-        product_real: real_part * other_real - imaginary_part * other_imaginary,
-        product_imaginary: real_part * other_imaginary + imaginary_part * other_real,
+        _product: (
+            real_part * other_real - imaginary_part * other_imaginary,
+            real_part * other_imaginary + imaginary_part * other_real,
+        )
     },
-    _product,
 )
 """(a + ib)(c + id)."""
 
 algebraic_bases = Program(
     "algebraic_bases",
-    (cos_theta, sin_theta, cos_phi, sin_phi),
+    ANGLES,
     {real("base_u_real base_u_imaginary base_v_real base_v_imaginary"): (*base_of_u, *base_of_v)},
 )
 """The numbers that are raised to the powers a/2 and b."""

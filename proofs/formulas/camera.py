@@ -8,6 +8,7 @@ from sympy import And, Max, Piecewise, Rational, oo, sqrt, symbols
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.symbols import (
+    ANGLES,
     Vector,
     ball_center,
     ball_on,
@@ -136,7 +137,7 @@ angles_on_a = chain(
         sin_phi: tangent_squared * rho * hit_scale,
         cos_phi: eye * (root_a + radius**2) * hit_scale,
     },
-    outputs=(cos_theta, sin_theta, cos_phi, sin_phi),
+    outputs=ANGLES,
 )
 """The angles of the visible point of A from ρ and t alone: sin φ = tρ/R, cos φ = e(1 − t)/R, θ's from x/ρ, y/ρ.
 
@@ -144,9 +145,7 @@ No term cancels, so they keep their digits up to the pole, where both of θ's ar
 share its reciprocal. Theorem: stable_frame."""
 
 point_on_a = Program(
-    "point_on_a",
-    (cos_theta, sin_theta, cos_phi, sin_phi, radius),
-    {point: radius * Vector((sin_phi * cos_theta, sin_phi * sin_theta, cos_phi))},
+    "point_on_a", (ANGLES, radius), {point: radius * Vector((sin_phi * cos_theta, sin_phi * sin_theta, cos_phi))}
 )
 """P = R N, N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 

@@ -4,13 +4,13 @@ from sympy import acos, atan2, pi
 
 from proofs.engine.program import Program
 from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v, where
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v, where
 
 u_closed, theta = real("u_closed theta")
 
 chart = Program(
     "chart",
-    (cos_theta, sin_theta, cos_phi, sin_phi),
+    ANGLES,
     {
         u_closed: (1 + atan2pi(sin_theta, cos_theta)) / 2,
         u: where(u_closed < 1, u_closed, 0),
@@ -20,11 +20,7 @@ chart = Program(
 )
 """u = (1 + θ/π)/2 reduced to [0, 1) (θ = π gives 1, which is 0), v = φ/π, both by atan2. Theorem: chart."""
 
-chart_inverse = Program(
-    "chart_inverse",
-    (u, v),
-    {(cos_theta, sin_theta, cos_phi, sin_phi): (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))},
-)
+chart_inverse = Program("chart_inverse", (u, v), {ANGLES: (-cospi(2 * u), -sinpi(2 * u), cospi(v), sinpi(v))})
 """The angles from the chart: cos θ = −cos 2πu, sin θ = −sin 2πu, φ = πv. Domain: 0 ≤ v ≤ 1, any u. Theorem:
 chart_inverse."""
 

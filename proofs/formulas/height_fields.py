@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import combinations, product
 from typing import Any
 
-from mpmath import iv, mpf, workdps
+from mpmath import iv, mpmathify, workdps
 from sympy import (
     Abs,
     DiracDelta,
@@ -77,7 +77,7 @@ class HeightField:
     def _check_ends(self):
         value = values_of(self.expression, (u, *PERIODIC[0]))
         for at in PERIODIC:
-            first, last = (float(value(mpf(end), *(mpf(n.p) / n.q for n in map(S, at.values())))) for end in (0, 1))
+            first, last = (float(value(*map(mpmathify, (end, *at.values())))) for end in (0, 1))
             if not abs(first - last) < 1e-12:
                 raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
 
@@ -202,6 +202,5 @@ def gradient(field: HeightField) -> Program:
     return Program(f"gradient_{field.name}", IN_CHART, lines, (h_u, h_v))
 
 
-slope_value = real("slope")
-slope = Program("slope", (h_u, h_v), {slope_value: sqrt(h_u**2 + h_v**2)})
+slope = Program("slope", (h_u, h_v), {real("slope"): sqrt(h_u**2 + h_v**2)})
 """|∇h| = √(h_u² + h_v²), in the chart."""

@@ -4,7 +4,6 @@ import operator
 from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 
-import mpmath
 from mpmath import iv
 from sympy import Abs, Add, Basic, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbol, exp, lambdify, log, pi, sign
 from sympy.core.relational import Relational
@@ -45,7 +44,7 @@ def values_of(expression: Expr, symbols: Iterable[Symbol]) -> Callable[..., floa
 
     The numbers are made within its digits, which `mpmath.workdps` says.
     """
-    return lambdify([*symbols], expression, [{"sinpi": mpmath.sinpi, "cospi": mpmath.cospi}, "mpmath"])
+    return lambdify([*symbols], expression, "mpmath")
 
 
 def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:

@@ -81,7 +81,7 @@ ball_on, floor_on = real("ball_on floor_on")
 ball_center = vector("ball_center")
 
 # Sphere A: the angles of a point, and the chart.
-cos_theta, sin_theta, cos_phi, sin_phi = real("cos_theta sin_theta cos_phi sin_phi")
+ANGLES = cos_theta, sin_theta, cos_phi, sin_phi = real("cos_theta sin_theta cos_phi sin_phi")
 theta, phi = real("theta phi")
 u, v = real("u v")
 

@@ -6,20 +6,19 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vectors
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vectors
 
 e_theta, e_phi = vectors("e_theta e_phi")
 seed_sin_phi = real("seed_sin_phi")
 
-_angles = (cos_theta, sin_theta, cos_phi, sin_phi)
 _nx, _ny, _nz = normal
 
-unit_normal = Program("unit_normal", _angles, {normal: (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)})
+unit_normal = Program("unit_normal", ANGLES, {normal: (sin_phi * cos_theta, sin_phi * sin_theta, cos_phi)})
 """N = (sin φ cos θ, sin φ sin θ, cos φ)."""
 
 tangent_frame = Program(
     "tangent_frame",
-    _angles,
+    ANGLES,
     {e_theta: (-sin_theta, cos_theta, 0 * cos_theta), e_phi: (cos_phi * cos_theta, cos_phi * sin_theta, -sin_phi)},
     (e_theta, e_phi),
 )

@@ -2,11 +2,10 @@
 
 from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product, complex_square
 from proofs.formulas.height_fields import cos_u, cos_v, factors, sin_u, sin_v
-from proofs.theorems.frame import angles
+from proofs.theorems.frame import angles, place
 from proofs.theorems.language import *
 
 n, sign, alpha, gamma = real("n sign alpha gamma")
-_chart = {u: (theta + pi) / (2 * pi), v: phi / pi}
 _number, _other, _product = complex_product.inputs[:2], complex_product.inputs[2:], complex_product.outputs
 real_part, imaginary_part = _number
 
@@ -19,7 +18,7 @@ def _powers(base):
 
 def _factors(field, wave_numbers):
     """Return a field's trigonometric factors in the angles θ, φ of the chart, for given wave numbers."""
-    return {name: factor.subs(wave_numbers).subs(_chart) for name, factor in factors(field).definitions}
+    return {name: factor.subs(wave_numbers).subs(place) for name, factor in factors(field).definitions}
 
 
 _plain = Induction("power", n, equations(_number, (cos(n * alpha), sin(n * alpha))), _powers((cos(alpha), sin(alpha))))

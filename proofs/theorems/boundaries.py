@@ -1,9 +1,8 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
-from proofs.formulas.bump import bumped, g, perturbed
+from proofs.formulas.bump import g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import METHODS
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.theorems.language import *

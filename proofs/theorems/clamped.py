@@ -93,7 +93,6 @@ _first_ridge = Claim(
     ),
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
     cited=sine_of_half_turn(k_v * v),
-    ranges={v: (0, 1), k_v: (0, 3)},
 )
 _end = v + epsilon
 _room = clamped_bound[truncation].xreplace({third_derivative: S.One})

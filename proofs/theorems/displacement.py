@@ -3,7 +3,7 @@
 from proofs.formulas.bump import bumped_normal, m
 from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
 from proofs.formulas.tangent_frame import e_phi, e_theta
-from proofs.theorems.frame import angles, at_angle, frame, on_circles
+from proofs.theorems.frame import angles, at_angle, frame, on_circles, place
 from proofs.theorems.language import *
 
 theta_0, phi_0 = real("theta_0 phi_0")
@@ -22,10 +22,9 @@ _product = Claim(
     equations(cross(_along(phi), _along(theta)), _scaled),
     (equations((theta, phi), (theta_0, phi_0)), sin(phi) > 0),
 )
-_u, _v = (theta + pi) / (2 * pi), phi / pi
 _chart_scale = Claim(
     "chart_scale",
-    (equation(h_theta, h_u * Derivative(_u, theta)), equation(h_phi, h_v * Derivative(_v, phi))),
+    (equation(h_theta, h_u * Derivative(place[u], theta)), equation(h_phi, h_v * Derivative(place[v], phi))),
     lines=displaced_normal,
 )
 _off_the_poles = (on_circles, sin_phi > 0)

@@ -7,11 +7,12 @@ x_error, y_error, x_exact = real("x_error y_error x_exact")
 _few = x_error <= Pow(2, 60), y_error <= Pow(2, 60)
 
 
-def _not_tiny(number):
+def not_tiny(number: Expr) -> Basic:
+    """Return that a number is 0 or above 10⁻²⁸⁵, in size."""
     return Or(equation(number, 0), Abs(number) * Pow(10, 285) >= 1)
 
 
-_in_two = *_few, Abs(x * y) <= Pow(2, 21), _not_tiny(x * y)
+_in_two = *_few, Abs(x * y) <= Pow(2, 21), not_tiny(x * y)
 
 theorem = Theorem(
     "enclosing_rules",
@@ -27,22 +28,21 @@ theorem = Theorem(
         r"of a sine $|xy| \le 2^{21}$, of $e^x$ $x \le 704$ and a count of at most $2^{55}$; of both what is not 0 is "
         "above $10^{-285}$",
     ),
-    rounded=(
-        Encloses("sum", RULES["enclosed_sum"]),
-        Encloses("product", RULES["enclosed_product"], _few),
-        Encloses(
-            "quotient",
-            RULES["enclosed_quotient"],
-            (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
-        ),
-        Encloses("root", RULES["enclosed_root"], (x >= 0, x_exact >= 0)),
-        Encloses("floor", RULES["enclosed_floor"], x_error <= Pow(2, 60)),
-        Encloses("nearest", RULES["enclosed_nearest"], x_error <= Pow(2, 60)),
-        Encloses("selection", RULES["enclosed_selection"]),
-        Encloses("sine", RULES["enclosed_sine"], _in_two),
-        Encloses("cosine", RULES["enclosed_cosine"], _in_two),
-        Encloses("exponential", RULES["enclosed_exponential"], (x <= 704, x_error <= Pow(2, 55), _not_tiny(x))),
-    ),
+    rounded=[
+        Encloses(name, RULES[f"enclosed_{name}"], given)
+        for name, given in {
+            "sum": (),
+            "product": _few,
+            "quotient": (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
+            "root": (x >= 0, x_exact >= 0),
+            "floor": _few[0],
+            "nearest": _few[0],
+            "selection": (),
+            "sine": _in_two,
+            "cosine": _in_two,
+            "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
+        }.items()
+    ],
     steps={
         "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
         "a result's own rounding is at most one": r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",

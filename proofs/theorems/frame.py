@@ -7,12 +7,13 @@ from proofs.theorems.language import *
 
 frame = chain("frame", unit_normal, tangent_frame)
 on_circles = (equation(cos_theta**2 + sin_theta**2, 1), equation(cos_phi**2 + sin_phi**2, 1))
-angles = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: cos(phi), sin_phi: sin(phi)}
+angles = dict(zip(ANGLES, (cos(theta), sin(theta), cos(phi), sin(phi)), strict=True))
+place = {u: (theta + pi) / (2 * pi), v: phi / pi}  # in the chart
 
 
 def at_angle(c: Expr | int, s: Expr | int) -> dict:
     """Return the inputs θ = 0, (cos φ, sin φ) = (c, s)."""
-    return {cos_theta: 1, sin_theta: 0, cos_phi: c, sin_phi: s}
+    return {ANGLES: (1, 0, c, s)}
 
 
 _n, _theta, _phi = (frame.expand(names).xreplace(angles) for names in (normal, e_theta, e_phi))

@@ -20,7 +20,7 @@ from proofs.theorems.language import *
 apart, turned = real("apart turned")
 
 n, m, omega = vectors("n m omega")
-x, z = real("x z")
+z = real("z")
 
 
 _scalar = Claim(

@@ -127,8 +127,8 @@ def _on_the_axis(size):
     return {x: 0, y: 0, eye: 4, ball_radius: size, ball_on: 1, ball_center: (0, 0, 3)}
 
 
-_outside = distance_squared(_eye, ball_center) > ball_radius**2
-_sees_b = (_outside, discriminant_b >= 0, toward_b > 0, ball_on > 0)
+eye_outside_b = distance_squared(_eye, ball_center) > ball_radius**2
+_sees_b = (eye_outside_b, discriminant_b >= 0, toward_b > 0, ball_on > 0)
 _solves_b = Claim(
     "solves",
     (equation(hits_b, 1), equation(distance_squared(along(t_b), ball_center), ball_radius**2), t_b > 0),
@@ -145,7 +145,7 @@ _near_b = Claim(
 _behind_b = Claim(
     "behind",
     (t < 0, zero(hits_b)),
-    (_outside, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
+    (eye_outside_b, toward_b <= 0, equation(distance_squared(along(t), ball_center), ball_radius**2)),
     hit_of_b,
     squares=(x * t, y * t, eye * t),
 )
@@ -192,7 +192,7 @@ theorem_b = Theorem(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
         variant("the far root", _near_b, t <= t_b),
         variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
-        variant("b with its sign turned", _behind_b, given=(_outside, toward_b >= 0, _behind_b.given[2:])),
+        variant("b with its sign turned", _behind_b, given=(eye_outside_b, toward_b >= 0, _behind_b.given[2:])),
     ),
     side_conditions=SideCondition("$c > 0$: the eye is outside B", "solves", fails=(_on_the_axis(1), _on_the_axis(2))),
 )
@@ -222,12 +222,7 @@ _covers = Claim(
     (x >= -2, x <= 2, y >= -2, y <= 2),
 )
 _root = _false_c / (b + sqrt(d))
-_before = Claim(
-    "before",
-    (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)),
-    (b > 35 * QUARTER, d > 0),
-    ranges={b: (9, 12), d: (0, 100)},
-)
+_before = Claim("before", (b + sqrt(d) > 35 * QUARTER, _root > 0, greater(QUARTER, _root)), (b > 35 * QUARTER, d > 0))
 _behind = Claim(
     "behind",
     (radius >= eye * (1 - t), eye * t >= eye - radius),

@@ -28,7 +28,7 @@ from proofs.formulas.shading import (
 from proofs.theorems.highlight import unclamped
 from proofs.theorems.language import *
 
-s, n, power, x, slope, of_x, by_s = real("s n power x slope of_x by_s")
+s, n, power, slope, of_x, by_s = real("s n power slope of_x by_s")
 raised, raised_by_beta = real("raised raised_by_beta")
 
 

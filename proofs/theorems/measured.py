@@ -4,6 +4,7 @@ The measurements are in verify/checkers/measurements."""
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 from proofs.formulas.height_fields import gradient
+from proofs.theorems.enclosing_rules import not_tiny
 from proofs.theorems.language import *
 
 products = Theorem(
@@ -67,9 +68,7 @@ def _slopes_in_float64(field, rates):
     near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):
         if coordinate in program.reaches(*rates):
-            product = rate * coordinate
-            given += [coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20]
-            given.append(Or(equation(product, 0), Abs(product) * Pow(10, 285) >= 1))
+            given += [coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20, not_tiny(rate * coordinate)]
     return Rounded(field.name, program, near, given)
 
 
@@ -85,8 +84,7 @@ gradients = Theorem(
         "nothing overflows",
     ),
     rounded=(
-        _slopes_in_float64(sine, {h_u: k_u, h_v: k_v}),
-        _slopes_in_float64(ridges, {h_u: k_u, h_v: k_v}),
+        [_slopes_in_float64(field, {h_u: k_u, h_v: k_v}) for field in (sine, ridges)],
         _slopes_in_float64(rings, {h_v: 2 * k_v}),
     ),
     steps={

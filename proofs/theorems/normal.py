@@ -1,6 +1,6 @@
 """The bumped normal: its length before normalising, and its derivative in β, which the seed checks by a difference."""
 
-from proofs.formulas.bump import bumped, bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
+from proofs.formulas.bump import bumped_by_beta, bumped_normal, g, m, m_length, normal_by_beta, perturbed
 from proofs.theorems.frame import on_circles
 from proofs.theorems.language import *
 

@@ -1,6 +1,6 @@
 """How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
 
-from proofs.formulas.bump import bumped, g, m_length, perturbed
+from proofs.formulas.bump import g, m_length, perturbed
 from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
 

@@ -2,15 +2,14 @@
 
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.height_fields import gradient
+from proofs.theorems.frame import angles, place
 from proofs.theorems.language import *
-
-_meridian = u, (theta + pi) / (2 * pi)
 
 
 def _at_pole(field):
     """Return the lines of g on the meridian θ as v → 0: those at v = 0, φ = 0."""
-    pole = {cos_theta: cos(theta), sin_theta: sin(theta), cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
-    return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(dict([_meridian]) | pole)
+    pole = angles | place | {cos_phi: S.One, sin_phi: S.Zero, v: S.Zero}
+    return chain("at_pole", gradient(field), bumped_normal.keep(*g)).at(pole)
 
 
 _turned = k_u * (theta + pi) / 2
@@ -43,7 +42,7 @@ _opposite = Claim(
 )
 
 n, chebyshev, following = real("n chebyshev following")
-_two = sine.expression.subs({k_u: 2, k_v: n}).subs(*_meridian).subs(v, phi / pi)
+_two = sine.expression.subs({k_u: 2, k_v: n}).subs(place)
 _smooth = Induction(
     "polynomial",
     n,

@@ -1,6 +1,6 @@
 """How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
 
-from proofs.formulas.camera import half, image_extent, image_point, parallel_radius
+from proofs.formulas.camera import image_extent, image_point, parallel_radius
 from proofs.theorems.language import *
 
 m, n = real("m n")

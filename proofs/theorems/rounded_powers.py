@@ -39,7 +39,6 @@ _square = Claim(
     ),
     (equations((off_first, off_second), (first * _squared[0], second * _squared[1])), both_ways(excess, first, second)),
     squares=_squared,
-    ranges=_small,
 )
 _twice = 2 * unit + unit**2
 _product = Claim(

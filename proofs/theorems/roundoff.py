@@ -28,10 +28,7 @@ _factors = both_ways(unit, first, second, third)
 _unit = (unit > 0, unit < 1)
 _both = (1 + first) * (1 + second)
 _two = Claim(
-    "two_roundings",
-    both_ways(two_roundings[excess], growth - 1),
-    (_unit, _factors[:4], equation(growth, _both)),
-    ranges={unit: (0, "1/4"), first: ("-1/4", "1/4")},
+    "two_roundings", both_ways(two_roundings[excess], growth - 1), (_unit, _factors[:4], equation(growth, _both))
 )
 _three = Claim(
     "three_roundings",
@@ -41,7 +38,6 @@ _three = Claim(
         both_ways(three_roundings[excess], growth - 1),
     ),
     (_unit, _factors, equation(growth * (1 + third), _both)),
-    ranges={(unit, first, second, third): ("-1/8", "1/8")},
 )
 
 

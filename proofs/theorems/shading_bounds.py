@@ -135,11 +135,9 @@ one_more = Theorem(
 
 a, b = vectors("a b")
 length_a, length_b, apart, turned, product = real("length_a length_b apart turned product")
-_outside = (
-    *(equation(size**2, squared(p)) for size, p in ((length_a, a), (length_b, b))),
-    equation(product, dot(a, b)),
-    equation(apart**2, squared(a - b)),
-    equation(turned**2, squared(a / length_a - b / length_b)),
+_outside = equations(
+    (length_a**2, length_b**2, product, apart**2, turned**2),
+    (squared(a), squared(b), dot(a, b), squared(a - b), squared(a / length_a - b / length_b)),
 )
 _normalise = Claim(
     "normalise",

@@ -1,13 +1,12 @@
 """The silhouette of sphere B: a conic, its type, and the branch that is not seen; for any apex, as shadows need it."""
 
 from proofs.formulas.camera import discriminant_b, distance, ray_direction, toward_b
-from proofs.theorems.hits import distance_squared, hit_of_b
+from proofs.theorems.hits import eye_outside_b, hit_of_b
 from proofs.theorems.language import *
 
 _cx, _cy, _cz = ball_center
 _above = eye - _cz  # H: how far the eye is above B's centre
 _c = _cx**2 + _cy**2 + _above**2 - ball_radius**2
-_outside = distance_squared((0, 0, eye), ball_center) > ball_radius**2
 _xx, _xy, _yy = _cx**2 - _c, _cx * _cy, _cy**2 - _c
 _xz, _yz, _zz = eye * _above * _cx, eye * _above * _cy, eye**2 * (_above**2 - _c)
 _determinant = _xx * _yy - _xy**2
@@ -35,7 +34,7 @@ def conic_types(c: Expr, determinant: Expr, height: Expr, radius: Expr, outside:
     return tuple(Claim(name, (c > 0, shown), (outside, given)) for name, shown, given in cases)
 
 
-_types = conic_types(_c, _determinant, _above, ball_radius, _outside)
+_types = conic_types(_c, _determinant, _above, ball_radius, eye_outside_b)
 _s, _q, _image = _cx**2 + _cy**2, x * _cx + y * _cy, x**2 + y**2
 _h = distance  # H = e − C_z
 _ch = _s + _h**2 - ball_radius**2
@@ -70,7 +69,7 @@ _none_seen = Claim(
 _branch = Claim(
     "branch",
     (equation(toward_b**2, _c * squared(ray_direction)), positive(squared(ray_direction), toward_b**2)),
-    (eye > 0, _outside, zero(discriminant_b)),
+    (eye > 0, eye_outside_b, zero(discriminant_b)),
     hit_of_b,
 )
 
