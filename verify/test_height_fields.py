@@ -52,6 +52,11 @@ def test_half_turns_are_enclosed_and_evaluated():
     assert atan2pi(1, -1).evalf() == 0.75
 
 
+def test_the_last_of_three_values_is_for_all_else():
+    found = enclosure(Piecewise((2, u > 2), (u, u > 1), (3, True)), {u: iv.mpf([0, 1])})
+    assert (float(found.a), float(found.b)) == (0, 3)
+
+
 def test_creases_of_a_cosine_are_where_a_sine_is_zero():
     assert FIELDS["folded"].creases == (sinpi(k_u * u + Rational(1, 2)), sinpi(k_v * v + Rational(1, 2)))
 
