@@ -7,6 +7,8 @@ Open Scope R_scope.
 (* The definitions of a claim's lines, put in their place. *)
 Ltac lines := repeat match goal with x := _ |- _ => subst x end.
 
+Ltac sum_of_squares := apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0.
+
 Ltac not_zero := match goal with
   | H : ?x <> 0 |- ?x <> 0 => exact H
   | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; not_zero

@@ -11,7 +11,7 @@ Proof.
   red. intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
   assert (S : a ^ 2 - w ^ 2 = (ox * (ny - my) - oy * (nx - mx)) ^ 2 + (oy * (nz - mz) - oz * (ny - my)) ^ 2 + (oz * (nx - mx) - ox * (nz - mz)) ^ 2).
   { transitivity (a ^ 2 * (oz * oz + ox * ox + oy * oy) - w ^ 2); [rewrite U; ring | rewrite G; unfold w; ring]. }
-  assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0). assert (- a <= w <= a) by (clear - A D; split; nra).
+  assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; sum_of_squares). assert (- a <= w <= a) by (clear - A D; split; nra).
   split; [exact D | unfold w in *; split; lra].
 Qed.
 Theorem specular_lipschitz__clamps : Statements.specular_lipschitz__clamps.
@@ -55,14 +55,20 @@ Proof.
 Qed.
 Theorem squared_highlight__halfway : Statements.squared_highlight__halfway.
 Proof.
-  red. intros. assert (distance_squared >= 0) by (apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  red. intros. assert (distance_squared >= 0) by sum_of_squares.
   change (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) with distance_squared in *. change light_distance_plain with light_distance in *.
   repeat split; try assumption; try (apply Rgt_not_eq; assumption); lines; field; apply Rgt_not_eq; assumption.
+Qed.
+Theorem squared_highlight__opposite : Statements.squared_highlight__opposite.
+Proof.
+  red. intros. assert (halfway_squared = 0) by (unfold halfway_squared; rewrite H0, H1, H2; ring).
+  unfold mu. destruct (Rlt_dec 0 halfway_squared); [lra|].
+  repeat split; try lra. sum_of_squares.
 Qed.
 Theorem squared_highlight__cosine : Statements.squared_highlight__cosine.
 Proof.
   red. intros. change light_distance_plain with light_distance in *.
-  assert (S : distance_squared >= 0) by (apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  assert (S : distance_squared >= 0) by sum_of_squares.
   assert (L : light_distance <> 0).
   { intro Z. assert (distance_squared = 0) by (apply sqrt_eq_0; [apply Rge_le, S | exact Z]). unfold distance_squared in *. 
     assert (to_light_x = 0) by nra. assert (to_light_y = 0) by nra. assert (to_light_z = 0) by nra. 

@@ -272,7 +272,7 @@ Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
 Proof.
   red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 +
     (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (rewrite H3, H4, H5; ring).
-  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0). assert (P : distance * wander >= 0) by nra.
+  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; sum_of_squares). assert (P : distance * wander >= 0) by nra.
   assert (distance * wander + product >= 0) by nra. each ltac:(first [assumption | lra | nra]).
 Qed.
 Theorem shadow_out_of_reach__quadratic : Statements.shadow_out_of_reach__quadratic.

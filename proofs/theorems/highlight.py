@@ -21,12 +21,11 @@ apart, turned = real("apart turned")
 
 n, m, omega = vectors("n m omega")
 z = real("z")
-
-
+_units = [equation(squared(p), 1) for p in (n, m, omega)]
 _scalar = Claim(
     "along_a_direction",
     (apart**2 - dot(n - m, omega) ** 2 >= 0, both_ways(apart, dot(n, omega) - dot(m, omega))),
-    (apart >= 0, equation(apart**2, squared(n - m)), equation(squared(omega), 1)),
+    (apart >= 0, equation(apart**2, squared(n - m)), _units[2]),
     squares=cross(n - m, omega),
 )
 _upper = clip[clipped].xreplace({Max(0, color): color})
@@ -42,7 +41,7 @@ _clamps = Claim(
 def unclamped(program: Program) -> Expr:
     """Return the program's base of the highlight before its clamp at 0, with μ written out."""
     (clamped,) = program[specular_base].atoms(Max)
-    (inner,) = (argument for argument in clamped.args if argument != 0)
+    (inner,) = {*clamped.args} - {0}
     return inner.xreplace({mu: program[mu]})
 
 
@@ -51,7 +50,6 @@ def _seen_from(normal_of_light, program):
     return unclamped(program.at({bumped: normal_of_light, towards: omega}))
 
 
-_units = [equation(squared(p), 1) for p in (n, m, omega)]
 _cosines = _of_n, _of_m, _between = dot(n, omega), dot(m, omega), dot(n, m)
 _gram_part = _of_n**2 + _of_m**2 - 2 * _of_n * _of_m * _between
 
@@ -149,11 +147,7 @@ theorem = Theorem(
             "an induction over inequalities, which the kernel has no rule for"
         ),
     },
-    hypotheses=(
-        r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$",
-        "unit vectors",
-        r"the power's factors are carried along by a recurrence; none of them is negative, step by step",
-    ),
+    hypotheses=(r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$", "unit vectors"),
     steps={
         r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$": "Lagrange's identity",
         r"$\max(0, \cdot)$ and the clip do not increase a distance": "by cases",
@@ -206,6 +200,7 @@ _mu, _base, _length = real("mu_plain specular_base_plain halfway_length_plain")
 _plain_halfway = Vector(real(f"{s.name}_plain") for s in halfway)
 _k = Claim("halfway", equations(halfway, light_distance * _plain_halfway), light_distance > 0, _both)
 _cosine = Claim("cosine", equation(mu, _mu), halfway_squared > 0, _both)
+_opposite = Claim("opposite", equation(mu, -dot(bumped, view)), (light_distance > 0, zero(halfway)), blinn_squared)
 _base_squared = Claim(
     "base",
     equation(blinn_squared[specular_base], _base**2),
@@ -220,14 +215,15 @@ from_one_root = Theorem(
     "squared_highlight",
     "The highlight from one root and one division",
     r"""With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the
-    square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.""",
+    square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.
+    Where $\omega = -\hat v$, $\mu = -N'\cdot\hat v$.""",
     hypotheses=(
         "$L \\ne P$",
-        r"$\omega \ne -\hat v$",
+        r"$\omega \ne -\hat v$, but for the last",
         r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
         taken from $k = |d|H$ by hand""",
     ),
-    claims=(_k, _cosine, _base_squared),
+    claims=(_k, _cosine, _base_squared, _opposite),
     steps={
         r"$k = |d|(\omega + \hat v)$": "so its direction is the halfway vector's",
         r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$": "nor does its sign, as $|d| > 0$",
