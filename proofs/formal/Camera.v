@@ -238,12 +238,11 @@ Theorem kink_loci__creased_in_u__point : exists v ku kv, ku <> 0 /\ sin (PI * (k
 Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
 
 (* Not where sin (pi k_v v) = 0. *)
+Ltac level_at_0 := intros F; apply (F 0 0 1 1); [lra | exists 0%Z; lra |]; apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const];
+  intros t; unfold height_ridges.h; rewrite !Rmult_0_r, sin_0, ?Rmult_0_r, ?Rmult_0_l, Rabs_R0; reflexivity.
 Theorem kink_loci__creased_in_u__false : ~ forall u v ku kv : R, ku <> 0 ->
   (exists m : Z, ku * u = IZR m) -> ~ ex_derive (fun u => height_ridges.h u v ku kv) u.
-Proof.
-  intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
-  intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_r, Rabs_R0. reflexivity.
-Qed.
+Proof. level_at_0. Qed.
 
 (* Ridges is creased in v exactly on the circles k_v v = m with m whole, off the rays where it is 0 all along. *)
 Theorem kink_loci__creased_in_v (u v ku kv : R) : kv <> 0 -> sin (PI * (ku * u)) <> 0 ->
@@ -260,21 +259,18 @@ Proof. exists (1 / 2), 1, 1. rewrite half_sine. lra. Qed.
 (* Not where sin (pi k_u u) = 0. *)
 Theorem kink_loci__creased_in_v__false : ~ forall u v ku kv : R, kv <> 0 ->
   (exists m : Z, kv * v = IZR m) -> ~ ex_derive (fun v => height_ridges.h u v ku kv) v.
-Proof.
-  intros F. apply (F 0 0 1 1); [lra | exists 0%Z; lra |]. apply (ex_derive_ext (fun _ => 0)); [| apply ex_derive_const].
-  intros t. unfold height_ridges.h. rewrite !Rmult_0_r, sin_0, Rmult_0_l, Rabs_R0. reflexivity.
-Qed.
+Proof. level_at_0. Qed.
 
 (* The pixel's centre in the default view: e = 4, R = 1, 256^2 pixels. *)
 Definition pixel_x (m : Z) := image_point.x (IZR m) 256 256 (image_extent.half 4 1).
 Definition pixel_y (n : Z) := image_point.y (IZR n) 256 (image_extent.half 4 1).
 
+Ltac of_pixels := unfold pixel_x, pixel_y; image_point.lines; image_extent.lines;
+  replace ((4 - 1) * (4 + 1)) with 15 by ring; pose proof (sqrt_lt_R0 15 ltac:(lra)); pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
 Lemma pixel_value m n : pixel_x m ^ 2 + pixel_y n ^ 2 =
   5 / 3 * (((2 * IZR m - 255) / 256) ^ 2 + ((1083 - 10 * IZR n) / 1280) ^ 2).
 Proof.
-  unfold pixel_x, pixel_y; image_point.lines; image_extent.lines.
-  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
-  pose proof (sqrt_sqrt 15 ltac:(lra)) as Q.
+  of_pixels.
   replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
 Qed.
 
@@ -282,9 +278,7 @@ Qed.
 Theorem pixels_off_the_pole__centre (m n : Z) : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\
   pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
 Proof.
-  unfold pixel_x, pixel_y; image_point.lines; image_extent.lines.
-  replace ((4 - 1) * (4 + 1)) with 15 by ring. pose proof (sqrt_lt_R0 15 ltac:(lra)).
-  pose proof (sqrt_sqrt 15 ltac:(lra)) as Q. set (q := sqrt 15) in *.
+  of_pixels. set (q := sqrt 15) in *.
   replace (5 / 4 * 4 * 1 / q) with (q / 3).
   - split; field.
   - apply (Rmult_eq_reg_r (3 * q)); [field_simplify; lra | lra].

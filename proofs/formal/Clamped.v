@@ -111,13 +111,13 @@ Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v
 Proof.
   destruct (Rtotal_order w v) as [L|[->|G]].
   - rewrite Rabs_left by lra. apply (is_derive_ext_loc (fun w => - (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
-    assert (P : 0 < v - w) by lra. exists (mkposreal _ P). intros y B. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+    assert (P : 0 < v - w) by lra. exists (mkposreal _ P). intros y B. change (Rabs (y - w) < v - w) in B.
     apply Rabs_def2 in B. rewrite Rabs_left by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
   - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply is_derive_Reals. intros e E. exists (mkposreal e E). intros t T B. simpl in B.
     replace (v + t - v) with t by ring. replace (v - v) with 0 by ring. rewrite Rmult_0_l. replace (_ - 0) with (Rabs t / 2) by (field; exact T).
     generalize (Rabs_pos t). intro. rewrite Rabs_pos_eq; lra.
   - rewrite Rabs_pos_eq by lra. apply (is_derive_ext_loc (fun w => (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
-    assert (P : 0 < w - v) by lra. exists (mkposreal _ P). intros y B. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
+    assert (P : 0 < w - v) by lra. exists (mkposreal _ P). intros y B. change (Rabs (y - w) < w - v) in B.
     apply Rabs_def2 in B. rewrite Rabs_pos_eq by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
 Qed.
 Theorem clamped_difference__attained (v epsilon : R) : 0 <= v < epsilon -> v + epsilon <= 1 -> let h w := (w - v) * Rabs (w - v) / 2 in

@@ -44,13 +44,13 @@ Proof.
   { rewrite T. unfold c. transitivity (1 / 9 * (sqrt 3 ^ 2) * (PI * k) ^ 2 * sqrt (e * n) ^ 2); [rewrite !pow2_sqrt by lra; field | field]. }
   repeat split; trivial; [rewrite V; nra | rewrite V; apply sqrt_pow2; lra].
 Qed.
+Ltac of_mean_square k n e total := destruct (mean_square k n e total) as (A & B & C & D & F & G); try lra; [field; lra|];
+  rewrite G; repeat split; try assumption; try lra; nra.
 Theorem crease_error_area__in_u : Statements.crease_error_area__in_u.
 Proof.
-  red. intros e k K E. destruct (mean_square k k e (1 / 2 * 2 * k * (PI * k) ^ 2 * ((e - e) ^ 3 / (3 * e ^ 2) - 1 / 3 / e ^ 2 * (0 - e) ^ 3))) as (A & B & C & D & F & G); try lra; [field; lra|].
-  rewrite G. repeat split; try assumption; try lra. nra.
+  red. intros e k K E. of_mean_square k k e (1 / 2 * 2 * k * (PI * k) ^ 2 * ((e - e) ^ 3 / (3 * e ^ 2) - 1 / 3 / e ^ 2 * (0 - e) ^ 3)).
 Qed.
 Theorem crease_error_area__in_v : Statements.crease_error_area__in_v.
 Proof.
-  red. intros e k K E. destruct (mean_square k (k - 1) e (1 / 2 * 2 * (PI * k) ^ 2 * (k - 1) * ((e - e) ^ 3 / (3 * e ^ 2) - 1 / 3 / e ^ 2 * (0 - e) ^ 3))) as (A & B & C & D & F & G); try lra; [field; lra|].
-  rewrite G. repeat split; try assumption; try lra. nra.
+  red. intros e k K E. of_mean_square k (k - 1) e (1 / 2 * 2 * (PI * k) ^ 2 * (k - 1) * ((e - e) ^ 3 / (3 * e ^ 2) - 1 / 3 / e ^ 2 * (0 - e) ^ 3)).
 Qed.

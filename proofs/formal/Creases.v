@@ -117,8 +117,8 @@ Theorem straddling__error (v k_v epsilon : R) (k m : Z) : (0 < k)%Z -> 0 < epsil
 Proof.
   intros K E u. apply IZR_lt in K. set (w := Rabs (sin (PI * (k_v * v)))).
   apply (filterlim_ext_loc (fun d => PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w)).
-  - assert (P : 0 < Rmin epsilon (1 / IZR k - epsilon)) by (apply Rmin_glb_lt; lra). exists (mkposreal _ P). intros d B D. unfold ball in B. simpl in B.
-    unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B. rewrite Ropp_0, Rplus_0_r in B. assert (B1 := Rlt_le_trans _ _ _ B (Rmin_l _ _)). assert (B2 := Rlt_le_trans _ _ _ B (Rmin_r _ _)).
+  - assert (P : 0 < Rmin epsilon (1 / IZR k - epsilon)) by (apply Rmin_glb_lt; lra). exists (mkposreal _ P). intros d B D. change (Rabs (d - 0) < Rmin epsilon (1 / IZR k - epsilon)) in B.
+    rewrite Rminus_0_r in B. assert (B1 := Rlt_le_trans _ _ _ B (Rmin_l _ _)). assert (B2 := Rlt_le_trans _ _ _ B (Rmin_r _ _)).
     unfold u. rewrite (proj1 (straddling__of_the_slope 0 v (IZR k) k_v d m) K), (proj1 (straddling__of_the_difference 0 v (IZR k) k_v d epsilon m B1) K); try lra.
     + rewrite sign_eq_1 by exact D. unfold w. ring.
     + left. exists k. reflexivity.

@@ -58,14 +58,14 @@ Proof.
   assert (X : 0 < PI * sin_phi) by (apply Rmult_lt_0_compat; lra). assert (Y : 0 < / (2 * PI * sin_phi)) by (apply Rinv_0_lt_compat; lra).
   assert (0 < / sin_phi) by (apply Rinv_0_lt_compat; lra). assert (0 < / PI) by (apply Rinv_0_lt_compat; lra).
   assert (0 < 1 / (PI * sin_phi)) by (apply Rdiv_lt_0_compat; lra).
-  assert (U : beta * h_u * (lift + / (2 * PI * sin_phi)) = 0).
-  { transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y * m_x - displaced_x * m_y)); [|rewrite H3, H4, H5; ring].
-    replace (beta * h_u * (lift + / (2 * PI * sin_phi))) with (beta * (h_u * lift + h_theta / sin_phi)) by (unfold h_theta; field; lra).
-    unfold displaced_x, displaced_y, displaced_z, Rdiv, m_x, m_y, m_z, g_x, g_y, g_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z. ring [C' D']. }
-  assert (V : beta * h_v * (lift + / PI) = 0).
-  { transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z * (displaced_y * m_x - displaced_x * m_y))); [|rewrite H3, H4, H5; ring].
-    replace (beta * h_v * (lift + / PI)) with (beta * (h_v * lift + h_phi)) by (unfold h_phi; field; lra).
-    unfold displaced_x, displaced_y, displaced_z, Rdiv, m_x, m_y, m_z, g_x, g_y, g_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z. ring [C' D']. }
+  assert (UV : beta * h_u * (lift + / (2 * PI * sin_phi)) = 0 /\ beta * h_v * (lift + / PI) = 0).
+  { split.
+    1: transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y * m_x - displaced_x * m_y)); [|rewrite H3, H4, H5; ring].
+    1: replace (beta * h_u * (lift + / (2 * PI * sin_phi))) with (beta * (h_u * lift + h_theta / sin_phi)) by (unfold h_theta; field; lra).
+    2: transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z * (displaced_y * m_x - displaced_x * m_y))); [|rewrite H3, H4, H5; ring].
+    2: replace (beta * h_v * (lift + / PI)) with (beta * (h_v * lift + h_phi)) by (unfold h_phi; field; lra).
+    all: unfold displaced_x, displaced_y, displaced_z, Rdiv, m_x, m_y, m_z, g_x, g_y, g_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z; ring [C' D']. }
+  destruct UV as [U V].
   assert (L : 0 < lift) by (unfold lift; lra).
   assert (A : beta * h_u = 0) by (destruct (Rmult_integral _ _ U); lra). assert (B : beta * h_v = 0) by (destruct (Rmult_integral _ _ V); lra).
   each ltac:(first [assumption | lra | apply Rgt_not_eq; lra]).

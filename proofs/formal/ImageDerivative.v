@@ -8,17 +8,21 @@ Open Scope R_scope.
 Lemma positive_nearby (f : R -> R) (x l : R) : is_derive f x l -> 0 < f x -> locally x (fun t => 0 < f t).
 Proof.
   intros D P. apply (ex_derive_continuous f x (ex_intro _ l D) (fun y => 0 < y)). exists (mkposreal _ P). intros y B.
-  unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B. apply Rabs_def2 in B. lra.
+  change (Rabs (y - f x) < f x) in B. apply Rabs_def2 in B. lra.
 Qed.
 
+(* What is 0 where a function is below 0 is level there. *)
+Lemma level_below (f g : R -> R) (x l : R) : is_derive f x l -> f x < 0 -> (forall t, f t < 0 -> 0 = g t) -> is_derive g x 0.
+Proof.
+  intros D N Z. apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
+  generalize (positive_nearby (fun t => - f t) x (- l) (is_derive_opp f x l D) ltac:(lra)). apply filter_imp. intros t H. apply Z. lra.
+Qed.
 (* A clamp at 0 keeps the derivative above 0, and makes it 0 below. *)
 Lemma clamp_derive (f : R -> R) (x l : R) : is_derive f x l -> f x <> 0 -> is_derive (fun t => Rmax 0 (f t)) x (if Rlt_dec 0 (f x) then l else 0).
 Proof.
   intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
   - apply (is_derive_ext_loc f); [|exact D]. apply (filter_imp _ _ (fun t (H : 0 < f t) => eq_sym (Rmax_right 0 (f t) (Rlt_le _ _ H)))), (positive_nearby f x l); assumption.
-  - apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
-    assert (Q : locally x (fun t => 0 < - f t)) by (apply (positive_nearby (fun t => - f t) x (- l)); [apply (is_derive_opp f), D | lra]).
-    revert Q. apply filter_imp. intros t H. rewrite Rmax_left; lra.
+  - apply (level_below f _ x l); [exact D | lra|]. intros t H. rewrite Rmax_left; lra.
 Qed.
 
 (* The printed highlight: base^p, and 0 at base = 0. *)
@@ -35,9 +39,7 @@ Proof.
       * apply is_derive_Reals, derivable_pt_lim_exp.
       * apply (is_derive_scal (fun t => ln (f t))). apply (is_derive_comp ln f x (/ f x) l); [|exact D]. apply is_derive_Reals, derivable_pt_lim_ln, P.
       * unfold scal. simpl. unfold mult. simpl. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, Rmult_1_l. unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
-  - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (is_derive_ext_loc (fun _ => 0)); [|auto_derive; trivial].
-    assert (Q : locally x (fun t => 0 < - f t)) by (apply (positive_nearby (fun t => - f t) x (- l)); [apply (is_derive_opp f), D | lra]).
-    revert Q. apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
+  - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (level_below f _ x l); [exact D | lra|]. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
 Qed.
 
 (* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)

@@ -130,11 +130,11 @@ Proof.
   assert (Q : forall c, is_lim (fun v => sin (PI * (c * v)) / v) 0 (PI * c)).
   { intro c. generalize (D c). intro Dc. apply is_derive_Reals in Dc. intros S [eps HS]. destruct (Dc eps (cond_pos eps)) as [delta H].
     exists delta. intros v B normal_at. apply HS. unfold ball. simpl. unfold AbsRing_ball, abs, minus, plus, opp. simpl.
-    unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B. rewrite Ropp_0, Rplus_0_r in B.
+    change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B.
     generalize (H v normal_at B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
   apply (is_lim_ext_loc (fun v => (sin (PI * (k * v)) / v) / (sin (PI * (1 * v)) / v))).
-  - exists (mkposreal 1 Rlt_0_1). intros v B normal_at. unfold ball in B. simpl in B. unfold AbsRing_ball, abs, minus, plus, opp in B. simpl in B.
-    rewrite Ropp_0, Rplus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
+  - exists (mkposreal 1 Rlt_0_1). intros v B normal_at. change (Rabs (v - 0) < 1) in B.
+    rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
     { destruct (Rdichotomy v 0 normal_at) as [L|L].
       - assert (0 < sin (PI * - v)) by (apply sin_gt_0; nra). rewrite Ropp_mult_distr_r_reverse, sin_neg in *. lra.
       - assert (0 < sin (PI * v)) by (apply sin_gt_0; nra). lra. }
@@ -172,13 +172,10 @@ Proof.
     apply (is_lim_plus' _ f 0 (k_v * (k_u / 2 * c * x)) l); [|exact Hf]. replace (k_v * (k_u / 2 * c * x)) with (k_u / 2 * c * k_v * x) by ring.
     exact (is_lim_scal_r _ x 0 _ A). }
   rewrite !Rmult_plus_distr_l.
+  assert (V : forall g l, ex_derive g 0 -> k_v * s * g 0 = l -> is_lim (fun v => gradient_sine.h_v u v k_u k_v / PI * g v) 0 l).
+  { intros g l D <-. apply (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * g v)); [intro v; rewrite F; reflexivity|]. apply B; [auto_derive; trivial | rewrite !Rmult_0_r, cos_0; ring]. }
   split; [|split; [|split]].
-  - apply S, (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * (cos (PI * v) * cos theta))); [intro v; rewrite F; reflexivity|].
-    apply B; [auto_derive; trivial | rewrite !Rmult_0_r, !cos_0; ring].
-  - apply S, (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * (cos (PI * v) * sin theta))); [intro v; rewrite F; reflexivity|].
-    apply B; [auto_derive; trivial | rewrite !Rmult_0_r, !cos_0; ring].
-  - apply S, (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * - sin (PI * v))); [intro v; rewrite F; reflexivity|].
-    apply B; [auto_derive; trivial | rewrite !Rmult_0_r, !cos_0, sin_0; ring].
+  1, 2, 3: apply S, V; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
   - unfold c, s. field_simplify_eq. ring [(sin_squared theta) (sin_squared (PI * (k_u * u)))].
 Qed.
 End surface.

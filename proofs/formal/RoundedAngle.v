@@ -100,12 +100,13 @@ Proof.
   split; [|split; [|split; [split|]]]; [| | | |lra]; unfold l, s; angle_in_half_turns_float64.lines; unfold Rmax, Rmin;
     destruct Rle_dec; try assumption; try apply Rabs_pos; lra.
 Qed.
+Lemma quarter_of_larger : bpow radix2 (-1020) <= 1/4 * l.
+Proof. change (bpow radix2 (-2 + -1018) <= 1/4 * l). rewrite bpow_plus. change (bpow radix2 (-2)) with (/ 4). lra. Qed.
 Lemma part_of_larger (c : R) : 1/4 <= c <= 1 -> c * l * (1 - / 2 ^ 53) <= rounded (c * l) <= c * l * (1 + / 2 ^ 53).
 Proof.
   intro C. destruct sides as (_ & _ & _ & P). assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra).
   destruct (standard_model (c * l)) as (d & D & ->).
-  - rewrite Rabs_pos_eq by nra. apply Rle_trans with (1/4 * l); [|nra]. apply Rle_trans with (bpow radix2 (-2) * bpow radix2 (-1018)); [rewrite <- bpow_plus; apply bpow_le; easy|].
-    change (bpow radix2 (-2)) with (/ 4). lra.
+  - rewrite Rabs_pos_eq by nra. eapply Rle_trans; [|apply Rle_trans with (1/4 * l); [exact quarter_of_larger | nra]]. apply bpow_le. easy.
   - rewrite U in D. apply Rabs_le_between in D. assert (0 < c * l) by nra. split; nra.
 Qed.
 (* The ratio that stands for s/l, once the node n is taken off. *)
@@ -117,9 +118,7 @@ Lemma taken_off (m : R) (Q : R) : (m = 1/2 \/ m = 1) -> n = m -> 1/4 * l <= s ->
 Proof.
   intros M E T B Q1. destruct sides as (L & S & O & P). unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. unfold rho. fold l s n. rewrite E.
   destruct Rlt_dec as [_|W]; [|contradiction].
-  assert (G : bpow radix2 (-1020) <= s).
-  { apply Rle_trans with (1/4 * l); [|exact T]. apply Rle_trans with (bpow radix2 (-2) * bpow radix2 (-1018)); [rewrite <- bpow_plus; apply bpow_le; easy|].
-    change (bpow radix2 (-2)) with (/ 4). lra. }
+  assert (G := Rle_trans _ _ _ quarter_of_larger T).
   assert (F : forall z, float64 z -> bpow radix2 (-1020) <= z -> float64 (m * z)).
   { intros z Z Zb. destruct M as [-> | ->]; [apply half_of_float64; [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs]] | rewrite Rmult_1_l; exact Z]. }
   assert (Fs := F s S G). assert (Fl := F l L (Rle_trans _ _ _ G (proj2 O))). rewrite (Rmult_comm l), (kept _ Fs), (kept _ Fl).
