@@ -9,7 +9,7 @@ from PIL import Image
 
 from book.figures.three_pictures import hero, hero_symbolic
 from renderer import Scene, render
-from renderer.picture.views import image_view
+from tests.pictures import shows
 from verify.sources import ROOT
 
 
@@ -29,7 +29,7 @@ def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     assert len(lines.split("\n")) == 5  # the import, and a blank line
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
-    assert np.array_equal(np.asarray(Image.open(written)), image_view(render(Scene(), 256, 256)))
+    assert shows(written, render(Scene(), 256, 256))
 
 
 def test_an_index_shows_links_that_lead_somewhere(monkeypatch):

@@ -17,7 +17,7 @@ from renderer import Light, Scene, central, render
 from renderer.generate.step_terms import BOUNDS
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_linear, difference_logarithmic, image_view, slope_view
+from renderer.picture.views import difference_linear, difference_logarithmic, image_view, kink_view, slope_view
 from renderer.scene.methods import DIFFERENCES, GradientMethod
 from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.tabs import go, number, readout
@@ -177,9 +177,9 @@ def test_the_views_are_the_renderers(tab):
     leading = BOUNDS["ridges"](u, v, 8.0, 4.0, 0.01)[1].astype(int)
     colours, terms = np.array([*map(ImageColor.getrgb, TERM_COLOURS)], np.uint8), np.zeros((256, 256, 3), np.uint8)
     terms[frame.stage.on_a] = colours[leading]
-    expected = {"slope": slope_view(frame, math.pi * 8), "terms": terms}
-    for view, flags in (("kink", frame.kink), ("straddle", frame.straddling)):
-        expected[view] = np.where(flags[..., None], np.uint8(255), image_view(frame) // 3)
+    expected = {"slope": slope_view(frame, math.pi * 8), "terms": terms, "kink": kink_view(frame)}
+    expected["straddle"] = np.where(frame.straddling[..., None], np.uint8(255), image_view(frame) // 3)
+    for flags in (frame.kink, frame.straddling):
         assert 0 < flags.sum() < 20_000
     for view, picture in expected.items():
         paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view={view}")
