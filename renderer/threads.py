@@ -44,12 +44,12 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
     for. An error of any of them is raised when all have stopped; after it, or an interrupt, nothing more is begun.
     """
     bands = [slice(start, min(rows, start + each)) for start in range(0, rows, each)]
-    numbered, results, helpers = enumerate(bands), [None] * len(bands), []
+    numbered, todo, results, helpers = enumerate(bands), [work], [None] * len(bands), []
 
     def take():
         try:
             for number, band in numbered:
-                results[number] = work(band)
+                results[number] = todo[0](band)
         finally:
             for _ in numbered:
                 pass
@@ -65,9 +65,12 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
         at_work = [helper for helper in helpers if not helper.cancel()]
         wait(at_work)
         helpers.clear()
+        found = results.copy()
+        for shared in (todo, results):  # what is cancelled keeps them until a thread of the pool is free
+            shared.clear()
     try:
         while at_work:
             at_work.pop().result()
     finally:
         at_work.clear()  # lest errors keep this frame, and the picture's memory with it
-    return results
+    return found

@@ -2,6 +2,7 @@
 
 import os
 import threading
+import weakref
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -126,13 +127,16 @@ def test_an_error_of_a_band_is_raised_and_the_next_picture_drawn(count):
         assert run_bands(lambda band: band.start, count, 1, 3) == list(range(count))
 
 
-def test_a_helper_that_comes_late_is_not_waited_for(monkeypatch):
-    """Its only thread is busy until this picture is drawn."""
-    drawn = threading.Event()
+def test_a_helper_that_comes_late_is_not_waited_for_and_keeps_nothing(monkeypatch):
+    """Its only thread is busy until this picture is drawn, and what it was to write is gone."""
+    drawn, written = threading.Event(), np.zeros(7)
+    kept = weakref.ref(written)
     with ThreadPoolExecutor(1) as pool:
         pool.submit(drawn.wait, 60)
         monkeypatch.setattr(threads, "_pool", lambda: pool)
-        assert run_bands(lambda band: band.stop, 7, 2, 4) == [2, 4, 6, 7]
+        assert run_bands(lambda band, into=written: into[band].size, 7, 2, 4) == [2, 2, 2, 1]
+        del written
+        assert kept() is None
         drawn.set()
 
 
