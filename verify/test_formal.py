@@ -278,8 +278,12 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
 PRINT = """import json
 from renderer.generate.coq import formulas_source
 from renderer.generate.float64 import float64_source
-print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))"""
-MODULE = re.compile(r"^Module (\w+)\.\n(.*?)^End \1\.", re.MULTILINE | re.DOTALL)
+print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))
+from renderer.generate.statements import statements_source
+print(json.dumps({"Statements": statements_source()}))"""
+PART = re.compile(
+    r"^(?:Module|Definition) (\w+)(?:\.$| : Prop)(.*?)(?=^Module|^Definition \w+ : Prop|\Z)", re.MULTILINE | re.DOTALL
+)
 
 
 @needs_coq
@@ -293,10 +297,10 @@ def test_no_broken_formula_is_accepted(tmp_path, written):
     for place in draw(everywhere(sites), 20):
         with edited(tmp_path, *place) as what:
             done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
-        printed = {} if done.returncode else json.loads(done.stdout)  # where it can be printed
+        printed = {name: text for line in done.stdout.splitlines() for name, text in json.loads(line).items()}
         written(**texts | printed)
-        changed = [{*MODULE.findall(text)} ^ {*MODULE.findall(texts[file])} for file, text in printed.items()]
-        names = {name for modules in changed for name, _ in modules}
+        changed = [{*PART.findall(text)} ^ {*PART.findall(texts[file])} for file, text in printed.items()]
+        names = {name for parts in changed for name, _ in parts}
         about = [file for file in texts.keys() - printed if any(f"{name}." in texts[file] for name in names)]
         try:
             accepted += [what] if about and formal.compile_files(*about) else []

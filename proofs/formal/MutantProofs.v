@@ -79,8 +79,8 @@ Theorem squared_highlight__halfway_1__false : Mutants.squared_highlight__halfway
 Proof. intro F. generalize (F 2 0 0 0 0 0 0). cbv zeta. rewrite two_away. lra. Qed.
 Theorem squared_highlight__base_2__false : Mutants.squared_highlight__base_2__false.
 Proof. intro F. generalize (F 2 1 1 1 1 2). lra. Qed.
-Theorem squared_highlight__halfway_3__false : Mutants.squared_highlight__halfway_3__false.
-Proof. intro F. generalize (F 2 0 0 0 0 0 0). cbv zeta. rewrite two_away. lra. Qed.
+Theorem squared_highlight__opposite_3__false : Mutants.squared_highlight__opposite_3__false.
+Proof. intro F. generalize (F 1 0 0 2 0 0 0 0 0 1 0 0). cbv zeta. rewrite two_away. destruct Rlt_dec; lra. Qed.
 
 Lemma sine_of_minus_right : sin (- (PI / 2)) = -1.
 Proof. rewrite sin_neg, sin_PI2. ring. Qed.

@@ -772,27 +772,26 @@ Definition squared_highlight__base_2__false : Prop :=
   specular_base_plain * halfway_length_plain * light_distance = along_halfway ->
   along_halfway ^ 2 * light_distance * light_scale = specular_base_plain).
 
-Definition squared_highlight__halfway_3__false : Prop :=
+Definition squared_highlight__opposite_3__false : Prop :=
   ~ (
-  forall light_x light_y light_z point_x point_y point_z view_x : R,
+  forall bumped_x bumped_y bumped_z light_x light_y light_z point_x point_y point_z view_x view_y view_z : R,
   let to_light_x := light_x - point_x in
   let to_light_y := light_y - point_y in
   let to_light_z := light_z - point_z in
   let distance_squared := to_light_x ^ 2 + to_light_y ^ 2 + to_light_z ^ 2 in
   let light_distance := sqrt distance_squared in
   let halfway_x := light_distance * view_x + to_light_x in
-  let to_light_x_plain := light_x - point_x in
-  let to_light_y_plain := light_y - point_y in
-  let to_light_z_plain := light_z - point_z in
-  let light_distance_plain := sqrt (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) in
-  let light_scale_plain := / light_distance_plain in
-  let towards_x_plain := light_scale_plain * to_light_x_plain in
-  let halfway_x_plain := towards_x_plain + view_x in
+  let halfway_y := light_distance * view_y + to_light_y in
+  let halfway_z := light_distance * view_z + to_light_z in
+  let halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 in
+  let along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z in
+  let light_scale := (if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0) in
+  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z) in
   light_distance > 0 ->
   distance_squared >= 0 ->
-  to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2 >= 0 ->
-  light_distance_plain <> 0 ->
-  halfway_x = halfway_x_plain * 2 * light_distance).
+  (halfway_squared > 0 -> halfway_squared <> 0) ->
+  (halfway_squared > 0 -> light_distance <> 0) ->
+  mu = -(bumped_z * view_z + bumped_x * view_x + bumped_y * view_y)).
 
 Definition hit_of_b__quadratic_1__false : Prop :=
   ~ (

@@ -9,12 +9,12 @@ SOURCE = "DLMF"  # §1.4.35, Taylor's theorem; §4.18, the signs
 
 def sine_below(x: Expr) -> CitedLemma:
     """sin x ≤ x, for x ≥ 0."""
-    return CitedLemma(x >= sin(x), SOURCE, x >= 0)
+    return CitedLemma(at_least(x, sin(x)), SOURCE, at_least(x, 0))
 
 
 def sine_above(x: Expr) -> CitedLemma:
     """sin x ≥ x − x³/6, for x ≥ 0."""
-    return CitedLemma(sin(x) >= x - x**3 / 6, SOURCE, x >= 0)
+    return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE, at_least(x, 0))
 
 
 def cosine_above(x: Expr) -> CitedLemma:
@@ -24,9 +24,9 @@ def cosine_above(x: Expr) -> CitedLemma:
 
 def sine_inside_half_turn(x: Expr) -> CitedLemma:
     """sin πx > 0, for 0 < x < 1."""
-    return CitedLemma(sin(pi * x) > 0, SOURCE, (x > 0, greater(1, x)))
+    return CitedLemma(greater(sin(pi * x), 0), SOURCE, (greater(x, 0), greater(1, x)))
 
 
 def sine_of_half_turn(x: Expr) -> CitedLemma:
     """sin πx ≥ 0, for 0 ≤ x ≤ 1."""
-    return CitedLemma(sin(pi * x) >= 0, SOURCE, (x >= 0, at_least(1, x)))
+    return CitedLemma(at_least(sin(pi * x), 0), SOURCE, (at_least(x, 0), at_least(1, x)))

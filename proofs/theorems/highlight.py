@@ -219,7 +219,7 @@ from_one_root = Theorem(
     Where $\omega = -\hat v$, $\mu = -N'\cdot\hat v$.""",
     hypotheses=(
         "$L \\ne P$",
-        r"$\omega \ne -\hat v$, but for the last",
+        r"$\omega \ne -\hat v$, except in the last sentence",
         r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
         taken from $k = |d|H$ by hand""",
     ),
@@ -231,6 +231,6 @@ from_one_root = Theorem(
     mutants=(
         variant("k without |d|", _k, equation(halfway[0], _plain_halfway[0])),
         variant("the base, not its square", _base_squared, equation(blinn_squared[specular_base], _base)),
-        variant("k twice as long", _k, equation(halfway[0], 2 * light_distance * _plain_halfway[0])),
+        variant("whatever the light's direction", _opposite, given=light_distance > 0),
     ),
 )
