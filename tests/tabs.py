@@ -65,7 +65,11 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
     tab.on("request", lambda request: asked.append(request.url))
     tab.goto(address)
     if until and options.get("java_script_enabled", True):
-        tab.wait_for_function(until)
+        try:
+            tab.wait_for_function(until)
+        except AssertionError as error:
+            error.add_note(f"the page complains of {complaints}")
+            raise
     yield tab
     context.close()
     home = home or urljoin(address, "/")

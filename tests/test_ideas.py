@@ -3,6 +3,7 @@
 import functools
 import io
 import re
+import time
 from math import sqrt
 
 import numpy as np
@@ -14,7 +15,7 @@ from book import idea_kernels
 from book.extension import worked
 from renderer import Scene, central, exact, gradient_at, height_at, pixel
 from renderer.scene.raster import Raster
-from tests.tabs import PHONE, next_frame, number
+from tests.tabs import PHONE, next_frame, number, wait_for
 
 SCENE = Scene()
 PAGES = {
@@ -78,6 +79,13 @@ def test_the_still_picture_stands_where_no_script_runs_and_on_paper_and_a_phone_
                 assert tab.is_visible(f"#fig-{name} .idea-stage") is live
     targets = visit(page, until=STARTED, **PHONE).locator("figure.idea :is(.reach, input, button, select)")
     assert min(targets.evaluate_all(SIZES)) >= 43.9
+
+
+def test_an_idea_comes_alive_whose_own_script_comes_after_the_page_was_seen(browser, server):
+    tab = browser.new_page()
+    tab.route("**/slope_is_texture.js*", lambda route: (time.sleep(1), route.continue_()))
+    tab.goto(f"{server}/s1.html")
+    wait_for(tab, STARTED)
 
 
 def expected_on_circle(u, beta):

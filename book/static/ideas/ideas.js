@@ -221,4 +221,5 @@ async function enliven(figure) {
   }
 }
 
-when_near(find_all(document, "figure.idea"), enliven);
+// Not before each idea's own script has run, which comes after this one.
+document.addEventListener("DOMContentLoaded", () => when_near(find_all(document, "figure.idea"), enliven));
