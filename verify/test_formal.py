@@ -154,6 +154,8 @@ HIDING = [
     f"(* (* *) *) - {AXIOM}",
     f'(* " *) {AXIOM} (* " *)',
     "(* Lemma a : True.",
+    f"Proof. (*) {AXIOM} *) Qed.",
+    "Definition s\u0456n (x : R) := 0.",  # its second letter is Cyrillic
 ]
 
 

@@ -18,6 +18,7 @@ BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
 SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
 HIDDEN = re.compile(r":>|`|@\{|\{\s*[\w' ]+[:}]|\[\s*[\w' ]+[:\]]")  # a coercion, a universe, what is not shown
 OPENING = re.compile(r"\A(?:[{}+*\s-]|(?:\d+|\[[\w']+\]|!|all|par)\s*:\s*(?=\{))+")  # bullets, and braces of some goal
+ODD = re.compile(r'"|\(\*\)')
 NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a name
 
 
@@ -28,10 +29,11 @@ class Unreadable(ValueError):
 def sentences(text: str) -> list[str]:
     """Return what a file says, sentence by sentence, without comments, bullets and braces.
 
-    Raises Unreadable where a quotation mark, with which Coq's comments could end elsewhere, stands in it.
+    Raises Unreadable where a quotation mark or (*) stands in it, with which Coq's comments could end elsewhere, or, but
+    for comments, a letter that is not ASCII: it could look like another.
     """
-    if '"' in text:
-        raise Unreadable("a quotation mark")
+    if unlike := ODD.search(text):
+        raise Unreadable(unlike[0])
     bare, depth = [], 0
     for part in re.split(r"(\(\*|\*\))", text):
         if part == "(*":
@@ -42,7 +44,9 @@ def sentences(text: str) -> list[str]:
             bare.append(part)
     if depth:
         raise Unreadable("a comment without an end")
-    found = (OPENING.sub("", sentence) for sentence in re.split(r"\.(?=\s|$)", "".join(bare)))
+    if not (said := "".join(bare)).isascii():
+        raise Unreadable("".join(filter(lambda letter: not letter.isascii(), said)))
+    found = (OPENING.sub("", sentence) for sentence in re.split(r"\.(?=\s|$)", said))
     return [" ".join(sentence.split()) for sentence in found if sentence]
 
 

@@ -123,7 +123,7 @@ Lemma angle_of c s : c ^ 2 + s ^ 2 = 1 -> exists a, - PI < a <= PI /\ cos a = c 
 Proof.
   intros H. assert (C : -1 <= c <= 1) by nra. pose proof (acos_bound c) as B. pose proof PI_RGT_0.
   assert (S : sin (acos c) = Rabs s).
-  { rewrite sin_acos by exact C. replace (1 - c²) with (s²) by (unfold Rsqr; nra). apply sqrt_Rsqr_abs. }
+  { rewrite sin_acos by exact C. replace (1 - Rsqr c) with (Rsqr s) by (unfold Rsqr; nra). apply sqrt_Rsqr_abs. }
   destruct (Rle_lt_dec 0 s) as [P | N].
   - exists (acos c). rewrite cos_acos, S, Rabs_pos_eq by assumption. repeat split; try lra; intros.
     + destruct (Req_dec (acos c) 0) as [E |]; [| lra]. rewrite E, sin_0 in S. rewrite Rabs_pos_eq in S; lra.
