@@ -4,6 +4,7 @@
 
 /** @type {Record<string, Idea>} */
 const IDEAS = {};
+const BAND = 64; // rows of a picture
 const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
 
 /**
@@ -161,16 +162,18 @@ function idea_stage(figure) {
    */
   function picture(parent, size, label) {
     const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
-    // In a task of its own: it takes as long as all else that is drawn.
+    // In bands, each in a task of its own: together they take as long as all else that is drawn.
     /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
-    return (module, state, raster) =>
-      setTimeout(() => {
-        const stage = module.make_stage(state, raster);
-        module.render(state, { name: "exact" }, stage);
-        module.paint("paint_colors", stage, "picture", { whole: true });
-        const image = new ImageData(module.bytes(stage, "picture", [0, raster.high]).slice(), stage.pitch);
-        canvas.getContext("2d")?.putImageData(image, 0, 0);
-      });
+    return (module, state, raster) => {
+      for (let row = 0; row < size; row += BAND)
+        setTimeout(() => {
+          const stage = module.make_stage(state, { ...raster, top: raster.top + row, high: BAND });
+          module.render(state, { name: "exact" }, stage);
+          module.paint("paint_colors", stage, "picture", { whole: true });
+          const image = new ImageData(module.bytes(stage, "picture", [0, BAND]), stage.pitch);
+          canvas.getContext("2d")?.putImageData(image, 0, row);
+        });
+    };
   }
 
   /** @param {() => void} drawing */

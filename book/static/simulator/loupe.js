@@ -49,7 +49,7 @@ function simulator_loupe(root, states, data, module, act) {
     const pair = { whole: true, of: "numeric", other: "symbolic", table: "sizes", palette: "inferno" };
     module.paint("paint_difference_logarithmic", stage, "difference", pair);
     for (const [n, name] of NAMES.entries()) {
-      const image = new ImageData(module.bytes(stage, name, [0, SIDE]).slice(), SIDE);
+      const image = new ImageData(module.bytes(stage, name, [0, SIDE]), SIDE);
       canvas.getContext("2d")?.putImageData(image, APART * n, 0);
     }
   }
