@@ -36,7 +36,7 @@ def book(tmp_path, monkeypatch):
     for id, undecided, reads in (("sweep", 0, []), ("old", 1234, [records.RECORDS["texture"].path])):
         drawn = {"kind": "svg", "size": [640, 300], "numbers": numbers, "source": "book/sweep.py", "function": "sweep"}
         drawn |= {"data": f"{id}.csv", "key": f"{id}9abcdef", "reads": reads}
-        drawn |= {"certified": {"within": 8.1e-10, "undecided": undecided}}
+        drawn |= {"certified": {"within": 8.1e-10, "undecided": undecided, "pixels": 4096}}
         files = {"json": json.dumps(drawn), "csv": "step\n0.001\n"}
         files |= dict.fromkeys(("svg", "dark.svg"), '<svg xmlns="http://www.w3.org/2000/svg"/>')
         for suffix, text in files.items():
@@ -67,7 +67,7 @@ def test_a_page_shows_figures_and_numbers_and_says_which_are_stale(book):
     assert 'class="plot only-dark"' in html and 'class="plot only-light"' in html
     assert all(name in html for name in ("sweep.json", "sweep.csv", "sweep.py", "sweep9abcdef"))
     off = r"every colour within 8.1\s×\s10<sup>−10</sup> of its own formula in exact arithmetic \(rounding alone\)"
-    but = ", but for 1,234 pixels that rounding leaves undecided"
+    but = ", but for 1,234 of 4,096 pixels that rounding leaves undecided"
     assert re.findall(f"{off}, certified(.*?)</p>", html) == ["", but]
 
 

@@ -102,10 +102,11 @@ def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float 
 def certified(shown: Sequence[Frame]) -> dict[str, float | int] | None:
     """Return how far a colour of frames is at most from exact arithmetic, two digits, and the pixels without a bound.
 
-    A pixel that is open, or whose bound is the whole scale, is one of the latter. None where no frame is shown.
+    A pixel that is open, or whose bound is a hundredth of the scale, is one of the latter. None where none is shown.
     """
     if not shown:
         return None
     bounds = np.concatenate([np.maximum(frame.bounds.max(axis=2), frame.open).ravel() for frame in shown])
-    limited = bounds[bounds < 1.0]
-    return {"within": float(rounded_up(limited.max(), 2)), "undecided": bounds.size - limited.size}
+    limited = bounds[bounds < 0.01]
+    within = float(rounded_up(limited.max(), 2))
+    return {"within": within, "undecided": bounds.size - limited.size, "pixels": bounds.size}

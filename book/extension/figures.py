@@ -51,7 +51,8 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
     if "wiper" in options:
         other, _, alt = options["wiper"].partition(", ")
         pictures += _pictures(here, other, alt)
-    figure += filled("pictures", pictures=pictures, panels=panels, wiper="wiper" in options)
+    moves = "wiper" in options or here.name != "chapter-figure"
+    figure += filled("pictures", pictures=pictures, panels=panels, wiper="wiper" in options, moves=moves)
     if here.content:
         _add_caption(here, figure, id)
     if "plain" not in options:

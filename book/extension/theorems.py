@@ -19,7 +19,7 @@ LEGEND = ("s1", "badges")  # the page and the id of what says what the badges me
 WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
 THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
-    "formal": ("■", "F", "each claim, as it is printed, is accepted by Coq's kernel; also proved, or measured"),
+    "formal": ("■", "F", "Coq's kernel accepts each claim as it is printed; a certificate or samples bear it out"),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for the words in green, which no claim says"),

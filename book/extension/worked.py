@@ -51,10 +51,10 @@ LINES = (
     ("towards the first light", "towards_x_0 towards_y_0 towards_z_0", ("to_light_x_0", "light_scale_0")),
     ("the cosine of the diffuse light", "mu_0", ()),
     ("the cosine of the highlight", "specular_base_0", ()),
-    ("1 if it is hidden", "occluded_0", None),
+    ("hidden by a body: 1, or not: 0", "occluded_0", None),
     ("red, with the first light", "lit_red_0", ("diffuse_0", "shine_0", "specular_0")),
     ("the second light's cosine", "mu_1", ()),
-    ("1 if it is hidden", "occluded_1", None),
+    ("hidden by a body: 1, or not: 0", "occluded_1", None),
     ("red, green, blue, clipped", "rgb_red rgb_green rgb_blue", None),
 )
 """What is said of lines, their names, what is written out in the formula of the first (None: it has none).

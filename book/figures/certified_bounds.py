@@ -13,7 +13,7 @@ from verify.accuracy.any_field import u_curve
 from verify.accuracy.pixels import SCENES, checked_pixels, compared, problems
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
-LOW, HIGH = -18, -9
+LOW, HIGH = -18, -8
 
 
 @figure

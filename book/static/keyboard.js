@@ -70,7 +70,10 @@
   /** Each row is an entry; a cell says what its column is called. @param {HTMLTableElement} table */
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
-    const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
+    const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => {
+      const tex = head.querySelector("annotation")?.textContent ?? "";
+      return head.textContent.replace(tex, "").trim();
+    });
     for (const cell of /** @type {HTMLTableCellElement[]} */ (find_all(table, "tbody td:not(:first-child)")))
       cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");

@@ -8,7 +8,7 @@ IDEAS.bump_surface = (stage, module, data) => {
   const SAYS = [
     "Its hills are lit as hollows.",
     "Now hills are hills.",
-    "A slope on the chart is now a slope on the sphere.",
+    "Slopes are per radian now; around the pole they still lack 1/sin φ.",
     "Blinn’s normal; the rim and the shadow are still the ball’s.",
     "The rim and the shadow have moved, for the first time."
   ];

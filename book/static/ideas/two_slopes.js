@@ -88,8 +88,8 @@ IDEAS.two_slopes = (stage, module, data) => {
     const spacing = 2 ** (Math.floor(Math.log2(u)) - 52);
     const few = Math.ceil((2 * eps) / spacing);
     const ticks = Array.from(
-      { length: few < 40 ? 2 * few + 1 : 0 },
-      (_, n) => unit * (2 + ((n - few) * spacing) / eps)
+      float64s(few < 40 ? 2 * few + 1 : 0, (n) => unit * (2 + ((n - few) * spacing) / eps)),
+      (x) => `M${x.toFixed(2)} ${LINE - 6}v12`
     );
     const samples = [-1, 1].map((side, n) => {
       const taken = unit * (2 + (u + side * eps - u) / eps);
@@ -107,7 +107,7 @@ IDEAS.two_slopes = (stage, module, data) => {
         ) +
         line_markup("slope", [at(-2, h - 2 * exact * eps), at(2, h + 2 * exact * eps)]) +
         line_markup("secant", [at(-1, ends[0]), at(1, ends[1])]) +
-        path_markup("few", `M0 ${LINE}H${4 * unit}${ticks.map((x) => `M${x.toFixed(2)} ${LINE - 6}v12`).join("")}`) +
+        path_markup("few", `M0 ${LINE}H${4 * unit}${ticks.join("")}`) +
         samples.join("") +
         text_at(
           0,
@@ -117,12 +117,12 @@ IDEAS.two_slopes = (stage, module, data) => {
     );
   }
 
-  /** The U of this point, the proved bounds of its three parts, and where the step is. @param {number} exact */
-  function errors(exact) {
-    const wide = curve_of_errors.width() - 30;
+  /** The U of this point, the proved bounds of its three parts, and where the step is. @param {number} exact @param {number} apart */
+  function errors(exact, apart) {
+    const wide = curve_of_errors.width() - 38;
     /** @param {number} step @param {number} size @returns {Point} */
     const at = (step, size) => [
-      rescaled(Math.log10(step), LEAST, MOST, 26, 26 + wide),
+      rescaled(Math.log10(step), LEAST, MOST, 34, 34 + wide),
       rescaled(clamp(SMALLEST, Math.log10(size), LARGEST), LARGEST, SMALLEST, 20, 220)
     ];
     const found = slopes(u, steps)[3].map((numeric) => Math.abs(numeric - exact));
@@ -140,13 +140,13 @@ IDEAS.two_slopes = (stage, module, data) => {
       text_at(foot, down, "too far");
     const grid = [-12, -8, -4, 0].map((power) => {
       const [, y] = at(1, 10 ** power);
-      return path_markup("few", `M26 ${y}h${wide}`) + text_at(0, y + 4, ten_to(power), "tick");
+      return path_markup("few", `M34 ${y}h${wide}`) + text_at(0, y + 4, ten_to(power), "tick");
     });
     const feet = [-16, -12, -8, -4].map((power) => text_at(at(10 ** power, 1)[0] - 12, 240, ten_to(power), "tick"));
     const dots = Array.from(found, (size, n) => (size ? circle_markup("end", at(steps[n], size), 1.3) : ""));
-    const now = at(eps, Math.abs(slopes(u, eps)[3][0] - exact));
+    const now = at(eps, apart);
     curve_of_errors.show(
-      text_at(26, 12, "the error against ε") +
+      text_at(34, 12, "the error against ε") +
         grid.join("") +
         feet.join("") +
         bounds.join("") +
@@ -174,9 +174,9 @@ IDEAS.two_slopes = (stage, module, data) => {
         circle_markup("end", start, 5)
     );
     magnified(h, exact, [left, right]);
-    errors(exact);
     const apart = Math.abs(numeric - exact);
-    const digits = apart && apart < 0.01 ? 8 : 2;
+    errors(exact, apart);
+    const digits = apart < 0.01 ? 8 : 3;
     says.innerHTML =
       `The difference over 2ε is <b class="numeric">${decimal(numeric, digits)}</b>, ` +
       `the slope is <b class="symbolic">${decimal(exact, digits)}</b>: they are ` +

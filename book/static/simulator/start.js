@@ -108,7 +108,7 @@ function simulator_start(root, compiled, module) {
     to_pole(zoom) {
       const next = { ...state, zoom };
       const pole = module.placing_in({ ...states.crop(next), left: 0, top: 0 })(0, 0);
-      const [left, top] = pole.map((at) => ((at - state.size / 2) * zoom) / 10);
+      const [left, top] = pole.map((at) => at - state.size / 2);
       const [column, row] = pole.map(Math.floor);
       return states.within({ ...next, left, top, column, row });
     }
