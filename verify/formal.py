@@ -193,8 +193,9 @@ def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -
     asked, by_hand = survey.groups(named, said or {}), _by_hand(texts)
     names = {name for text in by_hand.values() for name in vernacular.named(text)}
     required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
-    required += [f"From Formal Require Import {name}." for name in (*TRUSTED, "Formulas") if name in texts]
-    names_asked = survey.names_asked(names - {*CLAIM.findall(texts.get("Statements", ""))}, required)
+    required += [f"From Formal Require Import {name}." for name in GIVEN.intersection(texts)]
+    proved = {name for each in named.values() for name in (*each.claims, *each.mutants)}
+    names_asked = survey.names_asked(names - proved, required)
     asks = {"Names": names_asked, **survey.survey(named, asked, [*texts])}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

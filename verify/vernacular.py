@@ -17,6 +17,7 @@ LOCAL = re.compile(r"(?:Let|Section) +([\w']+)")
 BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
 SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
 HIDDEN = re.compile(r":>|`|@\{|\{\s*[\w' ]+[:}]|\[\s*[\w' ]+[:\]]")  # a coercion, a universe, what is not shown
+UNSHOWN = re.compile(r":>|\b(?:fun|fix|cofix|forall)\b[^=]*[{[`]")  # of what is defined
 OPENING = re.compile(r"\A(?:[{}+*\s-]|(?:\d+|\[[\w']+\]|!|all|par)\s*:\s*(?=\{))+")  # bullets, and braces of some goal
 ODD = re.compile(r'"|\(\*\)')
 NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a name
@@ -38,6 +39,7 @@ def sentences(text: str) -> list[str]:
     for part in re.split(r"(\(\*|\*\))", text):
         if part == "(*":
             depth += 1
+            bare.append(" ")  # as Coq has it: a comment parts words
         elif part == "*)" and depth:
             depth -= 1
         elif not depth:
@@ -54,9 +56,10 @@ def check(text: str) -> None:
     """Raise Unreadable unless every command of a file is one of those that may be said."""
     for sentence in sentences(text):
         tactic = sentence[0] in "[(!" or (sentence[0].isascii() and sentence[0].isalnum() and not sentence[0].isupper())
-        several = len(re.findall(r"\bwith\b", sentence)) > len(re.findall(r"\bmatch\b", sentence))
-        said = sentence if sentence.startswith("Inductive") else sentence.partition(":=")[0]
-        hiding = SAID.match(sentence) and (several or HIDDEN.search(said))
+        words = re.findall(r"[\w']+", sentence)
+        said, _, body = sentence.partition(":=")
+        hidden = HIDDEN.search(said) or UNSHOWN.search(body) or ("{" in body and sentence.startswith("Inductive"))
+        hiding = SAID.match(sentence) and (hidden or words.count("with") > words.count("match"))
         if hiding or NAMELESS.search(sentence) or not (tactic or FIRST_WORDS.match(sentence)):
             raise Unreadable(sentence)
 

@@ -28,8 +28,8 @@ def rational_root(value: Fraction) -> Fraction:
 def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | int]) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
-    statements: a claim's derivations. point: {symbol: exact value} of the inputs, angles too. The statement ends with
-    the first conclusion that fails. Only a symbol is a coordinate: π, say, is one number.
+    statements: derivations, each of which ends with what is to fail: before it stands what an expression needs to have
+    a value. point: {symbol: exact value} of the inputs, angles too. Only a symbol is a coordinate: π is one number.
     """
     if not all(symbol.is_Symbol for symbol in point):
         return None
@@ -39,14 +39,11 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
             values = _complete(statement, at)
         except (ValueError, KeyError, ZeroDivisionError):
             continue
-        for end, step in enumerate(statement["steps"], 1):
-            if step["step"] != "show":
-                continue
-            refuted = statement | {"kind": "refutation", "steps": statement["steps"][:end]}
-            new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
-            coordinates = {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}
-            if kernel.check(refuted, {"point": coordinates}) is None:
-                return refuted, {"point": coordinates}
+        refuted = statement | {"kind": "refutation"}
+        new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
+        found = {"point": {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}}
+        if kernel.check(refuted, found) is None:
+            return refuted, found
     return None
 
 

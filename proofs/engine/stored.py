@@ -55,13 +55,18 @@ def _statements(claim, theorems):
     return [statement for statement, _ in cases_of(borrowed(claim, theorems))]
 
 
-def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
-    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound.
+def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
+    """Return the derivations of what a Claim shows, each of one conclusion alone.
 
     A lemma that the claim cites is left out: where its conditions fail, the claim need not.
     """
-    claim = claim.but(cited=()) if isinstance(claim, Claim) else claim
-    pair = refutation(statements(claim, theorems), dict(point))
+    shows = claim.shows if isinstance(claim, Claim) else ()
+    return [s for shown in shows for s in statements(claim.but(cited=(), shows=shown), theorems)]
+
+
+def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
+    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound."""
+    pair = refutation(each_shown(claim, theorems), dict(point))
     if pair is None:
         raise NotFound(f"no certificate found: {claim.name}")
     return [(*pair, None)]

@@ -124,7 +124,7 @@ class CoqPrinter(KernelPrinter):
     def _comparison(self, relation):
         name, order = COMPARISONS[relation.rel_op]
         sides = relation.args[::order]
-        if all(side.is_real for side in sides):
+        if not any(side is S.Infinity or (side.is_Symbol and not side.is_real) for side in sides):
             return self._call({"le": "Rle_dec", "lt": "Rlt_dec"}.get(name, name), sides)
         return " ".join([f"Rbar_{name}_dec", *map(self._extended, sides)])
 

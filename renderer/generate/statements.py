@@ -15,7 +15,7 @@ alone.
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sympy import And, Basic, Derivative, Or, Piecewise, Pow, Symbol, false, sympify, true
+from sympy import Abs, And, Basic, Derivative, Max, Min, Or, Piecewise, Pow, Symbol, false, floor, sign, sympify, true
 from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
@@ -34,8 +34,11 @@ Open Scope R_scope.
 OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
+CORNERS = Abs, Max, Min, Piecewise, floor, sign
+"""What has a second derivative where it has none in Coq: that of a derivative which Coq has some number for."""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
-    atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt"""
+    atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt
+    Derive Derive_n ex_derive ex_derive_n"""
 TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
 """Words of Coq's, and the names that a printed term means something by."""
 
@@ -65,9 +68,9 @@ class StatementPrinter(CoqPrinter):
 
     def _of_derivative(self, said, expr):
         """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
-        if len(expr.variable_count) > 1:
-            raise ValueError(f"no proposition for a derivative by several symbols: {expr}")
-        (x, count) = expr.variable_count[0]
+        (x, count), *others = expr.variable_count
+        if others or (count > 1 and expr.expr.has(*CORNERS)):
+            raise ValueError(f"no proposition for a derivative by several symbols, or a second one of corners: {expr}")
         name, times = self.spelled[x], "" if count == 1 else f" {count}"
         return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
 
@@ -264,7 +267,12 @@ def mutants(theorem: Theorem) -> dict[str, str]:
 
 
 def _source(what, propositions):
-    texts = {name: text for theorem in all_theorems().values() for name, text in propositions(theorem).items()}
+    texts: dict[str, str] = {}
+    for theorem in all_theorems().values():
+        printed = propositions(theorem)
+        if "__" in theorem.id or not all(name.isidentifier() and name not in texts for name in printed):
+            raise ValueError(f"{theorem.id}: one of {', '.join(printed)} is no name in Coq, or another theorem's")
+        texts |= printed
     return HEADER.format(what) + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())
 
 

@@ -10,7 +10,7 @@ import mpmath
 from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.derivative import Untranslatable
-from proofs.engine.stored import statements
+from proofs.engine.stored import each_shown
 from proofs.engine.theorem import Mutant, Theorems
 from verify.checkers import witness
 from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
@@ -56,7 +56,7 @@ def exact_counterexample(
 ) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
     try:
-        said = statements(claim.but(cited=()), theorems)
+        said = each_shown(claim, theorems)
     except Untranslatable:
         return None
     for point in failures:

@@ -53,7 +53,7 @@ class Code(Evaluator):
         try:
             computed = self.run({str(s): v for s, v in values.items()}, names)
             return [names["real"](computed[number]) for number in self.results]
-        except (ZeroDivisionError, ValueError, TypeError) as error:
+        except (ZeroDivisionError, ValueError, TypeError, NameError) as error:
             raise Undefined(str(error)) from None
 
 

@@ -15,7 +15,8 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property, partial
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -23,8 +24,10 @@ import numpy as np
 from verify.optional import arb
 
 DIGITS, SEED, TRIED = 6, 5, 64
+WIDEST = 1e-9  # a ball that stands for one number
 MEASURING = ("verify.accuracy.", "verify.stability.")
 FALSE = "what is claimed does not hold, or a piece may exceed the bound"
+FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 """{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
 
@@ -47,7 +50,7 @@ class Measurement:
 
     def why_refused(self) -> str:
         """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
-        if not self.what or not 1 <= self.samples < math.inf:
+        if not self.what or type(self.samples) is not int or self.samples < 1:
             return f"{self.samples} samples of {self.what!r}"
         if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
             return "the worst, or its bound, is no finite number"
@@ -89,14 +92,16 @@ class Enclosure:
 
     def why_refused(self) -> str:
         """Return why this encloses nothing, "" where it does."""
-        functions = [getattr(function, "func", function) for function in (self.at, self.pieces)]
-        if not all(callable(f) and f.__module__.startswith(MEASURING) for f in functions):
+        functions = [f.func if isinstance(f, partial) else f for f in (self.at, self.pieces)]
+        if not all(isinstance(f, FUNCTIONS) and f.__module__.startswith(MEASURING) for f in functions):
             return f"the quantity, or what encloses it, is no function of {' or '.join(MEASURING)}"
         numbers = [*(number for piece in self.enclosed for number in piece), self.bound]
         if not self.what or not self.enclosed or not self.over:
             return "nothing is enclosed"
         if not all(isinstance(n, arb | int | Fraction) and _ball(n).is_finite() for n in numbers):
             return "an end, a value or the bound is no finite ball and no exact number"
+        if not all(_ball(end).rad() < WIDEST for *ends, _ in self.enclosed for end in ends):
+            return "an end of a piece is a ball that is too wide for one number"
         if not all(low < high and self._covers(low, high) for low, high in self.over):
             return f"the pieces are not all of {self.over}"
         if not all(_ball(most) <= _ball(self.bound) for *_, most in self.enclosed):
@@ -113,7 +118,8 @@ class Enclosure:
         """Return whether the quantity at random points inside the pieces is what these say."""
         low, high, most = np.array([[float(number) for number in piece] for piece in self.enclosed]).T
         shares = np.random.default_rng(SEED).uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
-        return bool((np.abs(self.at(low + (high - low) * shares)) <= most).all())
+        found = self.at(low + (high - low) * shares)
+        return found.shape == shares.shape and bool((np.abs(found) <= most).all())
 
 
 def _ball(number):

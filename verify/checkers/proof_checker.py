@@ -124,8 +124,8 @@ def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
         said = induction(claim)
         given = [step["of"] for step in said["assume"] if step["is"] == "="]
         return [str(r) for r, p in zip(claim.shows, said["show"], strict=True) if not p or p in given]
-    if isinstance(claim, Separation):
-        return []
+    if isinstance(claim, Separation):  # of outputs that are inputs it says nothing
+        return [] if {*dict(claim.lines.definitions)}.intersection(claim.outputs) else [claim.name]
     idle = set.intersection(*(idle for _, idle in cases_of(borrowed(claim, theorems))))
     return [str(claim.shows[number]) for number in sorted(idle)]
 

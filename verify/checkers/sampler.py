@@ -11,6 +11,7 @@ from sympy import Eq, Max, Min, Piecewise, Poly, PolynomialError, Rational, Symb
 from proofs.engine.claim import Claim
 from verify.checkers.digits import TOLERANCE, Code, Relations, Undefined, parts_of
 
+MOST_COEFFICIENTS = 9  # of a polynomial whose roots are sought: those of longer ones take minutes
 SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 * q + 1)]
 
 
@@ -108,6 +109,8 @@ def _solvable(relations):
                 TopologicalSorter(needs | {symbol: others}).prepare()
                 coefficients = Poly(relation.lhs - relation.rhs, symbol).all_coeffs()
             except (CycleError, PolynomialError):
+                continue
+            if len(coefficients) > MOST_COEFFICIENTS:
                 continue
             origin[symbol] = relation
             solved[symbol], needs[symbol] = Code(coefficients), others

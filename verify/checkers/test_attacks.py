@@ -7,6 +7,7 @@ import pytest
 from sympy import (
     Abs,
     Derivative,
+    Eq,
     Max,
     Ne,
     Piecewise,
@@ -89,6 +90,7 @@ UNPROVED = [
     *((says(relation), ROOM) for relation in AS_THEY_STAND),
     *((says(relation), POSITIVE) for relation in WITHOUT_DERIVATIVE),
     (says(equation(Derivative(x * sqrt(x), x), 3 * sqrt(x) / 2), given=x >= 0), POSITIVE),
+    (says(equation(Derivative(Piecewise((x, sqrt(x) > -1), (0, True)), x), 1), given=x >= 0), POSITIVE),
     (says(equation(sin(2 * pi * x), 0)), equation(sin(pi * x), 0)),
     (says(Ne(x**2, 0, evaluate=False)), Ne(x, 0)),
     (says(equation(Max(x, y), x)), ROOM),
@@ -141,6 +143,7 @@ FALSE_LEMMAS = [
     (at_least(x, 10 * TINY**2 * 10**36), x > 0),
     (equation(sin(x), TINY), equation(x, pi)),
     (greater((x**3 - x - 7) ** 2, 0), ()),
+    (greater((7 * x - 1) ** 4, 0), ()),
     (greater((7 * x - 1) ** 2 + (7 * y - 2) ** 2, 0), ()),
     (greater((7 * x - 1) ** 2 + (7 * x + 7 * y - 3) ** 2, 0), ()),
 ]
@@ -163,6 +166,8 @@ UNREFUTED = [
     *((says(greater(pi, Rational(314, 100))), point) for point in ({pi: Rational(31, 10)}, {})),
     (says(greater(cos(x), Rational(1, 2))), {x: 0, cos(x): 0, sin(x): 1}),
     (says(greater(4, cos(x) + sin(x))), {x: 0, cos(x): 2, sin(x): 3}),
+    (says(equation(Derivative(Piecewise((0, Eq(x, 0)), (x, True)), x), 1)), {x: 0}),
+    (says(Ne(x * sign(x) + TINY, 0, evaluate=False)), {x: 0}),
     *UNSEEN,
 ]
 """[(a true claim, a point where it is said to fail)]: π is no coordinate, a cosine follows from its angle, a lemma's
@@ -177,6 +182,7 @@ GRADES = [
     *(("failed", says(greater(x, 10), borrowed=(("attack", "attack"),)), {"uses": uses}) for uses in ((), "attack")),
     *(("failed", c, {"mutants": TRUE, "expected": "refuted", "refuted_at": point}) for c, point in UNREFUTED),
     *(("by definition", says(r, given=given, lines=PUT_IN), {}) for r, given in RESTATED),
+    ("by definition", Separation("from an input", Program("p", (x, a), {y: x + a}, y), x, a), {}),
     ("by definition", Induction("to nothing", n, (equation(x, x), equation(0, 0))), {}),
 ]
 

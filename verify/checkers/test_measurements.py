@@ -5,6 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
+import numpy as np
 import pytest
 from flint import arb
 from sympy import sin, symbols
@@ -67,7 +68,7 @@ SINE = Enclosure(
 
 def forged(pieces):
     """Return a function that returns pieces, and looks like one of `verify`."""
-    function = lambda: pieces  # noqa: E731
+    function = lambda *points: pieces  # noqa: E731
     function.__module__ = certified_ulps.__name__
     return function
 
@@ -83,6 +84,9 @@ TAMPERED = {
     "a bound that is a float": {"bound": 1.53},
     "a smaller bound": {"bound": Fraction(133, 100)},
     "one number": {"pieces": forged([(arb(0.125), arb(0.125), arb(1))]), "over": ((0.125, 0.125),)},
+    "wide ends": {"pieces": forged([(arb(0, 5), arb(1, 5), arb(1))]), "over": ((0.0, 1.0),)},
+    "a function's name alone": {"pieces": type("Made", (), {"func": forged(OWN), "__call__": lambda self: OWN})()},
+    "no value": {"at": partial(forged(np.zeros((0, 1))))},
     "a gap": {"pieces": forged(SINE.enclosed[:300] + SINE.enclosed[301:])},
     "beyond its pieces": {"over": ((0.001, 0.51),)},
     "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},

@@ -108,7 +108,8 @@ def _turning_point(lemma, shown, symbols, seed):
         sought = [
             ((symbol,), [of], of is slope)
             for symbol, slope in zip(symbols, slopes, strict=True)
-            for of in (difference, slope)
+            for of in (difference, slope, difference / slope)  # the last at a root of several, too
+            if slope != 0
         ]
         sought += [(symbols, slopes, True)] if len(symbols) > 1 else []
         for along, expressions, turns in sought:
