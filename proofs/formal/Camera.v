@@ -28,7 +28,7 @@ Qed.
 
 Lemma off_axis_far x y e : e <= 10 -> / 1000000000000 <= x ^ 2 + y ^ 2 -> off_axis x y e.
 Proof.
-  unfold off_axis. intros He H. pose proof tiny_pos. apply Rle_trans with (/ 1000000).
+  intros He H. pose proof tiny_pos. apply Rle_trans with (/ 1000000).
   - assert (tiny <= / 10000000); [| nra].
     unfold tiny, Rdiv. rewrite Rmult_1_l. apply Rinv_le_contravar; [lra | apply IZR_le; vm_compute; discriminate].
   - rewrite <- (sqrt_pow2 (/ 1000000)) by lra. apply sqrt_le_1_alt. lra.
@@ -70,18 +70,18 @@ Lemma near_root a b c d : 0 < a -> 0 < b -> 0 < c -> d = b ^ 2 - a * c -> 0 <= d
 Proof.
   intros Ha Hb Hc E Hd t. pose proof (sqrt_pos d). pose proof (sqrt_sqrt d Hd). set (q := sqrt d) in *.
   assert (T : t * (b + q) = c) by (unfold t; field; lra).
-  assert (P : 0 < t) by (apply Rdiv_lt_0_compat; lra).
-  assert (A : a * t = b - q) by (apply (Rmult_eq_reg_r (b + q)); [nra | lra]).
+  assert (P : 0 < t) by nra.
+  assert (A : a * t = b - q) by nra.
   repeat split; try assumption.
-  - replace c with (t * (b + q)) by exact T. nra.
-  - intros s S. assert (S2 : (a * s - b) ^ 2 = q ^ 2) by nra.
-    apply (Rmult_le_reg_l a); [exact Ha |]. rewrite A. nra.
+  - nra.
+  - intros s S.
+    apply (Rmult_le_reg_l a); [exact Ha |]. nra.
 Qed.
 
 (* P(t) lies on A exactly if t is a root of A's quadratic. *)
 Lemma quadratic_a t x y e r :
   on_a t x y e r <-> (x ^ 2 + y ^ 2 + e ^ 2) * t ^ 2 - 2 * e ^ 2 * t + (e ^ 2 - r ^ 2) = 0.
-Proof. unfold on_a, distance2. split; intros; nra. Qed.
+Proof. unfold on_a, distance2. nra. Qed.
 
 Lemma t_a_value x y e r : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
   hit_of_a.t_a x y e r = Finite ((e ^ 2 - r ^ 2) / (e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r))).
@@ -110,7 +110,7 @@ Proof.
 Qed.
 
 Lemma no_hit_of_a x y e r : hit_of_a.discriminant_a x y e r < 0 -> hit_of_a.t_a x y e r = p_infty.
-Proof. intros D. unfold hit_of_a.t_a. destruct Rle_dec; [lra | reflexivity]. Qed.
+Proof. unfold hit_of_a.t_a. destruct Rle_dec; [lra | reflexivity]. Qed.
 
 Lemma rim : off_axis (15 / 16) 0 (5 / 4) /\ hit_of_a.discriminant_a (15 / 16) 0 (5 / 4) (3 / 4) = 0.
 Proof.
@@ -128,7 +128,7 @@ Proof.
   - exists (acos c). rewrite cos_acos, S, Rabs_pos_eq by assumption. repeat split; try lra; intros.
     + destruct (Req_dec (acos c) 0) as [E |]; [| lra]. rewrite E, sin_0 in S. rewrite Rabs_pos_eq in S; lra.
     + destruct (Req_dec (acos c) PI) as [E |]; [| lra]. rewrite E, sin_PI in S. rewrite Rabs_pos_eq in S; lra.
-  - exists (- acos c). rewrite cos_neg, sin_neg, cos_acos, S, Rabs_left by assumption. repeat split; try lra.
+  - exists (- acos c). rewrite cos_neg, sin_neg, cos_acos, S, Rabs_left by assumption.
     destruct (Req_dec (acos c) PI) as [E |]; [| lra]. rewrite E, sin_PI in S. rewrite Rabs_left in S; lra.
 Qed.
 
@@ -169,7 +169,7 @@ Proof.
     lra. }
   destruct (angle_of (e * (1 - t) / r) (t * rho / r)) as (phi & _ & C2 & S2 & R2).
   { replace (_ + _) with ((e ^ 2 * (1 - t) ^ 2 + t ^ 2 * (rho * rho)) / r ^ 2) by (field; lra). rewrite S.
-    unfold on_a, distance2 in M. replace (_ + _) with (r ^ 2) by (rewrite <- M; ring). field. lra. }
+    unfold on_a, distance2 in M. replace (_ + _) with (r ^ 2) by nra. field. lra. }
   exists t, theta, phi. point_on_a.lines.
   rewrite CT, ST, SP, CP, C1, S1, C2, S2. split; [exact T |]. split; [exact M |]. split; [exact R1 |].
   split; [apply R2, N |]. repeat split; try exact N; try (field; lra).
@@ -187,7 +187,7 @@ Proof.
   intros F. destruct rim as [O D]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & T & C); [lra | exact O | lra |].
   destruct (stable_frame__true_angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _
     & _ & _ & _ & _ & W);
-    [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s. rewrite <- V, W in C.
+    [lra | exact O | lra |]. rewrite T in U. apply Rbar_finite_eq in U. subst s.
   assert (t = 1 / 2) by lra. subst t. unfold on_a, distance2 in M. lra.
 Qed.
 
@@ -214,11 +214,11 @@ Qed.
 Lemma creased k a c : k <> 0 -> c <> 0 ->
   (exists m : Z, k * a = IZR m) <-> ~ ex_derive (fun a => Rabs (sin (PI * (k * a)) * c)) a.
 Proof.
-  intros K C. rewrite <- sine_zero. split.
+  rewrite <- sine_zero. split.
   - intros S. apply (corner (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
     + auto_derive; [exact I | ring].
-    + cbv beta. rewrite S. apply Rmult_0_l.
-    + assert (cos (PI * (k * a)) <> 0) by (intros Z; pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
+    + rewrite S. apply Rmult_0_l.
+    + assert (cos (PI * (k * a)) <> 0) by (pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
       pose proof PI_RGT_0. do 3 (apply Rmult_integral_contrapositive_currified; [| assumption]). lra.
   - intros N. destruct (Req_dec (sin (PI * (k * a))) 0) as [S | S]; [exact S | destruct N].
     eexists. apply (is_derive_Rabs (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).

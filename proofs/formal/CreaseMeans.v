@@ -26,7 +26,7 @@ Qed.
 Definition of_a_hump (k epsilon d : R) : R := (Rabs (sin (PI * (k * (d + epsilon)))) - Rabs (sin (PI * (k * (d - epsilon))))) / (2 * epsilon) - sign d * PI * k * cos (PI * (k * d)).
 Definition room (k epsilon : R) : R := 2 / 3 * (PI * k) * (PI * k * epsilon) ^ 2.
 Lemma sine_over (x : R) : 0 < x -> Rabs (sin x / x - 1) <= x ^ 2 / 6.
-Proof. intro X. assert (E : x * (sin x / x) = sin x) by (field; lra). generalize (cubic_below x X). intro. apply Rabs_le. split; apply Rmult_le_reg_l with x; nra. Qed.
+Proof. intro X. assert (E : x * (sin x / x) = sin x) by (field; lra). generalize (cubic_below x X). intro. apply Rabs_le. nra. Qed.
 Lemma hump_after (k epsilon d : R) : 0 < k -> 0 < epsilon <= / (2 * k) -> 0 < d <= / (2 * k) -> Rabs (of_a_hump k epsilon d - tent k epsilon d) <= room k epsilon.
 Proof.
   intros K E D. generalize PI_RGT_0. intro P. assert (I : k * / (2 * k) = 1 / 2) by (field; lra). assert (Q : 0 < PI * k) by nra.
@@ -57,7 +57,7 @@ Proof.
     replace (PI * (k * (- d - epsilon))) with (- (PI * (k * (d + epsilon)))) by ring. replace (PI * (k * - d)) with (- (PI * (k * d))) by ring.
     rewrite !sin_neg, !Rabs_Ropp, cos_neg. destruct (Rlt_dec _ _); field; lra.
   - unfold of_a_hump, tent. rewrite sign_0, Rabs_R0. replace (PI * (k * (0 - epsilon))) with (- (PI * (k * (0 + epsilon)))) by ring. rewrite sin_neg, Rabs_Ropp.
-    destruct (Rlt_dec _ _); [|lra]. match goal with |- Rabs ?x <= _ => replace x with 0 by (field; lra) end. rewrite Rabs_R0. unfold room. generalize PI_RGT_0 (pow2_ge_0 (PI * k * epsilon)). intros. apply Rmult_le_pos; nra.
+    destruct (Rlt_dec _ _); [|lra]. match goal with |- Rabs ?x <= _ => replace x with 0 by nra end. rewrite Rabs_R0. generalize PI_RGT_0. intros. apply Rmult_le_pos; nra.
   - apply hump_after; lra.
 Qed.
 

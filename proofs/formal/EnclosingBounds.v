@@ -5,7 +5,6 @@ From Flocq Require Import Core Mult_error.
 From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules.
 Open Scope R_scope.
 
-Definition SLACK : R := 562949953421313 / 562949953421312.
 Definition least : R := 1 / 2 ^ 1060.
 Lemma least_is : least = 2 ^ 14 * underflow.
 Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
@@ -18,14 +17,14 @@ Qed.
 Lemma made_a_count (s v p d : R) : 1 <= s -> float64 v -> 0 <= v -> float64 p -> 0 <= p -> Rabs d + 4 * underflow <= (v + p) * (1 + 10 * unit53) ->
   let c := rounded (9007199254740992 * rounded (rounded (v + p) * SLACK)) in float64 c /\ 0 <= c /\ Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
-  intros S V V0 P P0 D. assert (T := proj1 underflow_in_least). assert (0 <= SLACK) by (unfold SLACK; lra). cbv zeta. counts q (v + p). counts b (q * SLACK). rewrite count_of by is_float64. split; [rewrite <- count_of by is_float64; is_float64 | split; [lra|]].
+  intros S V V0 P P0 D. assert (T := proj1 underflow_in_least). cbv zeta. counts q (v + p). counts b (q * SLACK). rewrite count_of by is_float64. split; [rewrite <- count_of by is_float64; is_float64 | split; [lra|]].
   apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
-  clearbody b q. unfold SLACK, unit53 in *. lra.
+  clearbody b q. in_units.
 Qed.
 (* A function's own error: a part of the result, and what is lost where that vanishes. *)
 Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
 Proof.
-  intros F P K. assert (T := proj1 underflow_in_least). cbv zeta. counts o (k * Rabs f). counts w (o + V). split; [is_float64 | split; [assumption | unfold unit53 in *; lra]].
+  intros F P K. assert (T := proj1 underflow_in_least). cbv zeta. counts o (k * Rabs f). counts w (o + V). split; [is_float64 | split; [assumption | in_units]].
 Qed.
 Lemma least_is_float64_too : float64 least.
 Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.

@@ -22,12 +22,12 @@ Lemma half_turns_rule (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 ->
 Proof.
   intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded (rounded (_ * ey) + _)) in *.
   destruct (bound_of s m S1 S2 M0) as [B _]. assert (T := proj1 underflow_in_least).
-  assert (0 <= ROUNDING * m) by (unfold ROUNDING; lra). counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h * b).
+  counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h * b).
   assert (Q : PI <= h * (1 - 2 * unit53)) by (unfold h, unit53; interval with (i_prec 100)).
   assert (D : Rabs (wave (PI * (x * y)) - wave (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
-    apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h, unit53 in *; lra].
-    apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. unfold ROUNDING, unit53 in *. lra. }
+    apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h in *; in_units].
+    apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. in_units. }
   unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := wave (PI * (x * y))) in *.
   assert (G : Rabs e <= Rabs computed_wave + Rabs (computed_wave - e)) by (generalize (Rabs_triang_inv e computed_wave); rewrite (Rabs_minus_sym e computed_wave); lra). assert (A := Rabs_pos computed_wave).
   assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least computed_wave least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
@@ -36,7 +36,7 @@ Proof.
   { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
   assert (K : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
   { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
-  set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. unfold unit53 in *. lra.
+  set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. in_units.
 Qed.
 End half_turns.
 Ltac of_half_turns f g := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
@@ -50,14 +50,14 @@ Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 x -> 0 <
   let reach := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK) in
   rounded (x - reach) - 32 * underflow <= x' <= rounded (x + reach) + 32 * underflow /\ 0 <= reach <= ROUNDING * e * (1 + 2 ^ 6 * unit53) + 2 ^ 7 * unit53 * Rabs x + 32 * underflow.
 Proof.
-  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. assert (0 <= ROUNDING * e) by (unfold ROUNDING; lra). cbv zeta. assert (A := Rabs_pos x). assert (0 <= SLACK) by (unfold SLACK; lra).
+  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. cbv zeta. assert (A := Rabs_pos x). 
   assert (O1 := own_rounding (ROUNDING * e)). counts b (ROUNDING * e). assert (O2 := own_rounding (1 / 4503599627370496 * Rabs x)). counts h (1 / 4503599627370496 * Rabs x). assert (O3 := own_rounding (b + h)). counts q (b + h). assert (O4 := own_rounding (q * SLACK)). counts r (q * SLACK).
-  rewrite (Rabs_pos_eq b), (Rabs_pos_eq h), (Rabs_pos_eq q), (Rabs_pos_eq r) in * by assumption. apply Rabs_le_between in O1. apply Rabs_le_between in O2. apply Rabs_le_between in O3. apply Rabs_le_between in O4.
+  rewrite (Rabs_pos_eq b), (Rabs_pos_eq h), (Rabs_pos_eq q), (Rabs_pos_eq r) in * by assumption. both_ways O1. both_ways O2. both_ways O3. both_ways O4.
   split; [|unfold ROUNDING, SLACK, unit53 in *; clearbody b h q r; lra].
   assert (Fr : float64 r) by is_float64. assert (L := own_rounding_of_sum x (- r) X (generic_format_opp _ _ _ Fr)). assert (U := own_rounding_of_sum x r X Fr). change (x + - r) with (x - r) in L.
   assert (Sl : Rabs (rounded (x - r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x - r)) (x - r)) (Rabs_triang x (- r)); rewrite Rabs_Ropp, (Rabs_pos_eq r) by assumption; change (x + - r) with (x - r); lra).
   assert (Sh : Rabs (rounded (x + r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x + r)) (x + r)) (Rabs_triang x r); rewrite (Rabs_pos_eq r) by assumption; lra).
-  apply Rabs_le_between in L. apply Rabs_le_between in U. apply Rabs_le_between in D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. unfold SLACK, unit53 in *. lra.
+  both_ways L. both_ways U. both_ways D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. in_units.
 Qed.
 Lemma furthest_of (a b : R) : float64 a -> float64 b -> 0 <= a -> let first := if Rlt_dec 0 a then a else 0 in let furthest := if Rlt_dec first b then b else first in
   float64 furthest /\ a <= furthest /\ b <= furthest.
@@ -75,12 +75,12 @@ Proof.
     assert (M1 := Rabs_triang_inv (e - f) d). rewrite Rabs_minus_sym in O. assert (M2 := Rabs_triang (f - e) (e - t)). replace (f - e + (e - t)) with (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. assert (M3 := Rabs_triang_inv e f).
     assert (Kd : k * Rabs (e - f) <= 16 * unit53 * Rabs (e - f)) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]). assert (Ke : k * Rabs e <= k * Rabs f + k * Rabs (e - f)) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
     assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative.
-    set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. unfold unit53 in *. lra. }
+    set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. in_units. }
   destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
   destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
   apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
   { destruct (Rle_lt_dec y f) as [L|L]; [left; rewrite !Rabs_pos_eq by lra; lra | right; rewrite !Rabs_left1 by lra; lra]. }
-  assert (0 <= k * Rabs f) by is_not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. unfold unit53 in *. lra.
+  assert (0 <= k * Rabs f) by is_not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. in_units.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
@@ -95,10 +95,10 @@ Lemma exponential_at_an_end (t d : R) : float64 t -> t <= 709 -> Rabs d <= 1 / 2
 Proof.
   intros F L D e. assert (V := proj2 vanishing). assert (T := proj1 underflow_in_least). set (v := 1 / 2 ^ 1020) in *. assert (X := exp_pos (t + d)). destruct (Rlt_le_dec t (-708)) as [S|S].
   - assert (Z : e = 0) by (unfold e, exponential_of_sum_float64.exponential; repeat destruct Rlt_dec; lra). rewrite Z, Rminus_0_l, Rabs_Ropp, Rabs_R0, (Rabs_pos_eq (exp _)) by lra. split; [apply generic_format_0|].
-    apply Rle_trans with (exp (-7075/10)); [apply exponential_rises; apply Rabs_le_between in D; lra|]. unfold v. clear. assert (exp (-7075/10) <= 1 / 2 ^ 1019 * (1/2)) by interval. simpl in *. lra.
+    apply Rle_trans with (exp (-7075/10)); [apply exponential_rises; both_ways D; lra|]. unfold v. clear. assert (exp (-7075/10) <= 1 / 2 ^ 1019 * (1/2)) by interval. simpl in *. lra.
   - assert (Z : Rabs 0 <= 1 / 2 ^ 42) by (rewrite Rabs_R0; lra). assert (N := elementary_functions__exp t 0 F (conj S L) Z). fold e in N. rewrite Rplus_0_r in N. split.
     + unfold e, exponential_of_sum_float64.exponential. repeat destruct Rlt_dec; try lra. apply rounded_is_float64.
-    + assert (G : Rabs (exp d - 1) <= 1 / 2 ^ 90) by (apply Rabs_le_between in D; interval with (i_prec 120)). rewrite exp_plus in *. assert (P := exp_pos t). set (w := exp t) in *. apply Rabs_le_between in N. apply Rabs_le_between in G. rewrite (Rabs_pos_eq e) by lra.
+    + assert (G : Rabs (exp d - 1) <= 1 / 2 ^ 90) by (both_ways D; interval with (i_prec 120)). rewrite exp_plus in *. assert (P := exp_pos t). set (w := exp t) in *. both_ways N. both_ways G. rewrite (Rabs_pos_eq e) by lra.
       assert (- (w * (1 / 2 ^ 90)) <= w * (exp d - 1) <= w * (1 / 2 ^ 90)) by (split; nra). apply Rabs_le. lra.
 Qed.
 Theorem enclosing_rules__exponential : Statements.enclosing_rules__exponential.
@@ -109,9 +109,9 @@ Proof.
   destruct (reached s x e x' S1 S2 X P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
   assert (Top : rounded (x + reach) <= 709).
   { apply round_le_generic; [typeclasses eauto | typeclasses eauto | rewrite <- (Rmult_1_r 709); apply (whole_is_float64 709 0); easy|].
-    assert (x + 2 ^ 7 * unit53 * Rabs x <= 7045/10) by (unfold Rabs, unit53; destruct Rcase_abs; lra). unfold ROUNDING, unit53 in *. lra. }
+    assert (x + 2 ^ 7 * unit53 * Rabs x <= 7045/10) by (unfold Rabs, unit53; destruct Rcase_abs; lra). in_units. }
   assert (Low : rounded (x - reach) <= 709) by (apply Rle_trans with (rounded (x + reach)); [apply round_le; [typeclasses eauto..| lra] | exact Top]).
   assert (Dl : Rabs (- (32 * underflow)) <= 1 / 2 ^ 100) by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). assert (Dh : Rabs (32 * underflow) <= 1 / 2 ^ 100) by (rewrite Rabs_pos_eq; lra).
   destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Low Dl) as [Fl El]. destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Top Dh) as [Fh Eh]. destruct vanishing as [Fv Pv].
-  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | lra | unfold unit53; lra | split; apply exponential_rises; lra].
+  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | lra | in_units | split; apply exponential_rises; lra].
 Qed.

@@ -11,8 +11,15 @@ Open Scope R_scope.
 (* One rounding takes 2^-53 of a result, and below the normal range less than 2^-1074; what is lost there has a count of its own. *)
 Definition unit53 : R := 1 / 2 ^ 53.
 Definition underflow : R := bpow radix2 (-1074).
+(* By ROUNDING a count becomes a bound: it makes up for the slack of counts, and for one more rounding; SLACK for a bound's own. *)
+Definition ROUNDING : R := 1048577 / 9444732965739290427392.
+Definition SLACK : R := 562949953421313 / 562949953421312.
+Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
+(* How large a sum is; what a size says, both ways. *)
+Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
+Ltac both_ways H := apply Rabs_le_between in H.
 Lemma least_is_power : 1 / 2 ^ 1007 = bpow radix2 (-1007).
-Proof. change (bpow radix2 (-1007)) with (/ IZR (Z.pow_pos 2 1007)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+Proof. rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
 Proof. rewrite least_is_power. apply generic_format_bpow. easy. Qed.
 Lemma underflow_in_least : 0 < underflow /\ underflow * 2 ^ 67 <= 1 / 2 ^ 1007.
@@ -29,11 +36,11 @@ Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply
 Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
 Proof.
   destruct (rounding x) as (d & e & D & E & Z & R). rewrite R. replace (x * (1 + d) + e - x) with (x * d + e) by ring.
-  eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [|exact E]. apply Rabs_le_between in D.
+  sizes_add. apply Rplus_le_compat; [|exact E]. both_ways D.
   apply Rmult_integral in Z. destruct Z as [-> | ->].
-  - rewrite Rmult_0_r, Rabs_R0. apply Rmult_le_pos; [unfold unit53; lra | apply Rabs_pos].
+  - rewrite Rmult_0_r, Rabs_R0. apply Rmult_le_pos; [in_units | apply Rabs_pos].
   - rewrite Rplus_0_r, !Rabs_mult, (Rabs_pos_eq (1 + d)) by lra. assert (Rabs d <= unit53) by (unfold unit53; apply Rabs_le; lra).
-    assert (0 <= Rabs x * (1 + d - (1 - unit53))) by (apply Rmult_le_pos; [apply Rabs_pos | unfold unit53; lra]). generalize (Rabs_pos x). unfold unit53 in *. nra.
+    generalize (Rabs_pos x). unfold unit53 in *. nra.
 Qed.
 Lemma own_rounding_of_sum (a b : R) : float64 a -> float64 b -> Rabs (rounded (a + b) - (a + b)) <= unit53 * Rabs (rounded (a + b)).
 Proof.
@@ -45,16 +52,16 @@ Qed.
 Lemma counted_sum (a b : R) : float64 a -> float64 b -> 0 <= a -> 0 <= b -> (a + b) * (1 - unit53) <= rounded (a + b).
 Proof.
   intros A B P Q. generalize (own_rounding_of_sum a b A B) (not_negative_rounded (a + b) ltac:(lra)). intros O N. rewrite (Rabs_pos_eq (rounded _)) in O by exact N.
-  apply Rabs_le_between in O. unfold unit53 in *. nra.
+  both_ways O. unfold unit53 in *. nra.
 Qed.
 Lemma rounding_error (x : R) : Rabs (rounded x - x) <= unit53 * Rabs x + underflow.
 Proof. generalize (one_rounding x). unfold unit53, underflow. lra. Qed.
 Lemma counted (x : R) : 0 <= x -> x * (1 - unit53) - underflow <= rounded x <= x * (1 + unit53) + underflow.
-Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. apply Rabs_le_between in O. lra. Qed.
+Proof. intro P. generalize (rounding_error x). rewrite (Rabs_pos_eq x) by exact P. intro O. both_ways O. lra. Qed.
 Lemma less_of_squares (x y : R) : 0 <= y -> x * x <= y * y -> x <= y.
-Proof. intros. nra. Qed.
+Proof. nra. Qed.
 Ltac is_float64 := first [assumption | apply rounded_is_float64 | apply generic_format_abs; is_float64 | apply generic_format_bpow; easy].
-Ltac is_not_negative := solve [assumption | apply Rabs_pos | apply sqrt_pos | apply Rle_0_sqr | apply not_negative_rounded; is_not_negative | apply Rmult_le_pos; is_not_negative | apply Rplus_le_le_0_compat; is_not_negative | lra].
+Ltac is_not_negative := solve [assumption | apply Rabs_pos | apply sqrt_pos | apply Rle_0_sqr | apply not_negative_rounded; is_not_negative | apply Rmult_le_pos; is_not_negative | apply Rplus_le_le_0_compat; is_not_negative | in_units].
 (* Names the rounding of what is not negative, and says what is known of it. *)
 Ltac counts q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) by is_not_negative;
   lazymatch x with ?a + ?b => pose proof (counted_sum a b ltac:(is_float64) ltac:(is_float64) ltac:(is_not_negative) ltac:(is_not_negative)) | _ => pose proof (counted x ltac:(assumption)) end; set (q := rounded x) in *.
@@ -64,8 +71,8 @@ Ltac rounds q x := assert (0 <= x) by is_not_negative; assert (0 <= rounded x) b
 Lemma enough (s m t c d lost : R) : 1 <= s -> 0 <= t -> 0 <= lost -> m + (1 + 4 * unit53) * t + lost * 2 ^ 53 <= (1 + 1 / 2 ^ 49) * c ->
   Rabs d <= s * (m / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * t + lost) -> Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
-  intros S T L E D. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_l with (r := s) in E; [|lra]. assert (K : 0 <= (s - 1) * ((1 + 4 * unit53) * t + lost * 2 ^ 53)) by (apply Rmult_le_pos; [lra | unfold unit53; lra]).
-  unfold unit53 in *. lra.
+  intros S T L E. apply Rmult_le_compat_l with (r := s) in E; [|lra]. assert (K : 0 <= (s - 1) * ((1 + 4 * unit53) * t + lost * 2 ^ 53)) by (apply Rmult_le_pos; [lra | in_units]).
+  in_units.
 Qed.
 
 Theorem enclosing_rules__sum : Statements.enclosing_rules__sum.
@@ -73,29 +80,27 @@ Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy. enclosed_sum_float64.lines.
   assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *.
   counts e (ex + ey). counts c (e + Rabs t). split; [is_float64 | split; [assumption|]].
-  apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); unfold unit53 in *; lra|].
-  replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. eapply Rle_trans; [apply Rabs_triang|]. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). unfold unit53 in *. lra.
+  apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
+  replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. sizes_add. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). in_units.
 Qed.
 
-(* ROUNDING, by which a count becomes a bound, makes up for the slack of counts, and for one more rounding. *)
-Definition ROUNDING : R := 1048577 / 9444732965739290427392.
 Lemma bound_of (s e : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> s * (e / 2 ^ 53) * (1 + 4 * unit53) <= ROUNDING * e * (1 - 4 * unit53) /\ s * (e / 2 ^ 53) - 2 * underflow <= rounded (ROUNDING * e).
 Proof.
-  intros S1 S2 E. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption). generalize (counted (ROUNDING * e)). unfold ROUNDING, unit53 in *. lra.
+  intros S1 S2 E. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by nra. generalize (counted (ROUNDING * e)). in_units.
 Qed.
 (* How far a product moves where its factors do. *)
 Lemma product_moved (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
   let m := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)) in 0 <= m /\ Rabs (x * y - x' * y') <= s * (m / 2 ^ 53) * (1 + 4 * unit53) + 2 ^ 9 * underflow.
 Proof.
-  intros S1 S2 Y Px Dx Py Dy L. assert (T := proj1 underflow_in_least). cbv zeta. destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Sy := Rabs_triang_inv y' y). rewrite (Rabs_minus_sym y' y) in Sy.
-  counts z (ROUNDING * ey). counts most (Rabs y + z). assert (Z : 0 <= Rabs y) by is_not_negative. assert (0 <= s * (ey / 2 ^ 53)) by is_not_negative. set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *. assert (0 <= Y1) by is_not_negative. assert (0 <= Y1 * ex) by is_not_negative.
+  intros S1 S2 Y Px Dx Py Dy L. assert (T := proj1 underflow_in_least). cbv zeta. destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Sy := Rabs_triang_inv y' y). rewrite (Rabs_minus_sym y' y) in Sy.
+  counts z (ROUNDING * ey). counts most (Rabs y + z). set (Y1 := Rabs y + s * (ey / 2 ^ 53)) in *.
   counts a (Rabs x * ey). counts b (most * ex). counts m (a + b). split; [assumption|].
   assert (W : Y1 * ex * (1 - unit53) - 2 * underflow * 2 ^ 60 <= most * ex).
-  { assert (W : (Y1 * (1 - unit53) - 2 * underflow) * ex <= most * ex) by (apply Rmult_le_compat_r; [exact Px | unfold Y1, unit53 in *; lra]). assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
+  { assert (W : (Y1 * (1 - unit53) - 2 * underflow) * ex <= most * ex) by (apply Rmult_le_compat_r; [exact Px | unfold Y1 in *; in_units]). assert (underflow * ex <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). lra. }
   replace (x * y - x' * y') with (x * (y - y') + y' * (x - x')) by ring.
   assert (M : Rabs (x * (y - y') + y' * (x - x')) <= s * ((Rabs x * ey + Y1 * ex) / 2 ^ 53)).
-  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; unfold Y1; lra]. }
-  eapply Rle_trans; [exact M|]. assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by (clearbody m a b most Y1; unfold unit53 in *; lra).
+  { replace (s * _) with (Rabs x * (s * (ey / 2 ^ 53)) + Y1 * (s * (ex / 2 ^ 53))) by field. sizes_add. rewrite !Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_l; [apply Rabs_pos | exact Dy] | apply Rmult_le_compat; try apply Rabs_pos; unfold Y1; lra]. }
+  assert (K : (Rabs x * ey + Y1 * ex) / 2 ^ 53 <= m / 2 ^ 53 * (1 + 4 * unit53) + 511 * underflow) by in_units.
   apply Rmult_le_compat_l with (r := s) in K; [|lra]. assert (s * underflow <= (1 + 3 / 2 ^ 22) * underflow) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 Theorem enclosing_rules__product : Statements.enclosing_rules__product.
@@ -103,15 +108,15 @@ Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy Lx Ly. enclosed_product_float64.lines. fold ROUNDING. destruct (product_moved s x ex x' y ey y') as [Bm M]; try assumption. set (m := rounded (rounded (_ * ey) + _)) in *.
   assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
   counts o (Rabs t + least). counts c (m + o). split; [is_float64 | split; [assumption|]].
-  apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); clearbody m o c t; unfold unit53 in *; lra|].
-  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. eapply Rle_trans; [apply Rabs_triang|]. lra.
+  apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
+  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. sizes_add. lra.
 Qed.
 
 Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).
 Proof.
-  intros A B. generalize (sqrt_pos a) (sqrt_pos b) (sqrt_sqrt a A) (sqrt_sqrt b B). intros P Q Ea Eb. assert (E : a - b = (sqrt a - sqrt b) * (sqrt a + sqrt b)) by (transitivity (sqrt a * sqrt a - sqrt b * sqrt b); [rewrite Ea, Eb; reflexivity | ring]).
+  intros A B. generalize (sqrt_pos a) (sqrt_pos b) (sqrt_sqrt a A) (sqrt_sqrt b B). intros P Q Ea Eb. assert (E : a - b = (sqrt a - sqrt b) * (sqrt a + sqrt b)) by lra.
   assert (R : Rabs (a - b) = Rabs (sqrt a - sqrt b) * (sqrt a + sqrt b)) by (rewrite E, Rabs_mult, (Rabs_pos_eq (_ + _)) by lra; reflexivity).
-  assert (T := Rabs_pos (sqrt a - sqrt b)). split; [rewrite R; nra|]. apply Rsqr_incr_0_var; [|apply sqrt_pos]. unfold Rsqr at 2. rewrite sqrt_sqrt by apply Rabs_pos. rewrite R. unfold Rsqr. apply Rmult_le_compat_l; [exact T|].
+  assert (T := Rabs_pos (sqrt a - sqrt b)). split; [nra|]. apply Rsqr_incr_0_var; [|apply sqrt_pos]. unfold Rsqr at 2. rewrite sqrt_sqrt by apply Rabs_pos. rewrite R. apply Rmult_le_compat_l; [exact T|].
   unfold Rabs. destruct Rcase_abs; lra.
 Qed.
 Lemma own_rounding_of_root (x : R) : float64 x -> 0 < x -> bpow radix2 (-537) <= sqrt x /\ bpow radix2 (-537) <= rounded (sqrt x) /\ Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x /\ Rabs (rounded (sqrt x) - sqrt x) <= (1 + 4 * unit53) * unit53 * rounded (sqrt x).
@@ -124,14 +129,14 @@ Proof.
   destruct (standard_model (sqrt x)) as (d & D & R); [rewrite Rabs_pos_eq by apply sqrt_pos; eapply Rle_trans; [apply bpow_le | exact L]; easy|].
   assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold unit_roundoff, unit53; simpl; lra]). assert (S := sqrt_pos x).
   assert (A : Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x) by (rewrite R; replace (_ - _) with (sqrt x * d) by ring; rewrite Rabs_mult, (Rabs_pos_eq (sqrt x)) by exact S; rewrite Rmult_comm; apply Rmult_le_compat_r; assumption).
-  split; [exact L | split; [exact K | split; [exact A|]]]. eapply Rle_trans; [exact A|]. apply Rabs_le_between in A. unfold unit53 in *. lra.
+  split; [exact L | split; [exact K | split; [exact A|]]]. eapply Rle_trans; [exact A|]. both_ways A. in_units.
 Qed.
 Lemma root_of_one : let K := sqrt (1 / 2 ^ 53) * 2 ^ 53 in 0 < K /\ K * (1 + 1 / 2 ^ 26) <= 398065740123893 / 4194304.
 Proof. split; interval with (i_prec 100). Qed.
 Lemma not_near_zero (x : R) : bpow radix2 (-537) <= x -> underflow <= x / 2 ^ 200.
 Proof.
   intro L. unfold underflow. replace (-1074)%Z with (-537 + -537)%Z by easy. rewrite bpow_plus. assert (B : bpow radix2 (-537) <= / 2 ^ 200) by (replace (/ 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra); apply bpow_le; easy).
-  unfold Rdiv. apply Rmult_le_compat; try apply bpow_ge_0; assumption.
+  apply Rmult_le_compat; try apply bpow_ge_0; assumption.
 Qed.
 Theorem enclosing_rules__root : Statements.enclosing_rules__root.
 Proof.
@@ -144,20 +149,20 @@ Proof.
   - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
     destruct (own_rounding_of_root x X Xp) as (B & Br & A & _). fold r in Br, A. assert (Q0 : 0 < sqrt x) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact B]). assert (Rp : 0 < r) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact Br]).
     assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). counts k (e / r). counts c (k + r). split; [is_float64 | split; [assumption|]].
-    apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); unfold unit53 in *; lra|].
+    apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); in_units|].
     assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|lra].
     apply Rmult_le_reg_r with (sqrt x); [exact Q0|]. eapply Rle_trans; [exact M1|]. eapply Rle_trans; [exact D|]. replace (_ * sqrt x) with (s * ((e / r * ((1 + unit53) * sqrt x)) / 2 ^ 53)) by (field; lra).
-    apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. replace e with (e / r * r) at 1 by (field; lra). apply Rmult_le_compat_l; [exact K0|]. apply Rabs_le_between in A. lra.
+    apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. replace e with (e / r * r) at 1 by (field; lra). apply Rmult_le_compat_l; [exact K0|]. both_ways A. lra.
   - destruct root_of_one as [Kp Kc]. set (K := sqrt (1 / 2 ^ 53) * 2 ^ 53) in *. set (w := 398065740123893 / 4194304) in *.
     assert (W : 0 <= sqrt e) by apply sqrt_pos. assert (Q : sqrt e * (1 - unit53) <= rounded (sqrt e) /\ underflow * 2 ^ 200 <= sqrt e \/ sqrt e = 0).
-    { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E Ep) as (B & _ & A & _). apply Rabs_le_between in A. generalize (not_near_zero _ B). lra. }
+    { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E Ep) as (B & _ & A & _). both_ways A. generalize (not_near_zero _ B). lra. }
     assert (Wp : 1 <= w) by (unfold w; lra). counts k (rounded (sqrt e) * w). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (sqrt e * K) r 0; try lra.
     + assert (Z : sqrt e * K <= (1 + unit53) * k).
-      { destruct Q as [[Q Y]|Q]; [|rewrite Q; unfold unit53; lra]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
+      { destruct Q as [[Q Y]|Q]; [|rewrite Q; in_units]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
         assert (G2 : sqrt e * (1 - unit53) * w <= rounded (sqrt e) * w) by (apply Rmult_le_compat_r; lra). assert (G3 : sqrt e * 1 <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
-        clearbody k w K. unfold unit53 in *. lra. }
-      unfold unit53 in *. lra.
+        clearbody k w K. in_units. }
+      in_units.
     + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|lra]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
       replace (s * (e / 2 ^ 53)) with (s * (e * (1 / 2 ^ 53))) by field. rewrite sqrt_mult, sqrt_mult by lra. replace (sqrt e * K / 2 ^ 53) with (sqrt e * sqrt (1 / 2 ^ 53)) by (unfold K; field).
       apply Rmult_le_compat_r; [apply Rmult_le_pos; apply sqrt_pos|]. rewrite <- (sqrt_square s) at 2 by lra. apply sqrt_le_1_alt. nra.
@@ -167,12 +172,12 @@ Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. enclosed_quotient_float64.lines. fold ROUNDING.
   destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
-  destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (0 <= ROUNDING * ey) by (unfold ROUNDING; lra). assert (Oz := own_rounding (ROUNDING * ey)). counts z (ROUNDING * ey). rewrite (Rabs_pos_eq z) in Oz by assumption. apply Rabs_le_between in Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by (unfold ROUNDING, unit53 in *; lra).
+  destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Oz := own_rounding (ROUNDING * ey)). counts z (ROUNDING * ey). rewrite (Rabs_pos_eq z) in Oz by assumption. both_ways Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by in_units.
   assert (Ol := own_rounding_of_sum (Rabs y) (- z) ltac:(is_float64) ltac:(apply generic_format_opp; is_float64)). change (Rabs y + - z) with (Rabs y - z) in Ol.
-  assert (L0 := not_negative_rounded (Rabs y - z) ltac:(lra)). set (l := rounded (Rabs y - z)) in *. assert (Fl : float64 l) by is_float64. rewrite (Rabs_pos_eq l) in Ol by exact L0. apply Rabs_le_between in Ol.
-  assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; unfold unit53 in *; lra). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; assert (0 < 2 ^ 960) by (apply pow_lt; lra); unfold unit53 in *; lra).
+  assert (L0 := not_negative_rounded (Rabs y - z) ltac:(lra)). set (l := rounded (Rabs y - z)) in *. assert (Fl : float64 l) by is_float64. rewrite (Rabs_pos_eq l) in Ol by exact L0. both_ways Ol.
+  assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; in_units). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; assert (0 < 2 ^ 960) by (apply pow_lt; lra); in_units).
   assert (Sy : l * (1 - 2 * unit53) <= Rabs y').
-  { generalize (Rabs_triang_inv y y'). clearbody l z. unfold unit53 in *. lra. }
+  { generalize (Rabs_triang_inv y y'). clearbody l z. in_units. }
   destruct (Rlt_dec 0 l) as [Lp|]; [|lra]. set (J := 1 / l). assert (Jl : J * l = 1) by (unfold J; field; lra). assert (Jp : 0 < J) by (unfold J, Rdiv; rewrite Rmult_1_l; apply Rinv_0_lt_compat, Lp).
   assert (Ju : J <= 2 ^ 60) by (apply Rmult_le_reg_r with l; [exact Lp | rewrite Jl; lra]).
   assert (Jt : underflow <= J / 2 ^ 100).
@@ -183,22 +188,22 @@ Proof.
   assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *; nra).
   assert (O := own_rounding (x / y)). set (t := rounded (x / y)) in *. assert (T0 := Rabs_pos t). assert (Ht : Rabs (x / y) <= Rabs t + ((1 + 4 * unit53) * unit53 * Rabs t + underflow)) by (generalize (Rabs_triang_inv (x / y) t); rewrite (Rabs_minus_sym (x / y) t); lra).
   counts most (Rabs t + least).
-  assert (Hs : Rabs (x / y) <= most * (1 + 3 * unit53)) by (clearbody most t; unfold unit53 in *; lra).
+  assert (Hs : Rabs (x / y) <= most * (1 + 3 * unit53)) by (clearbody most t; in_units).
   counts w (most * ey). counts v (ex + w).
-  set (E := ex + most * ey). assert (E0 : 0 <= E) by (unfold E; lra). assert (Ve : E * (1 - 22 / 10 * unit53) - 2 * underflow <= v) by (unfold E; clearbody w v most; unfold unit53 in *; lra).
+  set (E := ex + most * ey). assert (E0 : 0 <= E) by (unfold E; lra). assert (Ve : E * (1 - 22 / 10 * unit53) - 2 * underflow <= v) by (unfold E; clearbody w v most; in_units).
   counts p (v * i). counts c (p + most). assert (EJ : 0 <= E * J) by (apply Rmult_le_pos; lra).
   assert (VI : E * J * (1 - 4 * unit53) - 2 ^ 62 * underflow <= v * i).
-  { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [assumption | clearbody i; unfold unit53 in *; lra]].
-    apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [unfold unit53; lra | exact Ve]].
-    assert (underflow * J <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). assert (0 <= underflow * J) by (apply Rmult_le_pos; lra). clearbody E. unfold unit53. lra. }
+  { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [assumption | clearbody i; in_units]].
+    apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [in_units | exact Ve]].
+    assert (underflow * J <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). assert (0 <= underflow * J) by (apply Rmult_le_pos; lra). clearbody E. in_units. }
   split; [exact Y0' | split; [is_float64 | split; [assumption|]]].
-  apply enough with (E * J * (1 + 7 * unit53)) (Rabs t) underflow; try lra; [set (K := v * i) in *; clearbody K p c most t E J; unfold unit53 in *; lra|].
-  replace (t - x' / y') with ((t - x / y) + ((x - x') + x / y * (y' - y)) / y') by (field; split; assumption). eapply Rle_trans; [apply Rabs_triang|].
+  apply enough with (E * J * (1 + 7 * unit53)) (Rabs t) underflow; try lra; [set (K := v * i) in *; clearbody K p c most t E J; in_units|].
+  replace (t - x' / y') with ((t - x / y) + ((x - x') + x / y * (y' - y)) / y') by (field; split; assumption). sizes_add.
   assert (Moved : Rabs (((x - x') + x / y * (y' - y)) / y') <= s * (E * J * (1 + 7 * unit53) / 2 ^ 53)); [|lra].
   assert (Ay : 0 < Rabs y') by (apply Rabs_pos_lt, Y0'). unfold Rdiv at 1. rewrite Rabs_mult, Rabs_inv. apply Rmult_le_reg_r with (Rabs y'); [exact Ay|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   apply Rle_trans with (s * (E * (1 + 3 * unit53) / 2 ^ 53)).
-  - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_minus_sym y' y). assert (M : Rabs (x / y) * Rabs (y - y') <= most * (1 + 3 * unit53) * (s * (ey / 2 ^ 53))) by (apply Rmult_le_compat; try apply Rabs_pos; assumption).
-    assert (0 <= s * ex) by (apply Rmult_le_pos; lra). unfold E. clearbody most. unfold unit53 in *. lra.
+  - sizes_add. rewrite Rabs_mult, (Rabs_minus_sym y' y). assert (M : Rabs (x / y) * Rabs (y - y') <= most * (1 + 3 * unit53) * (s * (ey / 2 ^ 53))) by (apply Rmult_le_compat; try apply Rabs_pos; assumption).
+    assert (0 <= s * ex) by (apply Rmult_le_pos; lra). unfold E. clearbody most. in_units.
   - rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. replace (E * J * (1 + 7 * unit53) / 2 ^ 53 * Rabs y') with (E * (J * Rabs y' * (1 + 7 * unit53)) / 2 ^ 53) by field. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [exact E0|].
     assert (J * (l * (1 - 2 * unit53)) <= J * Rabs y') by (apply Rmult_le_compat_l; lra). unfold unit53 in *. nra.
 Qed.
@@ -207,12 +212,12 @@ Qed.
 Lemma decided_apart (s a ea a' b eb b' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 a -> float64 ea -> 0 <= ea -> Rabs (a - a') <= s * (ea / 2 ^ 53) -> float64 b -> float64 eb -> 0 <= eb -> Rabs (b - b') <= s * (eb / 2 ^ 53) ->
   rounded (rounded (ea + eb) * ROUNDING) < Rabs (rounded (a - b)) \/ rounded (ea + eb) = 0 -> a < b <-> a' < b'.
 Proof.
-  intros S1 S2 A Ea Pa Da B Eb Pb Db H. assert (C := counted_sum ea eb Ea Eb Pa Pb). set (e := rounded (ea + eb)) in *. apply Rabs_le_between in Da. apply Rabs_le_between in Db. destruct H as [H|H].
+  intros S1 S2 A Ea Pa Da B Eb Pb Db H. assert (C := counted_sum ea eb Ea Eb Pa Pb). set (e := rounded (ea + eb)) in *. both_ways Da. both_ways Db. destruct H as [H|H].
   - assert (G : e * ROUNDING < Rabs (a - b)).
     { unfold rounded in H at 2. rewrite <- round_NE_abs in H by typeclasses eauto. apply rounded_below. exact H. }
-    assert (M : s * (ea + eb) <= (1 + 3 / 2 ^ 22) * (ea + eb)) by (apply Rmult_le_compat_r; lra). assert (K : s * (ea / 2 ^ 53) + s * (eb / 2 ^ 53) < Rabs (a - b)) by (clearbody e; unfold ROUNDING, unit53 in *; lra).
+    assert (M : s * (ea + eb) <= (1 + 3 / 2 ^ 22) * (ea + eb)) by (apply Rmult_le_compat_r; lra). assert (K : s * (ea / 2 ^ 53) + s * (eb / 2 ^ 53) < Rabs (a - b)) by (clearbody e; in_units).
     revert K. unfold Rabs. destruct Rcase_abs; intro K; split; lra.
-  - assert (ea = 0) by (unfold unit53 in *; lra). assert (eb = 0) by (unfold unit53 in *; lra). subst ea eb. split; lra.
+  - assert (ea = 0) by in_units. assert (eb = 0) by in_units. subst ea eb. split; lra.
 Qed.
 Theorem enclosing_rules__selection : Statements.enclosing_rules__selection.
 Proof.
@@ -227,12 +232,12 @@ Proof.
     { apply round_generic; [typeclasses eauto|]. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT; [is_float64 | easy]. }
     rewrite F. assert (Ft : float64 (Rabs t * 9007199254740992)) by (rewrite <- F; is_float64).
     counts k (Rabs t * 9007199254740992 + ex). counts c (k + ey). split; [is_float64 | split; [assumption|]].
-    assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); unfold unit53 in *; lra).
-    apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; unfold unit53 in *; lra|].
-    assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | unfold unit53; lra]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
+    assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); in_units).
+    apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; in_units|].
+    assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | in_units]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
     assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
-    { intros v w w' e V W L. replace (v - w') with ((v - w) + (w - w')) by ring. eapply Rle_trans; [apply Rabs_triang|]. clearbody t. lra. }
-    assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos; [unfold unit53; lra | exact T]).
+    { intros v w w' e V W L. replace (v - w') with ((v - w) + (w - w')) by ring. sizes_add. clearbody t. lra. }
+    assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos; [in_units | exact T]).
     destruct (Rlt_dec a b), (Rlt_dec a' b'); [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try assumption; try apply Zr; try lra.
     rewrite Rabs_minus_sym. exact Ty.
 Qed.
@@ -244,7 +249,7 @@ Lemma whole_rule (s x e x' away y y' : R) (n : Z) : 1 <= s -> s <= 1 + 3 / 2 ^ 2
   float64 c /\ 0 <= c /\ Rabs (y - y') <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
   intros S1 S2 E P D U N G H b c. assert (M : s * e <= (1 + 3 / 2 ^ 22) * e) by (apply Rmult_le_compat_r; assumption).
-  assert (B0 : 0 <= b) by (apply not_negative_rounded; unfold ROUNDING; lra). assert (B1 : b <= bpow radix2 8).
+  assert (B0 : 0 <= b) by (apply not_negative_rounded; in_units). assert (B1 : b <= bpow radix2 8).
   { apply round_le_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | unfold ROUNDING; simpl; lra]. }
   set (w := Zfloor b). assert (W : (0 <= w <= 256)%Z) by (split; [apply Zfloor_lub, B0 | rewrite <- (Zfloor_IZR 256); apply Zfloor_le; exact B1]).
   assert (small : forall m j, (0 <= m <= 257)%Z -> (0 <= j)%Z -> rounded (IZR m * bpow radix2 j) = IZR m * bpow radix2 j) by (intros; apply kept, whole_is_float64; lia).
@@ -253,11 +258,11 @@ Proof.
   { unfold c. change (whole_below b) with (IZR w). rewrite (Rmult_comm 9007199254740992). change 9007199254740992 with (bpow radix2 53). destruct (both _ _) as [_|Far].
     - exists (1 + w)%Z. rewrite <- plus_IZR, plain, small by lia. split; [lia | split; [reflexivity|]].
       rewrite N, <- abs_IZR in *. apply IZR_le. destruct (Z_le_gt_dec (Z.abs n) 1) as [|L]; [lia|]. assert (Q : (Z.abs n - 1 <= w)%Z); [|lia].
-      assert (T : IZR (Z.abs n - 1) <= ROUNDING * e) by (rewrite minus_IZR; unfold ROUNDING; lra). assert (V : (Z.abs n - 1 <= 256)%Z) by (apply le_IZR; unfold ROUNDING in T; lra).
+      assert (T : IZR (Z.abs n - 1) <= ROUNDING * e) by (rewrite minus_IZR; in_units). assert (V : (Z.abs n - 1 <= 256)%Z) by (apply le_IZR; unfold ROUNDING in T; lra).
       apply Zfloor_lub. rewrite <- plain by lia. apply round_le; [typeclasses eauto..| exact T].
     - exists w. rewrite small by lia. split; [lia | split; [reflexivity|]]. assert (Y : y = y'); [apply H | rewrite Rminus_diag_eq, Rabs_R0 by exact Y; apply IZR_le; lia].
       destruct Far as [Far|Far]; [right | left].
-      + apply Rnot_le_lt in Far. apply Rle_lt_trans with (ROUNDING * e); [unfold ROUNDING; lra|]. apply rounded_below. eapply Rle_lt_trans; [|exact Far]. fold b. rewrite <- (kept b) at 1 by (apply rounded_is_float64).
+      + apply Rnot_le_lt in Far. apply Rle_lt_trans with (ROUNDING * e); [in_units|]. apply rounded_below. eapply Rle_lt_trans; [|exact Far]. fold b. rewrite <- (kept b) at 1 by (apply rounded_is_float64).
         apply round_le; [typeclasses eauto..|]. lra.
       + replace e with 0 in D by lra. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (x - x')). intro. apply Rminus_diag_uniq. destruct (Req_dec (x - x') 0) as [|Z]; [assumption|]. apply Rabs_pos_lt in Z. lra. }
   destruct K as (m & Bm & -> & L). assert (0 <= IZR m) by (apply IZR_le; lia). split; [apply whole_is_float64; lia | split; [apply Rmult_le_pos; [assumption | apply bpow_ge_0]|]].
@@ -288,7 +293,7 @@ Proof.
   { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
     eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }
   rewrite F, rounded_abs. apply whole_rule with x x' (Znearest (fun n => negb (Z.even n)) x - Znearest (fun n => negb (Z.even n)) x')%Z; try assumption; [symmetry; apply minus_IZR | |].
-  - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. apply Rabs_le_between in H. apply Rabs_le_between in H'. apply Rabs_le. lra.
+  - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. both_ways H. both_ways H'. apply Rabs_le. lra.
   - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. rewrite (Rabs_left1 (Rabs _ - 1 / 2)) in N by lra. generalize (Rabs_triang (x' - x) (x - IZR (Znearest (fun n => negb (Z.even n)) x))).
     rewrite (Rabs_minus_sym x' x). replace (x' - x + _) with (x' - IZR (Znearest (fun n => negb (Z.even n)) x)) by ring. lra.
 Qed.
@@ -296,7 +301,7 @@ Qed.
 (* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)
 Theorem enclosing_rules__slack (n : nat) : INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22 /\ (1 + 1 / 2 ^ 49) ^ n / 2 ^ 53 <= ROUNDING.
 Proof.
-  intro N. assert (P : 0 < 1 + 1 / 2 ^ 49) by lra. assert (B : (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22); [|split; [exact B | unfold ROUNDING; lra]].
+  intro N. assert (P : 0 < 1 + 1 / 2 ^ 49) by lra. assert (B : (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22); [|split; [exact B | in_units]].
   rewrite <- Rpower_pow by exact P. unfold Rpower. apply Rle_trans with (exp (2 ^ 28 * ln (1 + 1 / 2 ^ 49))); [|interval with (i_prec 100)].
   assert (L : INR n * ln (1 + 1 / 2 ^ 49) <= 2 ^ 28 * ln (1 + 1 / 2 ^ 49)) by (apply Rmult_le_compat_r; [interval with (i_prec 100) | exact N]).
   destruct (Rle_lt_or_eq_dec _ _ L) as [S|S]; [left; apply exp_increasing, S | right; rewrite S; reflexivity].

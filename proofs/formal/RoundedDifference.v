@@ -9,7 +9,7 @@ Open Scope R_scope.
 
 Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
 Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
-Proof. unfold unit_roundoff. change (bpow radix2 (-53 + 1)) with (/ IZR (2 ^ 52)). simpl. lra. Qed.
+Proof. unfold unit_roundoff. simpl. lra. Qed.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
   destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
@@ -29,7 +29,7 @@ Proof.
   assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). apply Rabs_le_between in B. apply Rabs_le_between in B2. split.
   - apply Rabs_le. unfold kappa. split; nra.
   - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
-    assert (Rabs (x - y / 2) * / e <= 2 / 2 ^ 100 * / e) by (apply Rmult_le_compat_r; lra). assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). unfold Rdiv in *. nra.
+    assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
 Qed.
 Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
 Proof. intros A B. destruct (rounded_difference a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
@@ -51,7 +51,7 @@ Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
 Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
-  intros W E B. assert (M : float64 (- e)) by (apply generic_format_opp, E). split.
+  intros W E. assert (M : float64 (- e)) by (apply generic_format_opp, E). split.
   - replace (e + w) with (w - - e) by ring. destruct (difference_near w (- e) W M) as (d & D & ->).
     replace (_ - _) with ((w + e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; lra.
   - destruct (difference_near w e W E) as (d & D & ->). replace (_ - _) with ((w - e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat; try lra. apply Rabs_pos.
@@ -65,14 +65,14 @@ Proof.
   assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
   replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
     by (unfold arguments_part, evaluation_part; field; lra).
-  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by (unfold Rdiv in *; nra).
+  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by nra.
   generalize (through _ _ _ _ _ Q (through _ _ _ _ _ R T)). lra.
 Qed.
 Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
 
 (* The arguments where nothing wraps or clamps. *)
 Lemma in_order (w e : R) : 0 <= e <= w -> 0 <= rounded (w - e) <= rounded (e + w).
-Proof. intro B. split; [rewrite <- rounded_0|]; apply round_le; try typeclasses eauto; lra. Qed.
+Proof. split; [rewrite <- rounded_0|]; apply round_le; try typeclasses eauto; lra. Qed.
 Lemma up_to_1 (x : R) : (x <= 1 -> rounded x <= 1) /\ (rounded x < 1 -> x < 1).
 Proof.
   assert (F := power_float64 0 ltac:(easy)). split; intro X; [apply round_le_generic; trivial; typeclasses eauto|]. apply Rnot_le_lt. intro L.

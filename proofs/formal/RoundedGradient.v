@@ -16,7 +16,7 @@ Proof. generalize (Z.mod_pos_bound q 4 ltac:(easy)). lia. Qed.
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
 Proof.
-  generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). set (q := IZR (quarters p)). intro H.
+  generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). intro H.
   apply Rabs_le_between in H. apply Rabs_le. lra.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
@@ -31,7 +31,7 @@ Variables p e : R.
 Hypothesis F : float64 p.
 Let q := quarters p.
 Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
-Proof. unfold sine_of_half_turns_float64.quarters, rint. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
+Proof. unfold sine_of_half_turns_float64.quarters. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
 (* However large p is: the quarters have no more digits than it has. *)
 Lemma digits_of_quarters : exists m k : Z, q = (m * 2 ^ k)%Z /\ (Z.abs m < 2 ^ 53)%Z /\ (0 <= k)%Z.
 Proof.
@@ -42,7 +42,7 @@ Proof.
     apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))).
   - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs p <= 2 ^ 51).
     { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
-      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. change (bpow radix2 53) with (IZR (2 ^ 53)). rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
+      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
     generalize (near_quarters p). fold q. intro H. apply Rabs_le_between in H. apply Rabs_le_between in S. apply Rabs_def1; simpl; lra.
 Qed.
 Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
@@ -78,8 +78,8 @@ Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s 
 Proof.
   intros r s c. unfold sine_of_half_turns_float64.sine, cosine_of_half_turns_float64.cosine.
   change (cosine_of_half_turns_float64.quadrant p) with (sine_of_half_turns_float64.quadrant p).
-  change (sine_of_half_turns_float64.sine_near p e) with s. change (sine_of_half_turns_float64.cosine_near p e) with c.
-  change (cosine_of_half_turns_float64.sine_near p e) with s. change (cosine_of_half_turns_float64.cosine_near p e) with c.
+
+
   rewrite quadrant_printed. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
 Qed.
 End reduction.
@@ -109,7 +109,7 @@ Qed.
 Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
 Proof.
   set (c := IZR 7074237752028440 * bpow radix2 (-51)). assert (F : float64 c) by (apply whole_is_float64; easy).
-  apply Rle_trans with (Rabs (c - PI)); [|unfold c; change (bpow radix2 (-51)) with (/ IZR (Z.pow_pos 2 51)); interval with (i_prec 80)].
+  apply Rle_trans with (Rabs (c - PI)); [|unfold c; interval with (i_prec 80)].
   apply (round_N_pt radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) PI). exact F.
 Qed.
 

@@ -84,7 +84,7 @@ Proof. exists 0, 0. rewrite Rmult_0_l, Rabs_R0. repeat split; try apply generic_
 (* Over a whole half-turn the polynomial is not so near; nor is the sine the cosine. *)
 Theorem elementary_functions__sine_relative__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. half_turn_polynomials.lines. rewrite Rmult_1_r, sin_PI, Rabs_R1. interval with (i_prec 120).
+  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. interval with (i_prec 120).
 Qed.
 Lemma not_near_both (c x : R) : c <= 5 -> near_relative c x 0 -> near_relative c x 1 -> False.
 Proof.
