@@ -55,10 +55,11 @@ def _complete(statement, at):
     defined = {step.get("new") for step in statement["steps"]}
     at = {name: value for name, value in at.items() if name not in defined}
     values = {name: _coordinate(name, at) for name in statement["variables"]}
-    for step in (step for step in statement["steps"] if "new" in step):
-        numbers = {name: kernel.multiply(value) for name, value in values.items()}
-        value = Fraction(kernel.read(step["of"], numbers).get((), 0))
-        values[step["new"]] = {"root": rational_root, "inverse": lambda p: 1 / p}.get(step["step"], Fraction)(value)
+    for step in statement["steps"]:
+        if "new" in step:
+            numbers = {name: kernel.multiply(value) for name, value in values.items()}
+            value = Fraction(kernel.read(step["of"], numbers).get((), 0))
+            values[step["new"]] = {"root": rational_root, "inverse": lambda p: 1 / p}.get(step["step"], Fraction)(value)
     return values
 
 
@@ -71,4 +72,4 @@ def _coordinate(name, at):
         value = {"cos": cos, "sin": sin}[circle[1]](angle.subs({s: at[s.name] for s in angle.free_symbols}))
     if value is None or not value.is_Rational:
         raise NotRational(f"{name} is {value}")
-    return Fraction(value.p, value.q)
+    return Fraction(str(value))
