@@ -55,7 +55,6 @@ PARTLY = {
 
 
 GIVEN = {*PRINTED, *TRUSTED}
-CLAIM = re.compile(r"^Definition (\w+) : Prop", re.MULTILINE)
 
 
 def layers(*wanted: str) -> list[dict[str, str]]:

@@ -6,13 +6,15 @@ import shutil
 import subprocess
 import sys
 from importlib.util import find_spec
+from types import SimpleNamespace
 
 import pytest
-from sympy import Derivative, sqrt
+from sympy import Derivative, sign, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
+from renderer.generate import statements as printing
 from renderer.generate.statements import mutants, proposition
 from renderer.whole_files import write_whole
 from verify import formal, survey, vernacular
@@ -157,6 +159,8 @@ HIDING = [
     f"Proof. (*) {AXIOM} *) Qed.",
     "Inductive odd : Prop := A : (forall match' : nat, True) -> odd with is_derive : Prop := always.",
     "Inductive odd : Prop := A : (forall mat(**)ch : nat, True) -> odd with is_derive : Prop := always.",
+    "Inductive no : Type := yes [x : R].",
+    "Inductive no : Type := yes `(x : R).",
     "Inductive box : Type := Box { PI (u : unit) : R }.",
     "Definition near := fun (x y : R) {z : unit} => True.",
     "Definition s\u0456n (x : R) := 0.",  # its second letter is Cyrillic
@@ -274,6 +278,24 @@ OF_ROOT = """forall x : R,
 def test_a_derivative_has_to_exist():
     """Beyond 0 Coq's root is a number, and so is its Derive."""
     assert proposition(Claim("one", (equation(Derivative(sqrt(x), x), 1),))) == OF_ROOT
+
+
+def test_a_second_derivative_of_corners_has_no_proposition():
+    """Coq has 0 for that of a sign, at 0 too."""
+    with pytest.raises(ValueError, match="second one of corners"):
+        proposition(Claim("one", equation(Derivative(sign(x), x, 2), 0)))
+
+
+ONE_NAME = [("a", "b__c"), ("a", "b__c")], [("a__b", "c")], [("a", "c : Prop := True. Definition d")]
+
+
+@pytest.mark.parametrize("named", ONE_NAME)
+def test_a_printed_name_is_a_name_and_one_claims(named, monkeypatch):
+    of = {"rounded": (), "expected": "proved"}
+    claims = [SimpleNamespace(id=id, claims=[Claim(name, x + 1 > x)], **of) for id, name in named]
+    monkeypatch.setattr(printing, "all_theorems", lambda: dict(enumerate(claims)))
+    with pytest.raises(ValueError, match="no name in Coq"):
+        printing.statements_source()
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():

@@ -58,7 +58,9 @@ def check(text: str) -> None:
         tactic = sentence[0] in "[(!" or (sentence[0].isascii() and sentence[0].isalnum() and not sentence[0].isupper())
         words = re.findall(r"[\w']+", sentence)
         said, _, body = sentence.partition(":=")
-        hidden = HIDDEN.search(said) or UNSHOWN.search(body) or ("{" in body and sentence.startswith("Inductive"))
+        # The rules of what is inductive are said in its body, and there a record's fields have names.
+        ruled = sentence.startswith("Inductive") and (HIDDEN.search(body) or "{" in body)
+        hidden = HIDDEN.search(said) or UNSHOWN.search(body) or ruled
         hiding = SAID.match(sentence) and (hidden or words.count("with") > words.count("match"))
         if hiding or NAMELESS.search(sentence) or not (tactic or FIRST_WORDS.match(sentence)):
             raise Unreadable(sentence)

@@ -35,7 +35,7 @@ OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 CORNERS = Abs, Max, Min, Piecewise, floor, sign
-"""What has a second derivative where it has none in Coq: that of a derivative which Coq has some number for."""
+"""What may lack a derivative at a point, where Coq has some number for it: of that a second one would be said."""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
     atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt
     Derive Derive_n ex_derive ex_derive_n"""

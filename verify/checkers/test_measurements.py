@@ -109,7 +109,13 @@ def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
 def test_a_measurement_is_of_finite_samples_and_has_a_finite_bound():
     good = Measurement(1, 1.0, 2.0, "something")
     assert good.why_refused() == ""
-    wrong = {"samples": (0, math.inf), "worst": (math.nan, 3.0), "bound": (math.inf,), "what": ("",), "holds": (False,)}
+    wrong = {
+        "samples": (0, math.inf, 1.5),
+        "worst": (math.nan, 3.0),
+        "bound": (math.inf,),
+        "what": ("",),
+        "holds": (False,),
+    }
     for name, values in wrong.items():
         assert all(replace(good, **{name: value}).why_refused() for value in values), name
 
