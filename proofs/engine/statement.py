@@ -315,7 +315,7 @@ def _follows(difference, signs, given):
 
 @cache
 def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
-    """Return [(statement, numbers of the relations that read 0 = 0, or are given)], for each choice of conditions."""
+    """Return [(statement, numbers of the relations that read 0 = 0, 2 > 1, or are given)], for each choice."""
     pending: list[tuple[bool, ...]] = [()]
     found: list[tuple[dict, set[int]]] = []
     while pending:
@@ -338,7 +338,7 @@ def _case(claim, choices):
     expressions = flat((claim.shows, pending, definitions))
     plain(symbols_of([*expressions, *claim.everywhere()]))
     t = Translation(expressions, choices, definitions)
-    undefined, given, as_read, reading = set(t.lines), [], [], Reading(definitions)
+    undefined, given, reading = set(t.lines), [], Reading(definitions)
     for line in (None, *definitions):
         if line:
             t.line(*line)
@@ -349,15 +349,15 @@ def _case(claim, choices):
             for condition in conditions:
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
-                given.append(t.relation(part))
-                as_read += reading.of(part)
+                given += [reading.of(part), t.relation(part)]
                 t.assume(*given[-1])
     t.showing, idle = True, set()
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
-        said = [(difference, signs, given)] * (before == t.shown)  # where no branch was taken
-        if any(_follows(*r) for r in (*said, *((*read, as_read) for read in reading.of(relation)))):
+        read = reading.of(relation)
+        said = before == t.shown and _follows(difference, signs, given)  # where no branch was taken
+        if said or read[0].is_Rational or _follows(*read, given):
             idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

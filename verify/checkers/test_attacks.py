@@ -115,6 +115,7 @@ TRUE_CLAIMS = [
     Induction("whole", Symbol("n", integer=True), equation(y, 2 * x), ((y, 2 * x, 3 * y - 4 * x),)),
     says(equation(Abs(p), x - 5), greater(p, x - 6), given=greater(x, 5), lines=line(p, x - 5)),
     says(equation(p, x**2 - 1), lines=line(p, (x - 1) * (x + 1))),
+    says(equation(p**2, x**2 - 10 * x + 25), greater((p - x + 6) * x**2 + 1, 0), lines=line(p, x - 5)),
     says(equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)), at_least((x + y) ** 8, 0), squares=(x + y) ** 4),
     says(Max(x, y) >= x, abs(x) >= x, at_least(Piecewise((x, x > 0), (-x, True)), 0)),
     says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
@@ -123,6 +124,8 @@ PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
 RESTATED = [
     *((relation, ()) for relation in (equation(p, x - 5), equation(x, p + 5), at_least(2 * p, 2 * x - 10))),
     *((relation, ()) for relation in (equation(q, y * (x - 5)), equation(q - p * y, 0))),
+    *((equation(root, 0), ()) for cancel in [p - x + 5] for root in (y * cancel, cancel**2, sqrt(cancel), Abs(cancel))),
+    *((relation, ()) for relation in (equation(Max(p, y), Max(x - 5, y)), greater(p - x, -6), greater(2, 1))),
     (greater(q, 0), greater(y * p, 0)),
     (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
 ]
