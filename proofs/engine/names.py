@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable
+from functools import cache
 
 from sympy import Basic, Pow, Symbol
 
@@ -26,14 +27,18 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
         seen.add(symbol.name)
 
 
-def _depth(e):
-    return 1 + max(map(_depth, e.args), default=0)
+@cache
+def _extent(e):
+    """Return how many levels and how many parts an expression has, where it is written out as a tree."""
+    levels, parts = zip((0, 0), *map(_extent, e.args), strict=True)
+    return 1 + max(levels), 1 + sum(parts)
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too; refuse nesting too deep, and powers 0."""
+    """Return every symbol of some expressions, bound ones too; refuse what is too deep or too long, and powers 0."""
     expressions = [*expressions]
-    small(20 * max(map(_depth, expressions), default=0))
+    levels, parts = zip((0, 0), *map(_extent, expressions), strict=True)
+    small(max(20 * max(levels), sum(parts) // 3))
     if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:
         raise Untranslatable(f"no rule translates {zeroth[0]}: what has the exponent 0 is written 1")
     return set().union(*(e.atoms(Symbol) for e in expressions))

@@ -332,12 +332,11 @@ def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
 
 def _case(claim, choices):
     """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
+    pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
+    plain(symbols_of(flat((claim.shows, pending, claim.everywhere()))))
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
-    pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
-    expressions = flat((claim.shows, pending, definitions))
-    plain(symbols_of([*expressions, *claim.everywhere()]))
-    t = Translation(expressions, choices, definitions)
+    t = Translation(flat((claim.shows, pending, definitions)), choices, definitions)
     undefined, given, reading = set(t.lines), [], Reading(definitions)
     for line in (None, *definitions):
         if line:

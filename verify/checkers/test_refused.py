@@ -6,6 +6,7 @@ import pytest
 from sympy import (
     ITE,
     Abs,
+    Add,
     And,
     Contains,
     Derivative,
@@ -89,10 +90,12 @@ def of_values():
     wide = Piecewise((1, And(*(x > bound for bound in range(999)), evaluate=False)), (0, True), evaluate=False)
     angles = cos((x + y) ** 10**6), cos(prod(each + 1 for each in many)), cos(99 * x) * cos(100 * x)
     derivatives = (Derivative(x * sin(x), (x, 10**5)), Derivative(prod(cos(x * each) for each in many), (x, 3)))
-    squared = x
+    squared = doubled = x
     for _ in range(60):
         squared = Pow(squared, 2, evaluate=False)
-    for endless in (nested, squared, wide, *long, *sums, *angles, *derivatives):
+    for _ in range(20):
+        doubled = Add(doubled, doubled, evaluate=False)
+    for endless in (nested, squared, doubled, wide, *long, *sums, *angles, *derivatives):
         yield equation(endless, 0), None
 
 
