@@ -18,7 +18,7 @@ from renderer.generate.printer import differentiated
 from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
-STARTS, LEMMA_DIGITS, EDGE = 12, 150, mpmath.mpf(10) ** -30
+STARTS, BARREN, LEMMA_DIGITS, EDGE = 12, 256, 150, mpmath.mpf(10) ** -30
 STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign in (1, -1))
 
 
@@ -55,13 +55,19 @@ def sample(
     attempts: int = 200,
     slack: mpmath.mpf = TOLERANCE,
     digits: int = WORKING_DIGITS,
+    barren: float = mpmath.inf,
 ) -> Witness:
-    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
+    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`).
+
+    barren: after how many attempts without such a point none is expected.
+    """
     with mpmath.workdps(digits):
         if isinstance(claim, Induction):
             return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed, slack), Witness()
-        for _ in range(points * attempts):
+        for attempt in range(points * attempts):
+            if attempt >= barren and not witness.points:
+                break
             try:
                 values = sampler.inputs_at_random()
             except mpmath.libmp.NoConvergence:  # a root that is a double one
@@ -92,7 +98,7 @@ def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | No
     claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
     sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
     claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
-    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS).smallest for claim in claims)
+    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS, BARREN).smallest for claim in claims)
     return next((point for point in found if point), None) or _turning_point(lemma, shown, symbols, seed)
 
 
