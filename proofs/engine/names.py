@@ -28,17 +28,15 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
 
 
 @cache
-def _extent(e):
-    """Return how many levels and how many parts an expression has, where it is written out as a tree."""
-    levels, parts = zip((0, 0), *map(_extent, e.args), strict=True)
-    return 1 + max(levels), 1 + sum(parts)
+def _weight(e):
+    """Return how many parts an expression has where it is written out as a tree, with each level a fifth more."""
+    return 1 + 1.2 * sum(map(_weight, e.args))
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
     """Return every symbol of some expressions, bound ones too; refuse what is too deep or too long, and powers 0."""
     expressions = [*expressions]
-    levels, parts = zip((0, 0), *map(_extent, expressions), strict=True)
-    small(max(20 * max(levels), sum(parts) // 3))
+    small(sum(map(_weight, expressions)) // 10)
     if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:
         raise Untranslatable(f"no rule translates {zeroth[0]}: what has the exponent 0 is written 1")
     return set().union(*(e.atoms(Symbol) for e in expressions))

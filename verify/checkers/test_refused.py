@@ -1,5 +1,6 @@
 """Claims that have no translation: of what hides an assumption, has no value, or takes too long, nothing is stated."""
 
+from itertools import pairwise
 from math import prod
 
 import pytest
@@ -30,7 +31,7 @@ from sympy import (
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
 from proofs.engine.derivative import Untranslatable
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.engine.stored import statements
 from verify.checkers.test_attacks import examined, line, n, x, y
 
@@ -109,6 +110,8 @@ def of_states():
         (equation(sum(map(sqrt, many)), 0), ()),
     ):
         yield Claim("of many", shown, given), "more than 60"
+    powers = chain("squares", {many[0]: 2 * x}, *({square: root * root} for root, square in pairwise(many)))
+    yield Claim("of powers", equation(many[-1], 0), (), powers), "more than 999"
     yield Induction("of many", n, zeros), "more than 60"
     state = Induction("of states", n, none, ((x, 0, x),))
     for why, shown in (
