@@ -147,6 +147,9 @@ FALSE_LEMMAS = [
     (equation(sin(x), TINY), equation(x, pi)),
     (greater((x**3 - x - 7) ** 2, 0), ()),
     (greater((7 * x - 1) ** 4, 0), ()),
+    (greater(sqrt(x) * (7 * x - 1) ** 4, 0), x > 0),
+    (greater((7 * x - 1) ** 4 + (7 * y - 1) ** 2, 0), ()),
+    (at_least((7 * x - 1) ** 6, TINY), ()),
     (greater((7 * x - 1) ** 2 + (7 * y - 2) ** 2, 0), ()),
     (greater((7 * x - 1) ** 2 + (7 * x + 7 * y - 3) ** 2, 0), ()),
 ]

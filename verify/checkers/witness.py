@@ -10,7 +10,8 @@ from operator import sub
 from typing import Any
 
 import mpmath
-from sympy import Derivative, Ne, Rational, Symbol, evaluate, sympify
+from sympy import Derivative, Mul, Ne, Rational, Symbol, evaluate, factor_list, sympify
+from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation
 from proofs.engine.theorem import Point
@@ -109,7 +110,7 @@ def _turning_point(lemma, shown, symbols, seed):
     """
     with mpmath.workdps(LEMMA_DIGITS), evaluate(True):
         sampler = Sampler(Claim("cited", (shown,), lemma.given), seed, ROUNDING)
-        difference = lemma.relation.lhs - lemma.relation.rhs
+        difference = _once(lemma.relation.lhs - lemma.relation.rhs)
         slopes = [differentiated(Derivative(difference, symbol)) for symbol in symbols]
         sought = [
             ((symbol,), [of], of is slope)
@@ -119,7 +120,7 @@ def _turning_point(lemma, shown, symbols, seed):
         ]
         sought += [(symbols, slopes, True)] if len(symbols) > 1 else []
         for along, expressions, turns in sought:
-            code = Code(expressions)
+            code = Code([*map(_once, expressions)])
             for values in filter(None, (sampler.inputs_at_random() for _ in range(STARTS))):
                 root = _root(code, along, values)
                 beside = (
@@ -129,6 +130,15 @@ def _turning_point(lemma, shown, symbols, seed):
                     if _fails(sampler, lemma.given, point):
                         return point
     return None
+
+
+def _once(e):
+    """Return an expression with each of its factors once, as far as it is a polynomial: near its roots it is steep."""
+    try:
+        number, factors = factor_list(e)
+    except BasePolynomialError:
+        return e
+    return Mul(number, *(factor for factor, _ in factors))
 
 
 def _fails(sampler, given, values):
