@@ -1,53 +1,60 @@
 """What a relation says beside what is given and the lines of its program. This file is trusted.
 
-What says nothing reads 0 = 0 once the lines are put in, or is given then. Terms are moved, and the order of sums and
-products is none; nothing is multiplied out, and no value is simplified.
+What says nothing reads 0 = 0 once the lines are put in, or compares two numbers, or is given then. Terms are moved, the
+order of sums and products is none, and a product, a power or a root of terms that cancel is 0. Nothing is multiplied
+out, no quotient cancels, and no other value is simplified.
 """
 
 from collections import Counter
-from collections.abc import Iterable
 
-from sympy import Add, Basic, Expr, Mul, Symbol
+from sympy import Abs, Add, Basic, Expr, Mul, Pow, S, Symbol
+from sympy.core.operations import LatticeOp
 from sympy.core.relational import Relational
-
-from proofs.engine.derivative import TRUE_FOR
 
 
 class Reading:
-    """What expressions read once the lines are put in: parts, which have the same name where they read the same."""
+    """What expressions read once the lines are put in: sums of parts, which have one name where they read the same."""
 
-    def __init__(self, lines: Iterable[tuple[Symbol, Expr]]):
-        self.names: dict[tuple, Symbol] = {}
-        self.factors: dict[tuple[type, Symbol], Counter] = {}
-        self.parts: dict[Basic, Symbol] = {}
-        self.sums: dict[Basic, Expr] = {}
-        for symbol, expression in lines:
-            self.parts[symbol], self.sums[symbol] = self.part(expression), self.sum(expression)
+    def __init__(self) -> None:
+        self.sums: dict = {}
+        self.factors: dict[Basic, Counter[Expr]] = {}
 
-    def part(self, e: Basic) -> Symbol:
-        """Return the name of what an expression reads."""
-        if e in self.parts:
-            return self.parts[e]
-        key, parts = (e.func, *map(self.part, e.args)) if e.args else (e,), Counter[Symbol]()
-        if e.func in (Add, Mul):
-            for each in key[1:]:
-                parts.update(self.factors.get((e.func, each), {each: 1}))
-            key = e.func, frozenset(parts.items())
-        name = self.parts[e] = self.names.setdefault(key, Symbol(f"part_{len(self.names)}"))
-        self.factors[e.func, name] = parts
-        return name
+    def line(self, symbol: Symbol, expression: Expr) -> None:
+        """Let a symbol read as the line of a program that defines it."""
+        self.sums[symbol], self.factors[symbol] = self.sum(expression), self._factors(expression)
 
-    def sum(self, e: Expr) -> Expr:
-        """Return an expression as a sum of multiples of parts, in which what lines say is a sum, too."""
+    def difference(self, relation: Relational) -> Expr:
+        """Return what left − right reads."""
+        return self.sum(relation.lhs) - self.sum(relation.rhs)
+
+    def sum(self, e: Basic) -> Expr:
+        """Return an expression as a sum of rational multiples of parts."""
+        if e not in self.sums:
+            self.sums[e] = e if e.is_Rational else self._sum(e, *map(self.sum, e.args))
+        return self.sums[e]
+
+    def _sum(self, e, *read):
         if e.is_Add:
-            return Add(*map(self.sum, e.args))
-        if e.is_Rational:
-            return e
-        if e.is_Mul and (numbers := [a for a in e.args if a.is_Rational]):
-            others = [a for a in e.args if not a.is_Rational]
-            return (Mul(*numbers) * self.sum(Mul(*others, evaluate=False))).expand()
-        return self.sums.get(e, self.part(e))
+            return Add(*read)
+        if e.is_Mul:
+            return self._product(e) if all(e.args) else S.Zero
+        if isinstance(e, Pow | Abs) and read[0] == 0:
+            return read[0]
+        return self._part(e.func, frozenset(read) if isinstance(e, LatticeOp) else read or e)
 
-    def of(self, relation: Relational) -> list[tuple[Expr, set[int]]]:
-        """Return (left − right, the signs for which the relation holds), of parts and of sums."""
-        return [(read(relation.lhs) - read(relation.rhs), TRUE_FOR[relation.rel_op]) for read in (self.part, self.sum)]
+    def _product(self, e):
+        """Return a product, without the numbers among its factors, but with the signs of products among them."""
+        factors = self._factors(e)
+        numbers = {f for a in e.args for f in self._factors(a) if f.is_Rational and (f >= 0 or not a.is_Mul)}
+        number = Mul(*(f ** factors.pop(f) for f in numbers))
+        part = Mul(*factors) if factors.total() < 2 else self._part(frozenset(factors.items()))
+        return (number * part).expand()
+
+    def _factors(self, e):
+        """Return the factors of a product. That terms cancel is read, and that a number is 0 is left to the kernel."""
+        if e.is_Mul:
+            return sum(map(self._factors, e.args), Counter())
+        return self.factors.get(e, Counter([self._part(e) if e == 0 else self.sum(e)]))
+
+    def _part(self, *key):
+        return self.sums.setdefault(key, Symbol(f"part {len(self.sums)}"))  # no name of a claim's

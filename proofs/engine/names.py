@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable
+from functools import cache
 
 from sympy import Basic, Pow, Symbol
 
@@ -26,14 +27,16 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
         seen.add(symbol.name)
 
 
-def _depth(e):
-    return 1 + max(map(_depth, e.args), default=0)
+@cache
+def _weight(e):
+    """Return how many parts an expression has where it is written out as a tree, with each level a fifth more."""
+    return 1 + 1.2 * sum(map(_weight, e.args))
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too; refuse nesting too deep, and powers 0."""
+    """Return every symbol of some expressions, bound ones too; refuse what is too deep or too long, and powers 0."""
     expressions = [*expressions]
-    small(20 * max(map(_depth, expressions), default=0))
+    small(sum(map(_weight, expressions)) // 10)
     if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:
         raise Untranslatable(f"no rule translates {zeroth[0]}: what has the exponent 0 is written 1")
     return set().union(*(e.atoms(Symbol) for e in expressions))

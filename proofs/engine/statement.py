@@ -55,11 +55,16 @@ class _Undecided(Untranslatable):
     """A condition is neither given nor chosen yet."""
 
 
+def _expanded(expression):
+    expression = expand(expression)
+    small(max((power.exp for power in expression.atoms(Pow)), default=0))
+    return expression
+
+
 @cache
 def polynomial_data(expression: Expr) -> dict[str, str]:
     """Return a polynomial expression in symbols as {"x^2 y": "-3/2"}, sorted."""
-    expression = expand(expression)
-    small(max((power.exp for power in expression.atoms(Pow)), default=0))
+    expression = _expanded(expression)
     symbols = sorted(expression.free_symbols, key=lambda s: s.name)
     if not symbols:
         return {} if expression == 0 else {"": str(Rational(expression))}
@@ -113,7 +118,7 @@ class Translation:
         for term in polynomial.as_ordered_terms():
             powers = [(self.abbreviated[s], n) for s, n in term.as_powers_dict().items() if s in self.abbreviated]
             small(prod(comb(len(p.as_ordered_terms()) + n - 1, n) for p, n in powers) // 20)
-        return expand(polynomial.xreplace(self.abbreviated))
+        return _expanded(polynomial.xreplace(self.abbreviated))
 
     # Relations and signs
 
@@ -179,10 +184,11 @@ class Translation:
             return e
         if e.is_Symbol or e is pi:
             return self._variable(e)
+        parts = sorted(e.args, key=str)
         if e.is_Add:
-            return e.func(*(self.polynomial(a) for a in sorted(e.args, key=str)))
+            return e.func(*map(self.polynomial, parts))
         if e.is_Mul:
-            factors = [self.polynomial(a) for a in sorted(e.args, key=str)]
+            factors = [self.polynomial(a) for a in parts]
             several = sum(not f.is_Rational for f in factors) > 1
             factors = [self._named(f) if several else expand(f) for f in factors]
             small(prod(len(f.as_ordered_terms()) for f in factors))
@@ -203,7 +209,7 @@ class Translation:
         if isinstance(e, sign):
             return S(self._sign(self.polynomial(e.args[0])) if self.in_line else self._side(e.args[0]))
         if isinstance(e, Max | Min):
-            best, *others = sorted(e.args, key=str)
+            best, *others = parts
             for other in others:
                 best = other if self._exceeds(*((other, best) if isinstance(e, Max) else (best, other))) else best
             return self.polynomial(best)
@@ -310,12 +316,12 @@ def _follows(difference, signs, given):
     """Return whether a sign is that of 0, or given of the same polynomial or of a multiple."""
     key, orientation = _keyed(difference)
     said = [(other, {orientation * turn * s for s in of}) for d, of in given for other, turn in [_keyed(d)]]
-    return expand(difference) == 0 or ANY.intersection(*(of for other, of in said if other == key)) <= signs
+    return not expand(difference) or ANY.intersection(*(of for other, of in said if other == key)) <= signs
 
 
 @cache
 def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
-    """Return [(statement, numbers of the relations that read 0 = 0, or are given)], for each choice of conditions."""
+    """Return [(statement, numbers of the relations that read 0 = 0, 2 > 1, or are given)], for each choice."""
     pending: list[tuple[bool, ...]] = [()]
     found: list[tuple[dict, set[int]]] = []
     while pending:
@@ -332,16 +338,16 @@ def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
 
 def _case(claim, choices):
     """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
+    pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
+    plain(symbols_of(flat((claim.shows, pending, claim.everywhere()))))
     _, lines = claim.names()
     definitions = lines.definitions if lines else ()
-    pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
-    expressions = flat((claim.shows, pending, definitions))
-    plain(symbols_of([*expressions, *claim.everywhere()]))
-    t = Translation(expressions, choices, definitions)
-    undefined, given, as_read, reading = set(t.lines), [], [], Reading(definitions)
+    t = Translation(flat((claim.shows, pending, definitions)), choices, definitions)
+    undefined, given, reading = set(t.lines), [], Reading()
     for line in (None, *definitions):
         if line:
             t.line(*line)
+            reading.line(*line)
             undefined.discard(line[0])
         ready = [p for p in pending if not any(r.free_symbols & undefined for r in flat(p))]
         pending = [p for p in pending if p not in ready]
@@ -349,15 +355,15 @@ def _case(claim, choices):
             for condition in conditions:
                 t.show(*t.relation(condition))
             for part in relation.args if isinstance(relation, And) else [relation]:
-                given.append(t.relation(part))
-                as_read += reading.of(part)
-                t.assume(*given[-1])
+                given += [t.relation(part), (reading.difference(part), TRUE_FOR[part.rel_op])]
+                t.assume(*given[-2])
     t.showing, idle = True, set()
     for number, relation in enumerate(claim.shows):
         before = t.shown
         difference, signs = t.relation(relation)
-        said = [(difference, signs, given)] * (before == t.shown)  # where no branch was taken
-        if any(_follows(*r) for r in (*said, *((*read, as_read) for read in reading.of(relation)))):
+        read = reading.difference(relation)
+        said = before == t.shown and _follows(difference, signs, given)  # where no branch was taken
+        if said or read.is_Rational or _follows(read, signs, given):
             idle.add(number)
         t.show(difference, signs)
     return {"version": VERSION, "kind": "derivation", "variables": t.variables, "steps": t.steps}, idle

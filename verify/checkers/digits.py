@@ -66,6 +66,7 @@ def parts_of(relations: Iterable[Basic]) -> list[Basic]:
 class Relations:
     """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits.
 
+    What is given is compared to all the digits that are worked with but seven, and at least to 58.
     slack: by how much, relatively, an inequality may fail; 0 for what is given.
     """
 
@@ -82,7 +83,8 @@ class Relations:
     def _holds(self, relation, left, right):
         size = 1 + abs(left) + abs(right)
         if relation in ("==", "!="):
-            return (abs(left - right) <= max(self.slack, ROUNDING) * size) == (relation == "==")
+            rounding = min(ROUNDING, mpmath.mpf(10) ** (7 - mpmath.mp.dps))
+            return (abs(left - right) <= max(self.slack, rounding) * size) == (relation == "==")
         if relation in ("<=", ">="):
             right += (self.slack if relation == "<=" else -self.slack) * size
         return decided(left, relation, right)

@@ -21,6 +21,7 @@ from sympy import (
     sin,
     sqrt,
     symbols,
+    tan,
 )  # fmt: skip
 
 import proofs.theorems
@@ -115,6 +116,7 @@ TRUE_CLAIMS = [
     Induction("whole", Symbol("n", integer=True), equation(y, 2 * x), ((y, 2 * x, 3 * y - 4 * x),)),
     says(equation(Abs(p), x - 5), greater(p, x - 6), given=greater(x, 5), lines=line(p, x - 5)),
     says(equation(p, x**2 - 1), lines=line(p, (x - 1) * (x + 1))),
+    says(equation(p**2, x**2 - 10 * x + 25), lines=line(p, x - 5)),
     says(equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)), at_least((x + y) ** 8, 0), squares=(x + y) ** 4),
     says(Max(x, y) >= x, abs(x) >= x, at_least(Piecewise((x, x > 0), (-x, True)), 0)),
     says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
@@ -123,19 +125,24 @@ PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
 RESTATED = [
     *((relation, ()) for relation in (equation(p, x - 5), equation(x, p + 5), at_least(2 * p, 2 * x - 10))),
     *((relation, ()) for relation in (equation(q, y * (x - 5)), equation(q - p * y, 0))),
+    *((equation(root, 0), ()) for cancel in [p - x + 5] for root in (y * cancel, cancel**2, sqrt(cancel), Abs(cancel))),
+    *((relation, ()) for relation in (equation(Max(p, y), Max(x - 5, y)), greater(p - x, -6), greater(2, 1))),
     (greater(q, 0), greater(y * p, 0)),
     (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
 ]
 """[(what its lines and what is given already say, what is given)]"""
-SINES = ("proved", 0), ("failed", TINY), ("failed", TINY * Rational(1, 10**15))
+SINES = ("proved", 0), *(("failed", TINY * Rational(1, 10**power)) for power in (0, 15, 19, 400))
 """(grade, what is added to the sine of which x ≥ 0 is said to be one): no kernel knows that there is no such x"""
+ROOTS = ("proved", 8), ("failed", 9)
+"""(grade, the power of x that is given): of a longer polynomial no root is sought"""
 CONTRADICTIONS = [(x > 0, x < 0), equation(x**2, -1), (x > 5, x**2 < 20)]
+ONE, OTHER = 7 * x - 1, 7 * y - 2
 FALSE_LEMMAS = [
     (at_least(x, sin(x)), ()),
     (at_least(x, sin(x) + TINY), at_least(x, 0)),
     (greater(x * y, 0), at_least(x * y, 0)),
     (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
-    (at_least((7 * x - 1) ** 2, TINY), ()),
+    (at_least(ONE**2, TINY), ()),
     (at_least(10**20, x), x >= 0),
     (at_least(5 - x, Rational(1, 10**5)), x < 5),
     (at_least(sin(pi * x), TINY), (x > 0, x < 1)),
@@ -143,9 +150,12 @@ FALSE_LEMMAS = [
     (at_least(x, 10 * TINY**2 * 10**36), x > 0),
     (equation(sin(x), TINY), equation(x, pi)),
     (greater((x**3 - x - 7) ** 2, 0), ()),
-    (greater((7 * x - 1) ** 4, 0), ()),
-    (greater((7 * x - 1) ** 2 + (7 * y - 2) ** 2, 0), ()),
-    (greater((7 * x - 1) ** 2 + (7 * x + 7 * y - 3) ** 2, 0), ()),
+    (greater(sqrt(x) * ONE**4, 0), x > 0),
+    (at_least(ONE**6, TINY), ()),
+    *(
+        (greater(powers, 0), ())
+        for powers in (ONE**4, ONE**4 + OTHER**2, ONE**2 + OTHER**2, ONE**2 + (ONE + OTHER) ** 2)
+    ),
 ]
 """[(what is false at or beside an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
 TRUE_LEMMAS = [
@@ -177,6 +187,7 @@ GRADES = [
     *(("failed", says(equation(x, x + 1), given=given), {}) for given in CONTRADICTIONS),
     ("failed", Induction("from a contradiction", n, equation(x, 0), ((x, 0, x),), (y > 0, y < 0)), {}),
     *((g, says(greater(sin(x) + 1, x), given=(equation(sin(x), x + off), x >= 0)), {}) for g, off in SINES),
+    *((g, says(x > 0, given=(x > 1, equation(x**power, Rational(9, 7) ** power))), {}) for g, power in ROOTS),
     ("failed", says(), {}),
     *(("failed", says(r, given=g, cited=CitedLemma(r, "DLMF", g), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
     *(("failed", says(greater(x, 10), borrowed=(("attack", "attack"),)), {"uses": uses}) for uses in ((), "attack")),
@@ -200,6 +211,7 @@ def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
     with evaluate(False):
         claim = says(equation(x / y, x * (1 / y)))
     assert witness.fails_at(claim, ((x, 1), (y, 0))) is None
+    assert witness.outcome(says(equation(tan(x), 0)), ((x, 0),)) == "undefined"
     assert witness.sample(claim, "undefined", 400).failures == []
     assert witness.lemma_fails_at(CitedLemma(greater(x * y, 0), "DLMF", (x > 0, y > 0)), "lemma", 32) is None
 

@@ -1,11 +1,13 @@
 """Claims that have no translation: of what hides an assumption, has no value, or takes too long, nothing is stated."""
 
+from itertools import pairwise
 from math import prod
 
 import pytest
 from sympy import (
     ITE,
     Abs,
+    Add,
     And,
     Contains,
     Derivative,
@@ -29,7 +31,7 @@ from sympy import (
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equation, greater
 from proofs.engine.derivative import Untranslatable
-from proofs.engine.program import Program
+from proofs.engine.program import Program, chain
 from proofs.engine.stored import statements
 from verify.checkers.test_attacks import examined, line, n, x, y
 
@@ -89,10 +91,12 @@ def of_values():
     wide = Piecewise((1, And(*(x > bound for bound in range(999)), evaluate=False)), (0, True), evaluate=False)
     angles = cos((x + y) ** 10**6), cos(prod(each + 1 for each in many)), cos(99 * x) * cos(100 * x)
     derivatives = (Derivative(x * sin(x), (x, 10**5)), Derivative(prod(cos(x * each) for each in many), (x, 3)))
-    squared = x
+    squared = doubled = x
     for _ in range(60):
         squared = Pow(squared, 2, evaluate=False)
-    for endless in (nested, squared, wide, *long, *sums, *angles, *derivatives):
+    for _ in range(20):
+        doubled = Add(doubled, doubled, evaluate=False)
+    for endless in (nested, squared, doubled, wide, *long, *sums, *angles, *derivatives):
         yield equation(endless, 0), None
 
 
@@ -106,6 +110,8 @@ def of_states():
         (equation(sum(map(sqrt, many)), 0), ()),
     ):
         yield Claim("of many", shown, given), "more than 60"
+    powers = chain("squares", {many[0]: 2 * x}, *({square: root * root} for root, square in pairwise(many)))
+    yield Claim("of powers", equation(many[-1], 0), (), powers), "more than 999"
     yield Induction("of many", n, zeros), "more than 60"
     state = Induction("of states", n, none, ((x, 0, x),))
     for why, shown in (

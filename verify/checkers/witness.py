@@ -10,7 +10,8 @@ from operator import sub
 from typing import Any
 
 import mpmath
-from sympy import Derivative, Ne, Rational, Symbol, evaluate, sympify
+from sympy import Derivative, Mul, Ne, Rational, Symbol, evaluate, factor_list, sympify
+from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation
 from proofs.engine.theorem import Point
@@ -18,7 +19,7 @@ from renderer.generate.printer import differentiated
 from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
-STARTS, LEMMA_DIGITS, EDGE = 12, 150, mpmath.mpf(10) ** -30
+STARTS, BARREN, LEMMA_DIGITS, EDGE = 12, 256, 150, mpmath.mpf(10) ** -30
 STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign in (1, -1))
 
 
@@ -55,13 +56,19 @@ def sample(
     attempts: int = 200,
     slack: mpmath.mpf = TOLERANCE,
     digits: int = WORKING_DIGITS,
+    barren: float = mpmath.inf,
 ) -> Witness:
-    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
+    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`).
+
+    barren: after how many attempts without such a point none is expected.
+    """
     with mpmath.workdps(digits):
         if isinstance(claim, Induction):
             return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed, slack), Witness()
-        for _ in range(points * attempts):
+        for attempt in range(points * attempts):
+            if attempt >= barren and not witness.points:
+                break
             try:
                 values = sampler.inputs_at_random()
             except mpmath.libmp.NoConvergence:  # a root that is a double one
@@ -92,7 +99,7 @@ def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | No
     claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
     sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
     claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
-    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS).smallest for claim in claims)
+    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS, BARREN).smallest for claim in claims)
     return next((point for point in found if point), None) or _turning_point(lemma, shown, symbols, seed)
 
 
@@ -103,7 +110,7 @@ def _turning_point(lemma, shown, symbols, seed):
     """
     with mpmath.workdps(LEMMA_DIGITS), evaluate(True):
         sampler = Sampler(Claim("cited", (shown,), lemma.given), seed, ROUNDING)
-        difference = lemma.relation.lhs - lemma.relation.rhs
+        difference = _once(lemma.relation.lhs - lemma.relation.rhs)
         slopes = [differentiated(Derivative(difference, symbol)) for symbol in symbols]
         sought = [
             ((symbol,), [of], of is slope)
@@ -113,7 +120,7 @@ def _turning_point(lemma, shown, symbols, seed):
         ]
         sought += [(symbols, slopes, True)] if len(symbols) > 1 else []
         for along, expressions, turns in sought:
-            code = Code(expressions)
+            code = Code([*map(_once, expressions)])
             for values in filter(None, (sampler.inputs_at_random() for _ in range(STARTS))):
                 root = _root(code, along, values)
                 beside = (
@@ -123,6 +130,15 @@ def _turning_point(lemma, shown, symbols, seed):
                     if _fails(sampler, lemma.given, point):
                         return point
     return None
+
+
+def _once(e):
+    """Return an expression with each of its factors once, as far as it is a polynomial: near its roots it is steep."""
+    try:
+        number, factors = factor_list(e)
+    except BasePolynomialError:
+        return e
+    return Mul(number, *(factor for factor, _ in factors))
 
 
 def _fails(sampler, given, values):
