@@ -30,7 +30,7 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
 @cache
 def _weight(e):
     """Return how many parts an expression has where it is written out as a tree, with each level a fifth more."""
-    return 1 + 1.2 * sum(map(_weight, e.args))
+    return 1 + 6 * sum(map(_weight, e.args)) // 5
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
