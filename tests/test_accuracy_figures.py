@@ -16,7 +16,7 @@ CASES = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize(("module", "changes", "drawn", "arguments", "message"), CASES)
+@pytest.mark.parametrize("module, changes, drawn, arguments, message", CASES)
 def test_a_figure_with_an_escape_is_not_drawn(module, changes, drawn, arguments, message, monkeypatch):
     for name, value in changes.items():
         monkeypatch.setattr(module, name, value)

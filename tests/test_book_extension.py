@@ -89,7 +89,7 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
 
 
 @pytest.mark.parametrize(
-    ("value", "spec", "expected"),
+    "value, spec, expected",
     [
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
         (1e-6, ".0e", "10^−6"),

@@ -213,7 +213,7 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
 
 @pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed: npm ci --prefix tests/npm")
 @pytest.mark.parametrize(
-    ("mode", "place", "spoil", "rule"),
+    "mode, place, spoil, rule",
     [
         ("light", ".bd-article", "part => part.append(document.createElement('button'))", "button-name"),
         ("dark", ".bd-article p", "part => { part.style.color = '#333' }", "color-contrast"),

@@ -119,7 +119,7 @@ def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(visit):
     place.get_by_text("Accepted all the same").wait_for()
 
 
-@pytest.mark.parametrize(("name", "at", "button", "words"), [
+@pytest.mark.parametrize("name, at, button, words", [
     ("lemmas", "#theorem-unit_length .checker", CHECK_HERE, "Rejected(?s:.*)g is tangent(?s:.*)Left over"),
     ("findings", ".checker[data-all]", CHECK_ALL, r"Rejected(?s:.*)Rejected: unit_length\.$"),
 ])  # fmt: skip
@@ -139,7 +139,7 @@ FORBIDDEN = "window.Worker = class { constructor() { throw new Error('forbidden'
 BROKEN = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
 
 
-@pytest.mark.parametrize(("name", "button", "breakage", "words"), [
+@pytest.mark.parametrize("name, button, breakage, words", [
     ("lemmas", CHECK_HERE, FORBIDDEN, "forbidden"),
     ("lemmas", CHECK_HERE, SILENT, "no answer within 20 seconds"),
     ("findings", CHECK_ALL, BROKEN, "the worker failed"),

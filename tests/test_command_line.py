@@ -90,7 +90,7 @@ def test_sweep(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("error", "status", "told"),
+    "error, status, told",
     [(KeyboardInterrupt, 130, "interrupted: "), (BrokenExecutor, 2, "error: the workers are gone; ")],
 )
 def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path, monkeypatch, capsys):
@@ -113,7 +113,7 @@ def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("module", "extra", "arguments"),
+    "module, extra, arguments",
     [
         ("distributed", "dask", ["sweep", "--dask", "tcp://localhost:1"]),
         ("tifffile", "tiff", ["image", "--out", "a.tif"]),
@@ -235,7 +235,7 @@ REFUSED = {
 TARGETS = {"image": "--size 8 --out a.png", "views": "--size 8 --out views", "sweep": "--size 8"}
 
 
-@pytest.mark.parametrize(("verb", "options"), [(verb, options) for verb in REFUSED for options in REFUSED[verb]])
+@pytest.mark.parametrize("verb, options", [(verb, options) for verb in REFUSED for options in REFUSED[verb]])
 def test_what_is_refused_is_said_in_one_line(verb, options, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("old")

@@ -38,7 +38,7 @@ def test_the_ways_in_are_short():
 
 
 @pytest.mark.parametrize(
-    ("example", "kind", "name"), [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
+    "example, kind, name", [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
 )
 def test_what_a_way_in_adds_draws_and_is_a_choice(tmp_path, example, kind, name):
     walked(tmp_path, example, "certificate|pytest|formal|book$")  # what proves takes long
@@ -52,7 +52,7 @@ def test_what_a_way_in_adds_draws_and_is_a_choice(tmp_path, example, kind, name)
 @pytest.mark.long
 @pytest.mark.skipif("not config.getoption('long', False)", reason="takes minutes; run with verify and --long")
 @pytest.mark.parametrize(
-    ("example", "theorem"), [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
+    "example, theorem", [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
 )
 def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
     """The theorem is proved and its false variants are not, by Coq too; only stale certificates are made anew."""

@@ -38,7 +38,7 @@ def missed(method, bounds):
 PAIRS = [(central(eps), bounds) for eps in (1e-2, 1e-6, 1e-9) for bounds in (False, True)]
 
 
-@pytest.mark.parametrize(("method", "bounds"), PAIRS)
+@pytest.mark.parametrize("method, bounds", PAIRS)
 def test_the_truth_lies_between_the_ends(method, bounds):
     assert missed(method, bounds) == [False, False]
 

@@ -117,7 +117,7 @@ OF_A_RASTER = (
 )
 
 
-@pytest.mark.parametrize(("sentence", "n", "is_so"), [
+@pytest.mark.parametrize("sentence, n, is_so", [
     (OF_POINTS, 10_000, True),
     (OF_POINTS, 10_001, False),
     (OF_A_RASTER, 256, True),

@@ -136,9 +136,7 @@ def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monk
 REFUSING = Mock(side_effect=OSError("no locks available"))
 
 
-@pytest.mark.parametrize(
-    ("place", "name", "value"), [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)]
-)
+@pytest.mark.parametrize("place, name, value", [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)])
 def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
     """Where there are locks, a file of which one cannot be had may be somebody's."""
     monkeypatch.setattr(place, name, value)

@@ -109,7 +109,7 @@ def count_one_more(machine, kind, mask):
 
 
 @pytest.mark.parametrize(
-    ("place", "name", "wrong", "noticed"),
+    "place, name, wrong, noticed",
     [
         (kernels, "light_term", one_ulp("light_term"), "rgb"),
         (kernels, "angles_on_a", one_ulp("angles_on_a"), "on_a"),

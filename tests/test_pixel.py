@@ -42,7 +42,7 @@ def test_a_record_has_the_gradient_of_the_field_without_a_bump_too():
     assert flat.gradient == bumped.gradient != (0.0, 0.0)
 
 
-@pytest.mark.parametrize(("model", "surface"), [*product(MODELS, (1, 2, 3))])
+@pytest.mark.parametrize("model, surface", [*product(MODELS, (1, 2, 3))])
 def test_a_record_is_what_50_digits_say(surface, model):
     scene = Scene(model=model, shininess=7.5, ku=-6.0, kv=-3.0)
     row, column = np.argwhere(render(scene, 64, 64).chambers & 3 == surface)[0].tolist()

@@ -98,7 +98,7 @@ def test_a_frame_of_another_stage_or_shading_is_not_drawn_into():
 
 
 @pytest.mark.parametrize(
-    ("field", "ku", "kv", "algebraic"),
+    "field, ku, kv, algebraic",
     [
         ("ridges", 64, 64, True),
         ("ridges", -8, -3, True),

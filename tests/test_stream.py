@@ -35,7 +35,7 @@ PICTURES += [("a.tif", size, None) for size in ((600, 300), (40, 257), (256, 256
 PICTURES += [(name, (MAX_SIDE, MAX_SIDE), (2**23, 2**23 - 3, 40, 7)) for name in ("a.npy", "a.tiff")]
 
 
-@pytest.mark.parametrize(("name", "size", "crop"), PICTURES)
+@pytest.mark.parametrize("name, size, crop", PICTURES)
 def test_a_streamed_picture_is_that_of_render(name, size, crop, small_blocks, tmp_path):
     """And its progress sees every block."""
     path, method, seen = tmp_path / name, central(1e-3), []
@@ -63,11 +63,11 @@ def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
     assert contents(tmp_path) == {}
 
 
-SIGNALS = pytest.mark.parametrize(("number", "status", "said"), [(2, 130, "interrupted"), (15, 143, "terminated")])
+SIGNALS = pytest.mark.parametrize("number, status, said", [(2, 130, "interrupted"), (15, 143, "terminated")])
 
 
 @pytest.mark.parametrize("moment", range(10))
-@pytest.mark.parametrize(("name", "height"), [("a.npy", "9"), ("a.tif", "2304")])
+@pytest.mark.parametrize("name, height", [("a.npy", "9"), ("a.tif", "2304")])
 @SIGNALS
 def test_a_signal_leaves_the_old_file(
     number, status, said, name, height, moment, small_blocks, tmp_path, monkeypatch, capsys

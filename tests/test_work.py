@@ -18,7 +18,7 @@ def work_of(method=None, options=None, **fields):
     return SimpleNamespace(**render(replace(DEFAULT, **fields), *SIZE, method, **options or {}).work)
 
 
-@pytest.mark.parametrize(("method", "heights", "of_rings"), METHODS)
+@pytest.mark.parametrize("method, heights, of_rings", METHODS)
 def test_height_evaluations(method, heights, of_rings):
     """None without a bump; rings have no difference in u."""
     work = work_of(method)

@@ -43,7 +43,7 @@ LINES = [
 """[(a line, the balls of its inputs, what its ball contains)]: where that is one number, it is decided."""
 
 
-@pytest.mark.parametrize(("expression", "values", "contained"), LINES)
+@pytest.mark.parametrize("expression, values, contained", LINES)
 def test_what_is_not_decided_is_enclosed(expression, values, contained):
     found = Balls(chain("line", {d: expression}))(values, 53)["d"]
     assert all(found.contains(number) for number in contained)

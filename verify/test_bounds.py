@@ -152,7 +152,7 @@ def uncounted(kind, value, roundings, keeps_zero=False):
     return kind(value, 0.5 * enclosing.UNIT * roundings, keeps_zero)
 
 
-@pytest.mark.parametrize(("broken", "name", "value", "operation"), [
+@pytest.mark.parametrize("broken, name, value, operation", [
     (Enclosed, "__mul__", product(own=0.0), "product"),
     (Enclosed, "counted", classmethod(uncounted), "quotient"),
     (enclosing, "where", one_sided, "selection"),

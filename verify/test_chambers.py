@@ -50,7 +50,7 @@ def test_degenerate_scenes(case, size):
     assert differing_pixels(Scene(**TOUCHING[case]), *size) == 0
 
 
-@pytest.mark.parametrize(("name", "value", "light"), [
+@pytest.mark.parametrize("name, value, light", [
     ("_casts", lambda *where: False, (-3.0, -3.0, -1.0)),  # as if A cleared every cone of light: it shades B here
     ("GUARD", -0.05, (5.0, 5.0, 10.0)),
 ])  # fmt: skip

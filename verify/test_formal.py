@@ -113,7 +113,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("texts", "why"), REFUSED)
+@pytest.mark.parametrize("texts, why", REFUSED)
 def test_files_that_cannot_be_ordered_or_could_hide_an_axiom_are_refused(texts, why, written):
     written(**texts)
     with pytest.raises(formal.NotAccepted, match=why):

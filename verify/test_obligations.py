@@ -165,7 +165,7 @@ LESS = [
 ]
 
 
-@pytest.mark.parametrize(("name", "was", "less"), LESS)
+@pytest.mark.parametrize("name, was, less", LESS)
 def test_a_need_that_is_left_out_is_missed(name, was, less):
     assert was in WRITTEN[name]
     with mpmath.workdps(WORKING_DIGITS):
