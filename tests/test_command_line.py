@@ -8,6 +8,7 @@ import sys
 import tomllib
 from concurrent.futures import BrokenExecutor
 from dataclasses import fields
+from itertools import product
 from unittest.mock import Mock
 
 import numpy as np
@@ -17,7 +18,7 @@ from PIL import Image
 import renderer
 from renderer import Light, Scene, central, render
 from renderer.command_line import grid
-from renderer.command_line.verbs import main
+from renderer.command_line.verbs import VERBS, main
 from renderer.files import record
 from renderer.kernels import FIELDS
 from renderer.picture import views
@@ -53,14 +54,15 @@ def test_image(name, tmp_path, capsys):
     target, (scene, options) = tmp_path / name, other_scene()
     options += ["--width 20 --height 10 --crop 5,2,10,6 --threads 1 --gradient central --eps 1e-2 --out", str(target)]
     frame, told = render(scene, 20, 10, central(1e-2), (5, 2, 10, 6), bounds=True), f"wrote {target}: 10 x 6 pixels\n"
-    if name in ("a.PNG", "a.npz"):
+    is_whole = name in ("a.PNG", "a.npz")
+    if is_whole:
         options += ["--bounds", str(tmp_path / "b.npz")]
         far = f"no colour is more than {frame.bounds.max():.2g} off, {frame.open.sum()} pixels are open"
         told += f"wrote {tmp_path / 'b.npz'}: {far}\n"
     assert run("image", *shlex.split(" ".join(options))) == 0
     assert capsys.readouterr() == (told, "")
     assert shows(target, frame)
-    if name in ("a.PNG", "a.npz"):
+    if is_whole:
         assert record.read(target)[:3] == (scene, frame.method, frame.raster)
         kept = np.load(tmp_path / "b.npz")
         assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
@@ -136,8 +138,6 @@ REFUSED = {
         "--out a.jpg": "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or",
         "--out ''": "out = '' is not allowed: a file name that ends in",
         "--out nowhere/a.png": "out = 'nowhere/a.png' is not allowed: a file in a folder that exists",
-        "--bounds a.png": "bounds = 'a.png' is not allowed: a file name that ends in .npz",
-        "--bounds nowhere/a.npz": "bounds = 'nowhere/a.npz' is not allowed: a file in a folder that exists",
         "--out a.npz --bounds ./a.npz": "bounds = './a.npz' is not allowed: another file than --out",
         "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
         "--again ''": "again = '' is not allowed: no --size beside it",
@@ -148,7 +148,6 @@ REFUSED = {
         "--eps -1e-3": "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5",
         "--beta -inf": "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100",
         "--crop 0,0,9,9": "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers",
-        "--width 0": "width = 0 is not allowed: a whole number from 1 to 16777216",
         "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
         "--threads 0": "threads = 0 is not allowed: a whole number from 1 to 256",
         "--light 1,2": "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B",
@@ -160,33 +159,22 @@ REFUSED = {
         "--bet 1": "unrecognized arguments: --bet 1",
         "--no-ball 1": "unrecognized arguments: 1",
         "--light 5,5,10 " * 6: "lights = 6 lights is not allowed: a sequence of at most 5 Light",
-        "--size ''": "argument --size: '' is not allowed: a whole number",
-        "--nonsense 1": "unrecognized arguments: --nonsense 1",
-        "a.png": "unrecognized arguments: a.png",
         "--out file/a.png": "out = 'file/a.png' is not allowed: a file in a folder that exists",
         "--out a.png.gz": "out = 'a.png.gz' is not allowed: a file name that ends in",
-        "--size 16777217": "width = 16777217 is not allowed: a whole number from 1 to 16777216",
         "--height -3": "height = -3 is not allowed: a whole number from 1 to 16777216",
-        "--threads two": "argument --threads: 'two' is not allowed: a whole number",
-        "--eps nan": "eps = nan is not allowed: a finite number from 1e-40 to 0.5",
-        "--model gouraud": "model = 'gouraud' is not allowed: one of 'blinn', 'phong'",
         "--kv 1e7": "kv = 10000000.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06",
         "--radius 4": "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4",
         "--ball-center 0,0,4": "ball_center = (0.0, 0.0, 4.0) is not allowed: B clear of the eye",
-        "--light 0,0,0": "lights[0].position = (0.0, 0.0, 0.0) is not allowed: outside sphere A",
         "--albedo-a 0,0,2": "albedo_a[2] = 2.0 is not allowed: a finite number from 0 to 1",
         "--ambient 0,-1,0": "ambient[1] = -1.0 is not allowed: a finite number from 0 to 1e+06",
         "--radius 0": "radius = 0.0 is not allowed: a finite number from 1e-60 to 1e+60",
         "--kd -0.1": "kd = -0.1 is not allowed: a finite number from 0 to 1e+06",
         "--ku 1048577": "ku = 1048577.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06",
-        "--beta 1e101": "beta = 1e+101 is not allowed: a finite number from -1e+100 to 1e+100",
         "--shininess 0": "shininess = 0.0 is not allowed: a finite number from 0.001 to 1e+06",
         "--floor-tint 1.5": "floor_tint = 1.5 is not allowed: a finite number from 0 to 1",
         "--ball-radius 0": "ball_radius = 0.0 is not allowed: a finite number from 1e-09 to 1e+09",
         "--ball-center 0,2e9,0": "ball_center[1] = 2000000000.0 is not allowed: a finite number from -1e+09 to 1e+09",
-        "--light 0.5,0.5,1.3": "lights[0].position = (0.5, 0.5, 1.3) is not allowed: outside sphere B",
         "--light 5,5,5 --light 3,0,0": "lights[1].position = (3.0, 0.0, 0.0) is not allowed: off the floor",
-        "--light 3,0,1e-200": "lights[0].position = (3.0, 0.0, 1e-200) is not allowed: off the floor",
         "--light 3e9,0,1": "lights[0].position[0] = 3000000000.0 is not allowed: a finite number",
         "--light 1,2,nan": "light.position[2] = nan is not allowed: a finite number from -inf to inf",
         "--light 1,2,3,-1,1,1": "light.color[0] = -1.0 is not allowed: a finite number from 0 to 1e+06",
@@ -214,16 +202,13 @@ REFUSED = {
     "": {"": "", "draw": "", "image": "the following arguments are required: --out", "views": ""},
     "sweep": {
         "--eps 1e-3 -1": "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5",
-        "--csv a.txt": "csv = 'a.txt' is not allowed: a file name that ends in .csv",
         "--csv ''": "csv = '' is not allowed: a file name that ends in .csv",
         "--checkpoint ''": "checkpoint = '' is not allowed: a file name that ends in .jsonl",
-        "--csv nowhere/a.csv": "csv = 'nowhere/a.csv' is not allowed: a file in a folder that exists",
         "--field sine,foo": f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}",
         "--size 8,0": "width = 0 is not allowed: a whole number from 1 to 16777216",
         "--gradient central,foo": "gradient = 'foo' is not allowed: one of 'forward', 'central', 'central4'",
         "--gradient exact": "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'",
         "--beta 0.1,": "argument --beta: '' is not allowed: a number",
-        "--checkpoint a.txt": "checkpoint = 'a.txt' is not allowed: a file name that ends in .jsonl",
         "--workers 0": "workers = 0 is not allowed: a whole number from 1 to 256",
         "--dask foo --workers 2": "dask = 'foo' is not allowed: no --workers beside it",
         "--dask foo": "dask = 'foo' is not allowed: the address of a scheduler that answers (missing port",
@@ -253,15 +238,14 @@ def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
     assert capsys.readouterr().err == f"symbolic-rendering image: error: {error}\n"
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
-@pytest.mark.parametrize("verb", [(), ("image",), ("views",), ("sweep",), ("doctor",)])
-def test_help(verb, encoding, monkeypatch):
-    printed = io.TextIOWrapper(io.BytesIO(), encoding)
-    monkeypatch.setattr("sys.stdout", printed)
-    assert run(*verb, "--help") == 0
-    printed.flush()
-    out = printed.buffer.getvalue().decode(encoding)
-    assert out.startswith(" ".join(["usage: symbolic-rendering", *verb])) and "\\" not in out
+def test_help(monkeypatch):
+    for verb, encoding in product(("", *VERBS), ("ascii", "cp1252", "utf-8")):
+        printed = io.TextIOWrapper(io.BytesIO(), encoding)
+        monkeypatch.setattr("sys.stdout", printed)
+        assert run(*verb.split(), "--help") == 0
+        printed.flush()
+        out = printed.buffer.getvalue().decode(encoding)
+        assert out.startswith(f"usage: symbolic-rendering {verb}") and "\\" not in out
 
 
 def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
