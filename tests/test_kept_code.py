@@ -39,8 +39,7 @@ def test_a_file_that_is_not_whole_is_none(place):
 
 
 def a_link(path):
-    path.rename(path.parents[1] / "elsewhere")
-    path.symlink_to(path.parents[1] / "elsewhere")
+    path.symlink_to(path.rename(path.parents[1] / "elsewhere"))
 
 
 def a_pipe(path):

@@ -23,20 +23,16 @@ RANGES = {
 EDGES = {"u": (0.0, 1 - 2.0**-53, 2.0**-10), "v": (0.3, 0.0, 1.0, 2.0**-10)}  # the seam and the poles
 
 
-def printed():
-    """Return {name: (program, kernel)} of everything in renderer/kernels.py, a field's differences of its height."""
-    found = {name: (program, getattr(kernels, name)) for name, program in programs.named().items()}
-    for field, (method, program_of) in product(HEIGHT_FIELDS.values(), METHODS.items()):
-        found[f"{method}_{field.name}"] = program_of(field), difference_kernel(kernels.FIELDS[field.name], method)
-    return found
-
-
 def difference_kernel(field, method):
     """Return a difference as a function of the chart point, the wave numbers and ε."""
     return lambda u, v, k_u, k_v, epsilon: difference(field, method, u, v, k_u, k_v, epsilon)
 
 
-PRINTED = printed()
+PRINTED = {name: (program, getattr(kernels, name)) for name, program in programs.named().items()} | {
+    f"{method}_{name}": (program_of(HEIGHT_FIELDS[name]), difference_kernel(field, method))
+    for (name, field), (method, program_of) in product(kernels.FIELDS.items(), METHODS.items())
+}
+"""{name: (program, kernel)} of everything in renderer/kernels.py, a field's differences of its height"""
 
 
 def random_inputs(program):
