@@ -9,6 +9,8 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
   // back, or to a part of the page, finds all of it, lest what is above grows.
   const [{ type }] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
   root.classList.toggle("begun", type === "navigate" && !location.hash);
+  // Icons come once the text stands: drawn with it, they would be most of what its style takes.
+  requestAnimationFrame(() => setTimeout(() => root.classList.add("drawn")));
 
   /** @param {string} mode */
   function colour(mode) {
@@ -98,16 +100,10 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
     /** @type {HTMLDialogElement[]} */ (find_all(document, "#pst-search-dialog")).forEach(close_beside);
     menu("primary", 992);
     menu("secondary", 1200);
-    // The chapter's list and the icons come once the text stands, in a task of their own, and what is measured of it, too.
-    requestAnimationFrame(() =>
-      setTimeout(() => {
-        root.classList.add("drawn");
-        new ResizeObserver(() => {
-          fold_contents();
-          mark_section();
-        }).observe(document.body);
-      })
-    );
+    new ResizeObserver(() => {
+      fold_contents();
+      mark_section();
+    }).observe(document.body);
   }
 
   colour(root.dataset.mode ?? "auto"); // before anything is in the page, which else gets its colours twice
