@@ -3,7 +3,9 @@
 from proofs.formulas.shading import light_direction, light_distance, oren_nayar
 from proofs.theorems.language import *
 
-_smooth = Claim("smooth", equation(mu, light_direction[mu]), light_distance > 0, oren_nayar(0))
+roughness = real("roughness")
+_at = light_distance > 0, equation(roughness, 0)
+_smooth = Claim("smooth", equation(mu, light_direction[mu]), _at, oren_nayar(roughness))
 
 theorem = Theorem(
     "smooth_is_lambert",
@@ -13,7 +15,7 @@ theorem = Theorem(
     claims=_smooth,
     steps={"$A = 1$ and $B = 0$": r"$\sigma = 0$"},
     mutants=(
-        variant("σ = 1/2", _smooth, lines=oren_nayar(HALF)),
+        variant("σ = 1/2", _smooth, given=(light_distance > 0, equation(roughness, HALF))),
         variant("N' towards the eye", _smooth, equation(mu, dot(bumped, view))),
     ),
 )
