@@ -29,8 +29,8 @@ def difference_kernel(field, method):
 
 
 PRINTED = {name: (program, getattr(kernels, name)) for name, program in programs.named().items()} | {
-    f"{method}_{name}": (program_of(field), difference_kernel(kernels.FIELDS[name], method))
-    for (name, field), (method, program_of) in product(HEIGHT_FIELDS.items(), METHODS.items())
+    f"{method}_{name}": (program_of(HEIGHT_FIELDS[name]), difference_kernel(field, method))
+    for (name, field), (method, program_of) in product(kernels.FIELDS.items(), METHODS.items())
 }
 """{name: (program, kernel)} of everything in renderer/kernels.py, a field's differences of its height"""
 
