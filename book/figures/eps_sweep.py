@@ -5,14 +5,27 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, DOTTED, SHORT, SOLID, curve, decades, label_line_end, plot, slope_triangle
+from book.drawing.style import (
+    DASHED,
+    DOTTED,
+    SHORT,
+    SOLID,
+    curve,
+    decades,
+    label_curve,
+    label_line_end,
+    plot,
+    slope_triangle,
+)
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
+from renderer.generate.step_terms import BOUNDS
 from renderer.picture.differences import Interval, distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, records, sweep
 from verify.accuracy.orders import enclosed_slope
+from verify.accuracy.stacking import steepest
 
 STEPS = np.logspace(-1, -15, 57)
 SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone
@@ -46,28 +59,45 @@ def eps_sweep() -> Drawing:
     return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]}, {"step": steps, **shown})
 
 
+@np.errstate(all="ignore")  # a selection computes both of its sides
+def _allowed(field):
+    """Return what β, k and ε allow the largest difference to be, at every step: L|β||Δg| of theorem difference_bound.
+
+    |Δg| ≤ hypot(bound of h_u, bound of h_v), by theorem difference_bounds, at the pixel of A where that is largest.
+    """
+    scene, known = Scene(field=field), symbolic(field).data_on_a
+    of_slopes = (BOUNDS[field](known["u"], known["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
+    return steepest(scene).max() * abs(scene.beta) * np.array([np.hypot(*both).max() for both in of_slopes])
+
+
 @figure
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
     data = {field: {name: _values(each) for name, each in _curves(field).items()} for field in FIELD_NAMES}
     for ax, (field, errors) in zip(axes, data.items(), strict=True):
+        errors["allowed"] = _allowed(field)
+        if any(each.upper > most for each, most in zip(_curves(field)["largest"], errors["allowed"], strict=True)):
+            raise ValueError(f"{field}: a picture's difference is above what its gradients' errors allow")
+        curve(ax, STEPS, errors["allowed"], "bound")
         curve(ax, STEPS, errors["largest"], "difference", linewidth=1.5)
         curve(ax, STEPS, errors["rms"], "difference", linewidth=1.2, linestyle=SHORT)
-        decades(ax, 4, 4, ylim=(1e-14, 10), title=field, xlabel="step ε")
+        decades(ax, 4, 4, ylim=(1e-14, 1e3), title=field, xlabel="step ε")
         if not HEIGHT_FIELDS[field].creases:
             slope_triangle(ax, 3e-4, 1e-8, 2)
     axes[0].set_ylabel("error on A")
     sine = data["sine"]
-    label_line_end(axes[0], STEPS[40], sine["largest"][40] * 3, "largest", "difference", "above")
-    label_line_end(axes[0], STEPS[40], sine["rms"][40] / 3, "RMS", "difference", "below")
+    label_line_end(axes[0], STEPS[32], sine["allowed"][32] * 20, "of β, k, ε", "bound")
+    label_curve(axes[1], STEPS, data["ridges"]["largest"], 1e-3, "largest", "difference", "above")
+    label_curve(axes[1], STEPS, data["ridges"]["rms"] / 6, 3e-3, "RMS", "difference", "below")
     # Between which numbers the least over all steps lies, and the step where it was computed.
     found = _curves("sine")["largest"]
     lower, upper = Interval(
         *(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))
     ).outward()
     floor = {"from": lower, "to": upper, "eps": STEPS[sine["largest"].argmin()]}
-    return Drawing(fig, {"sine_largest": floor}, {"step": STEPS} | data)
+    slack = {field: np.median(errors["allowed"] / errors["largest"]) for field, errors in data.items()}
+    return Drawing(fig, {"sine_largest": floor, "slack": slack}, {"step": STEPS} | data)
 
 
 def _interval(row, what):
