@@ -330,18 +330,8 @@ Lemma nearest_cases (floor : R) (ta tb : Rbar) :
   let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
   (s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c).
 Proof.
-  intros tf s a b c.
-  assert (H : (a /\ s = 1) \/ (~ a /\ b /\ s = 2) \/ (~ a /\ ~ b /\ c /\ s = 3) \/ (~ a /\ ~ b /\ ~ c /\ s = 0)).
-  { unfold s, nearest.surface. fold tf. destruct both as [[[A B] C] | N].
-    - left. split; [exact (conj A (conj B C)) | reflexivity].
-    - right. assert (N1 : ~ a) by (intros (A & B & C); destruct N as [[N | N] | N]; auto).
-      destruct both as [[A B] | M].
-      + left. split; [exact N1 | split; [exact (conj A B) | reflexivity]].
-      + right. assert (M1 : ~ b) by (intros (A & B); destruct M as [M | M]; auto).
-        destruct Rbar_lt_dec as [L | L]; [left | right]; repeat (split; [assumption |]); reflexivity. }
-  clearbody s a b c. destruct H as [(A & ->) | [(A & B & ->) | [(A & B & C & ->) | (A & B & C & ->)]]].
-  all: repeat split; try tauto; intros; try lra.
-  all: tauto.
+  intros tf s a b c. unfold s, nearest.surface. fold tf.
+  destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
 Qed.
 
 Lemma ta_is x y e r : visible_surface.t_a x y e r = hit_of_a.t_a x y e r.
@@ -382,19 +372,19 @@ Proof.
   rewrite A, B, (T ltac:(lra)) in S. enough (1 = 3) by lra. rewrite <- F. symmetry. apply S. simpl. repeat split; lra.
 Qed.
 
-Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 ->
-  (Z.Even n -> 0 < sin (PI * x)) /\ (Z.Odd n -> sin (PI * x) < 0).
+Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 -> exists s, 0 < s /\ sin (PI * x) = s * cos (PI * IZR n).
 Proof.
-  intros H. pose proof PI_RGT_0. assert (S : 0 < sin (PI * (x - IZR n))) by (apply sin_gt_0; nra).
-  assert (E : sin (PI * x) = sin (PI * (x - IZR n)) * cos (PI * IZR n)).
-  { replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring. rewrite sin_plus.
-    rewrite (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring. }
-  assert (C : forall k, cos (PI * IZR (2 * k)) = 1).
-  { intros k. rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
+  intros H. pose proof PI_RGT_0. exists (sin (PI * (x - IZR n))). split; [apply sin_gt_0; nra |].
+  replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring.
+  rewrite sin_plus, (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring.
+Qed.
+
+Lemma whole_turns (k : Z) : cos (PI * IZR (2 * k)) = 1 /\ cos (PI * IZR (2 * k + 1)) = -1.
+Proof.
+  assert (C : cos (PI * IZR (2 * k)) = 1).
+  { rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
     rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring. }
-  split; intros [k ->]; rewrite E; [rewrite C; lra |].
-  replace (cos (PI * IZR (2 * k + 1))) with (-1); [lra |].
-  rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
+  split; [exact C |]. rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
 Qed.
 
 Lemma floor_between (x : R) : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
@@ -413,28 +403,17 @@ Qed.
 Theorem bump_moves_no_boundary__checker (x y : R) : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
 Proof.
   assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
-  checker.lines. rewrite <- plus_IZR.
-  destruct both as [[[X Y] S] | [[X | Y] | S]].
-  - split; [intros _ | reflexivity]. apply half_floor in S. apply floor_between in X, Y.
-    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
-    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
-    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
-    + specialize (XE P). specialize (YO Q). nra.
-    + specialize (XO P). specialize (YE Q). nra.
-    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
-  - rewrite (Z x X). lra.
-  - rewrite (Z y Y). lra.
-  - split; [lra | intros H; exfalso].
-    assert (X : x <> IZR (Int_part x)) by (intros E; rewrite (Z x E) in H; lra).
-    assert (Y : y <> IZR (Int_part y)) by (intros E; rewrite (Z y E) in H; lra).
-    apply floor_between in X, Y.
-    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
-    assert (O : ~ Z.Odd (Int_part x + Int_part y)) by (intros O; apply half_floor in O; contradiction).
-    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
-    + specialize (XE P). specialize (YE Q). nra.
-    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
-    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
-    + specialize (XO P). specialize (YO Q). nra.
+  destruct (Req_dec x (IZR (Int_part x))) as [X | X];
+    [rewrite (Z x X); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
+  destruct (Req_dec y (IZR (Int_part y))) as [Y | Y];
+    [rewrite (Z y Y); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
+  assert (D : checker.dark x y = 1 <-> Z.Odd (Int_part x + Int_part y)).
+  { rewrite <- half_floor, plus_IZR. checker.lines. destruct both as [[_ S] | [[] | S]]; split; intros; lra || contradiction || reflexivity. }
+  rewrite D. destruct (sine_between x _ (floor_between x X)) as (s & S & ->), (sine_between y _ (floor_between y Y)) as (t & T & ->).
+  pose proof (Rmult_lt_0_compat _ _ S T).
+  replace (_ * _) with (s * t * cos (PI * IZR (Int_part x + Int_part y))).
+  - destruct (Z.Even_or_Odd (Int_part x + Int_part y)) as [[k E] | [k E]]; rewrite E, ?(proj1 (whole_turns k)), ?(proj2 (whole_turns k)); split; intros O; try lra; [destruct O; lia | exists k; reflexivity].
+  - rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, (proj2 (sine_zero (IZR (Int_part x)))) by eauto. ring.
 Qed.
 
 (* Not where it is > 0. *)
