@@ -121,26 +121,13 @@ Theorem displaced_normal__any_field (h : R -> R -> R) (theta phi h_u h_v beta : 
   scaled ((1 + beta * h u v) * sin phi) (displaced theta phi h_u h_v beta (h u v)).
 Proof.
   cbv zeta. intros S U V. generalize PI_RGT_0. intro P.
-  assert (E : forall (f : R -> R) c (b : R), is_derive f b c -> forall x, is_derive (fun t => f x) b 0) by (intros; auto_derive; trivial).
-  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)).
-  { replace (h_v / PI) with (scal (/ PI) h_v) by (unfold scal; simpl; unfold mult; simpl; field; lra).
-    apply (is_derive_comp (fun v => h ((theta + PI) / (2 * PI)) v) (fun t => t / PI)); [exact V | auto_derive; trivial; lra]. }
-  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))).
-  { replace (h_u / (2 * PI)) with (scal (/ (2 * PI)) h_u) by (unfold scal; simpl; unfold mult; simpl; field; lra).
-    apply (is_derive_comp (fun u => h u (phi / PI)) (fun t => (t + PI) / (2 * PI))); [exact U | auto_derive; trivial; field; lra]. }
-  clear E. set (c := h ((theta + PI) / (2 * PI)) (phi / PI)) in *.
+  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)) by (auto_derive; [eexists; exact V | replace (Derive _ _) with h_v by (symmetry; apply is_derive_unique, V); field; lra]).
+  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))) by (auto_derive; [eexists; exact U | replace (Derive _ _) with h_u by (symmetry; apply is_derive_unique, U); field; lra]).
   assert (K : forall (f g : R -> R) x a b, is_derive f x a -> is_derive g x b -> Derive (fun t => (1 + beta * f t) * g t) x = beta * a * g x + (1 + beta * f x) * b).
-  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|].
-    replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique; exact Hf).
-    replace (Derive (fun t => g t) x) with b by (symmetry; apply is_derive_unique; exact Hg). ring. }
-  assert (A : derivative_of (surface h beta theta) phi = vector_sum (scaled (beta * (h_v / PI)) (normal_at theta phi)) (scaled (1 + beta * c) (e_phi theta phi))).
-  { destruct (e_phi theta phi) as [[ex ey] ez] eqn:Ee. generalize (frame_by_phi theta phi). rewrite Ee. intros (Hx & Hy & Hz).
-    unfold derivative_of, surface. unfold_vectors.
-    rewrite (K _ _ _ _ _ W Hx), (K _ _ _ _ _ W Hy), (K _ _ _ _ _ W Hz). reflexivity. }
-  assert (T : derivative_of (fun t => surface h beta t phi) theta = vector_sum (scaled (beta * (h_u / (2 * PI))) (normal_at theta phi)) (scaled ((1 + beta * c) * sin phi) (e_theta theta))).
-  { generalize (frame_by_theta theta phi). unfold derivative_of, surface. unfold_vectors. intros (Hx & Hy & Hz).
-    rewrite (K _ _ _ _ _ X Hx), (K _ _ _ _ _ X Hy), (K _ _ _ _ _ X Hz). f_equal; [f_equal|]; fold c; ring. }
-  rewrite A, T, displaced_in_frame by exact S. unfold G. unfold_vectors. f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
+  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|]. replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique, Hf). replace (Derive _ x) with b by (symmetry; apply is_derive_unique, Hg). ring. }
+  rewrite displaced_in_frame by exact S. generalize (frame_by_phi theta phi) (frame_by_theta theta phi). unfold derivative_of, surface, G. unfold_vectors. intros (Px & Py & Pz) (Tx & Ty & Tz).
+  rewrite (K _ _ _ _ _ W Px), (K _ _ _ _ _ W Py), (K _ _ _ _ _ W Pz), (K _ _ _ _ _ X Tx), (K _ _ _ _ _ X Ty), (K _ _ _ _ _ X Tz).
+  f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
 Qed.
 
 (* A false variant: the product without its lift. *)
