@@ -61,7 +61,7 @@ Proof.
       assert (Tie : rounded (u - s / 4) = u).
       { replace (u - s / 4) with ((IZR (2 ^ 53 - 1) + / 2) * bpow radix2 (k - 1 - 52)).
         - rewrite rounded_in_binade, nearest_tie, U' by (lia || simpl; lra). match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end. rewrite <- bpow_plus. f_equal. ring.
-        - rewrite U. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. simpl. field. }
+        - rewrite U. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. simpl. lra. }
       apply Rle_antisym; [rewrite <- (kept u F) at 2 | rewrite <- Tie at 1]; apply round_le; try typeclasses eauto; lra.
     + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply IZR_le; lia).
       unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.

@@ -153,9 +153,7 @@ Proof.
     apply (ex_RInt_ext (fun x => (C x - PI * INR k * cos (PI * (INR k * (x - a)))) ^ 2)).
     - rewrite Rmin_left, Rmax_right by lra. intros x X. rewrite F by lra. replace x with (IZR (Z.of_nat j) / INR k + (x - a)) at 4 by (rewrite <- INR_IZR_INZ; unfold a; ring).
       rewrite slope_beside, sign_eq_1 by (first [exact P | apply Rabs_def1; unfold b in *; lra | lra]). f_equal. ring.
-    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra. intros x X. apply (continuous_comp (fun x => C x - PI * INR k * cos (PI * (INR k * (x - a)))) (fun y => y ^ 2)).
-      + apply (continuous_minus C); [apply continuity_pt_filterlim, Cc; lra|]. apply (ex_derive_continuous (fun x => PI * INR k * cos (PI * (INR k * (x - a))))). auto_derive. trivial.
-      + apply (ex_derive_continuous (fun y => y ^ 2)). auto_derive. trivial. }
+    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra. intros x X. apply continuity_pt_filterlim. assert (continuity_pt C x) by (apply Cc; lra). reg. }
   specialize (I k (le_n k)). replace (INR k / INR k) with 1 in I by (field; lra). exact I.
 Qed.
 
@@ -163,13 +161,13 @@ Qed.
 Lemma mean_at_most (f g : R -> R) (F G b : R) : is_RInt (fun x => f x ^ 2) 0 1 F -> is_RInt (fun x => g x ^ 2) 0 1 G -> (forall x, 0 < x < 1 -> Rabs (f x - g x) <= b) -> 0 < b -> sqrt (F / 2) <= sqrt (G / 2) + b.
 Proof.
   intros IF IG D B. assert (G0 : 0 <= G) by exact (is_RInt_ge_0 _ 0 1 G Rle_0_1 IG (fun x _ => pow2_ge_0 (g x))). generalize (sqrt_pos (G / 2)) (pow2_sqrt (G / 2) ltac:(lra)). set (s := sqrt (G / 2)). intros S Q.
-  set (i := / (s + b)). assert (P : i * (s + b) = 1) by (apply Rinv_l; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; lra).
-  assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * (s + b) + b ^ 2)))).
-  unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 (s + b)) by lra. apply sqrt_le_1_alt. assert (0 <= b * s) by nra. assert (U : b * i * G <= 2 * b * s) by (replace G with (2 * s ^ 2) by lra; assert (i * s <= 1) by nra; nra).
-  lapply J; [lra|]. intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. assert (V : 0 <= b * i * (Rabs (g x) - (s + b)) ^ 2) by (apply Rmult_le_pos; [nra | apply pow2_ge_0]).
-  assert (W : f x ^ 2 <= (Rabs (g x) + b) ^ 2) by (rewrite <- (pow2_abs (f x)); apply pow_incr; split; [apply Rabs_pos | unfold Rabs; repeat destruct Rcase_abs; lra]).
-  replace (b * i * (Rabs (g x) - (s + b)) ^ 2) with (b * i * Rabs (g x) ^ 2 - 2 * b * Rabs (g x) * (i * (s + b)) + b * (s + b) * (i * (s + b))) in V by ring. rewrite P, pow2_abs in V.
-  replace ((Rabs (g x) + b) ^ 2) with (Rabs (g x) ^ 2 + 2 * b * Rabs (g x) + b ^ 2) in W by ring. rewrite pow2_abs in W. lra.
+  set (p := s + b). set (i := / p). assert (P : i * p = 1) by (apply Rinv_l; unfold p; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; unfold p; lra).
+  assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2)))).
+  unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 p) by (unfold p; lra). apply sqrt_le_1_alt. lapply J.
+  - replace G with (2 * s ^ 2) by lra. assert (0 <= b * s) by nra. assert (i * s <= 1) by (unfold p in P; nra). assert (b * i * (2 * s ^ 2) <= 2 * b * s) by nra. unfold p. lra.
+  - intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. rewrite <- (pow2_abs (f x)), <- (pow2_abs (g x)).
+    replace (_ + _) with ((Rabs (g x) + b) ^ 2 + b * i * (Rabs (g x) - p) ^ 2) by ring [P]. rewrite <- (Rplus_0_r (Rabs (f x) ^ 2)).
+    apply Rplus_le_compat; [apply pow_incr; split; [apply Rabs_pos | unfold Rabs; repeat destruct Rcase_abs; lra] | apply Rmult_le_pos; [nra | apply pow2_ge_0]].
 Qed.
 
 

@@ -159,23 +159,15 @@ Theorem pole__surface_limit :
   dot limit limit = k_v ^ 2 * (k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2).
 Proof.
   generalize PI_RGT_0. intro P. set (c := cos (PI * (k_u * u))). set (s := sin (PI * (k_u * u))).
-  assert (A : is_lim (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v))) 0 (k_u / 2 * c * k_v)).
-  { apply (is_lim_scal_l (fun v => sin (PI * (k_v * v)) / sin (PI * v)) (k_u / 2 * c) 0 k_v), ratio_of_sines. }
-  assert (B : forall (f : R -> R) (l : R), ex_derive f 0 -> f 0 = l -> is_lim f 0 l).
-  { intros f l D <-. apply is_lim_continuity, continuity_pt_filterlim, (ex_derive_continuous f 0 D). }
-  assert (E : forall v, gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) = k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v))).
-  { intro v. unfold_fields. fold c. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra. }
-  assert (F : forall v, gradient_sine.h_v u v k_u k_v / PI = k_v * s * cos (PI * (k_v * v))) by (intro v; unfold_fields; fold s; field; lra).
-  unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s.
-  assert (S : forall x (f : R -> R) (l : R), is_lim f 0 l -> is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + f v) 0 (k_v * (k_u / 2 * c * x) + l)).
-  { intros x f l Hf. apply (is_lim_ext (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v)) * x + f v)); [intro v; rewrite E; reflexivity|].
-    apply (is_lim_plus' _ f 0 (k_v * (k_u / 2 * c * x)) l); [|exact Hf]. replace (k_v * (k_u / 2 * c * x)) with (k_u / 2 * c * k_v * x) by ring.
-    exact (is_lim_scal_r _ x 0 _ A). }
-  rewrite !Rmult_plus_distr_l.
-  assert (V : forall g l, ex_derive g 0 -> k_v * s * g 0 = l -> is_lim (fun v => gradient_sine.h_v u v k_u k_v / PI * g v) 0 l).
-  { intros g l D <-. apply (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * g v)); [intro v; rewrite F; reflexivity|]. apply B; [auto_derive; trivial | rewrite !Rmult_0_r, cos_0; ring]. }
-  split; [|split; [|split]].
-  1, 2, 3: apply S, V; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
+  assert (S : forall x (f : R -> R) (l : R), ex_derive f 0 -> k_v * (k_u / 2 * c * x) + k_v * s * f 0 = l ->
+    is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + gradient_sine.h_v u v k_u k_v / PI * f v) 0 l).
+  { intros x f l D <-. apply (is_lim_ext (fun v => k_u / 2 * c * x * (sin (PI * (k_v * v)) / sin (PI * v)) + k_v * s * cos (PI * (k_v * v)) * f v)).
+    - intro v. unfold_fields. fold c s. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra.
+    - rewrite (Rmult_comm k_v (_ * x)). apply is_lim_plus'; [apply (is_lim_scal_l _ (k_u / 2 * c * x) 0 k_v), ratio_of_sines|].
+      replace (k_v * s * f 0) with (k_v * s * cos (PI * (k_v * 0)) * f 0) by (rewrite !Rmult_0_r, cos_0; ring).
+      apply (is_lim_continuity (fun v => k_v * s * cos (PI * (k_v * v)) * f v)), continuity_pt_filterlim, (ex_derive_continuous (fun v => k_v * s * cos (PI * (k_v * v)) * f v)). auto_derive. auto. }
+  unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s. split; [|split; [|split]].
+  1, 2, 3: apply S; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
   - unfold c, s. field_simplify_eq. ring [(sin_squared theta) (sin_squared (PI * (k_u * u)))].
 Qed.
 End surface.
