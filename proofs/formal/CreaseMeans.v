@@ -165,7 +165,7 @@ Proof.
   assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2)))).
   unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 p) by (unfold p; lra). apply sqrt_le_1_alt. lapply J.
   - replace G with (2 * s ^ 2) by lra. assert (0 <= b * s) by nra. assert (i * s <= 1) by (unfold p in P; nra). assert (b * i * (2 * s ^ 2) <= 2 * b * s) by nra. unfold p. lra.
-  - intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. rewrite <- (pow2_abs (f x)), <- (pow2_abs (g x)).
+  - intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. change (f x ^ 2 <= (1 + b * i) * g x ^ 2 + (b * p + b ^ 2)). rewrite <- (pow2_abs (f x)), <- (pow2_abs (g x)).
     replace (_ + _) with ((Rabs (g x) + b) ^ 2 + b * i * (Rabs (g x) - p) ^ 2) by ring [P]. rewrite <- (Rplus_0_r (Rabs (f x) ^ 2)).
     apply Rplus_le_compat; [apply pow_incr; split; [apply Rabs_pos | unfold Rabs; repeat destruct Rcase_abs; lra] | apply Rmult_le_pos; [nra | apply pow2_ge_0]].
 Qed.
