@@ -167,51 +167,27 @@ Ltac expand_dots :=
       | |- context [dot ?a (scaled ?t ?b)] => rewrite (dot_comm a (scaled t b))
       end ].
 
-(* Bessel's inequality for two orthogonal vectors. *)
-Lemma bessel (s d w : vector) : dot s d = 0 -> magnitude w = 1 ->
-  dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2 <= dot s s * dot d d.
+(* w, mirrored at the unit vector n: at two of them it differs by at most twice their difference. *)
+Definition reflected (w n : vector) : vector := difference (scaled (2 * dot n w) n) w.
+Lemma reflected_product (w n v : vector) : dot (reflected w n) v = 2 * dot n w * dot n v - dot w v.
+Proof. unfold reflected. expand_dots. ring. Qed.
+Lemma reflected_apart (n m w : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 ->
+  magnitude (difference (reflected w n) (reflected w m)) <= 2 * magnitude (difference n m).
 Proof.
-  intros O W. assert (W2 : dot w w = 1) by (rewrite <- length_squared, W; ring).
-  generalize (dot_nonneg s) (dot_nonneg d) (cauchy_schwarz s w) (cauchy_schwarz d w). intros PS PD CS CD. rewrite W in CS, CD.
-  set (k := difference (scaled (dot s s * dot d d) w) (vector_sum (scaled (dot d d * dot s w) s) (scaled (dot s s * dot d w) d))).
-  assert (E : dot k k = dot s s * dot d d * (dot s s * dot d d - (dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2))).
-  { unfold k. expand_dots. rewrite ?(dot_comm w s), ?(dot_comm w d), ?(dot_comm d s), ?O, W2. ring. }
-  generalize (dot_nonneg k). rewrite E. intro K.
-  destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
-  - assert (0 < dot s s * dot d d) by nra. nra.
-  - assert (magnitude d = 0) by (unfold magnitude; rewrite <- PD; apply sqrt_0). assert (dot d w = 0) by nra. rewrite <- PD. nra.
-  - assert (magnitude s = 0) by (unfold magnitude; rewrite <- PS; apply sqrt_0). assert (dot s w = 0) by nra. rewrite <- PS. nra.
-Qed.
-
-(* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
-Lemma mirror_is_lipschitz (n m w v : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
-  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * magnitude (difference n m).
-Proof.
-  intros Hn Hm Hw Hv. set (s := vector_sum n m). set (d := difference n m).
-  replace (2 * dot n w * dot n v - dot w v - (2 * dot m w * dot m v - dot w v)) with (dot s w * dot d v + dot d w * dot s v)
-    by (unfold s, d; expand_dots; ring).
-  assert (O : dot s d = 0) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
-  assert (Q : dot s s + dot d d = 4) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
-  generalize (bessel s d w O Hw) (bessel s d v O Hv) (length_squared d) (length_nonneg d) (dot_nonneg s) (dot_nonneg d).
-  set (A := dot s w). set (A' := dot s v). set (D := dot d w). set (D' := dot d v). intros B B' L L0 PS PD.
-  assert (X : (A * D' + D * A') ^ 2 <= dot s s * dot d d).
-  { destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
-    - apply Rmult_le_reg_r with (dot s s * dot d d); [nra|].
-      assert ((A * D' + D * A') ^ 2 * (dot s s * dot d d) <= (dot d d * A ^ 2 + dot s s * D ^ 2) * (dot s s * D' ^ 2 + dot d d * A' ^ 2)).
-      { generalize (pow2_ge_0 (dot d d * A * A' - dot s s * D * D')). nra. }
-      eapply Rle_trans; [eassumption|]. apply Rmult_le_compat; nra.
-    - rewrite <- PD in *. assert (D = 0) by nra. assert (D' = 0) by nra. subst D D'. rewrite H, H0. nra.
-    - rewrite <- PS in *. assert (A = 0) by nra. assert (A' = 0) by nra. subst A A'. rewrite H, H0. nra. }
-  assert (Y : (A * D' + D * A') ^ 2 <= (2 * magnitude d) ^ 2) by (rewrite Rpow_mult_distr, L; nra).
-  rewrite <- (pow2_abs (A * D' + D * A')) in Y. apply le_of_squares; [lra | exact Y].
+  assert (U : forall a, magnitude a = 1 -> dot a a = 1) by (intros a A; rewrite <- length_squared, A; ring). intros N M W. apply U in N, M, W. apply Rge_le.
+  apply (specular_lipschitz__twice (dot n w) (magnitude (difference n m)) (dot m w) (dot n m)); [apply Rle_ge, length_nonneg | | |]; rewrite ?length_squared.
+  - apply Rle_ge. destruct n as [[nx ny] nz], m as [[mx my] mz], w as [[wx wy] wz]. unfold dot in *.
+    eapply Rle_trans; [apply pow2_ge_0 | right; etransitivity; [apply (specular_lipschitz__gram mx my mz nx ny nz wx wy wz); lra | ring]].
+  - unfold reflected. expand_dots. rewrite (dot_comm w n), (dot_comm w m), (dot_comm m n), N, M, W. ring.
+  - expand_dots. rewrite (dot_comm m n), N, M. ring.
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
 Lemma phong_base_is_lipschitz (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
 Proof.
-  intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
-  apply mirror_is_lipschitz; trivial. apply direction_is_unit, H.
+  intros H Hn Hm Hv. rewrite !phong_base_is, <- !reflected_product. eapply Rle_trans; [apply clamp_is_lipschitz|].
+  eapply Rle_trans; [apply dot_is_lipschitz, Hv | apply reflected_apart; trivial]. apply direction_is_unit, H.
 Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
@@ -225,11 +201,9 @@ Qed.
 Lemma phong_base_in_unit (P L v n : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
 Proof.
   intros H normal_at V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
-  set (r := difference (scaled (2 * dot n (omega P L)) n) (omega P L)).
-  assert (R : magnitude r = 1).
-  { apply length_of_unit. unfold r. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, normal_at, W. ring. }
-  replace (2 * dot n (omega P L) * dot n v - dot (omega P L) v) with (dot r v) by (unfold r; expand_dots; ring).
-  generalize (product_of_units r v R V). unfold Rmax. destruct (Rle_dec _ _); lra.
+  assert (R : magnitude (reflected (omega P L) n) = 1).
+  { apply length_of_unit. unfold reflected. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, normal_at, W. ring. }
+  generalize (product_of_units _ v R V). rewrite reflected_product. unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
 (* mu is Lipschitz with 1 in N', and the highlight base^p with p (Blinn) and 2p (Phong), for every whole p. *)
