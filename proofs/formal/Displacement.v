@@ -40,17 +40,12 @@ Ltac circles_of C D := match type of C with ?c ^ 2 + ?s ^ 2 = 1 => assert (C' : 
 Theorem displaced_normal__outward : Statements.displaced_normal__outward.
 Proof.
   red. intros. circles_of H H0. assert (E : displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y = lift).
-  { unfold displaced_x, displaced_y, displaced_z, Rdiv, normal_x, normal_y, normal_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z. ring [C' D']. }
+  { lines. unfold Rdiv. ring [C' D']. }
   rewrite E. unfold lift. each direct.
 Qed.
 Theorem displaced_normal__first_order : Statements.displaced_normal__first_order.
 Proof.
-  red. intros. circles_of H H0. set (b := h_theta / sin_phi).
-  unfold displaced_x, displaced_y, displaced_z.
-  repeat match goal with |- context [?e * h_theta / sin_phi] => replace (e * h_theta / sin_phi) with (e * b) by (unfold b, Rdiv; ring) end.
-  split; [apply Rgt_not_eq; lra|].
-  unfold lift, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z.
-  repeat split; ring [C' D'].
+  red. intros. circles_of H H0. split; [apply Rgt_not_eq; lra|]. lines. unfold Rdiv. repeat split; ring [C' D'].
 Qed.
 Theorem bump_is_not_displacement__only_where_flat : Statements.bump_is_not_displacement__only_where_flat.
 Proof.
@@ -61,10 +56,8 @@ Proof.
   assert (UV : beta * h_u * (lift + / (2 * PI * sin_phi)) = 0 /\ beta * h_v * (lift + / PI) = 0).
   { split.
     1: transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y * m_x - displaced_x * m_y)); [|rewrite H3, H4, H5; ring].
-    1: replace (beta * h_u * (lift + / (2 * PI * sin_phi))) with (beta * (h_u * lift + h_theta / sin_phi)) by (unfold h_theta; field; lra).
     2: transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z * (displaced_y * m_x - displaced_x * m_y))); [|rewrite H3, H4, H5; ring].
-    2: replace (beta * h_v * (lift + / PI)) with (beta * (h_v * lift + h_phi)) by (unfold h_phi; field; lra).
-    all: unfold displaced_x, displaced_y, displaced_z, Rdiv, m_x, m_y, m_z, g_x, g_y, g_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z; ring [C' D']. }
+    all: clear H3 H4 H5; lines; unfold Rdiv; rewrite ?Rinv_mult; ring [C' D']. }
   destruct UV as [U V].
   assert (L : 0 < lift) by (unfold lift; lra).
   assert (A : beta * h_u = 0) by (destruct (Rmult_integral _ _ U); lra). assert (B : beta * h_v = 0) by (destruct (Rmult_integral _ _ V); lra).
@@ -72,20 +65,12 @@ Proof.
 Qed.
 Theorem bump_is_not_displacement__where_flat : Statements.bump_is_not_displacement__where_flat.
 Proof.
-  red. intros. assert (D : forall e t, beta * (e * h_phi + t * h_theta / sin_phi) = 0) by (intros; unfold h_phi, h_theta, Rdiv; ring [H0 H1]).
-  assert (M : forall e t, beta * (e * h_v + t * h_u) = 0) by (intros; ring [H0 H1]).
-  unfold displaced_x, displaced_y, displaced_z, m_x, m_y, m_z, g_x, g_y, g_z. rewrite !D, !M. each ltac:(first [apply Rgt_not_eq; lra | ring]).
+  red. intros. lines. unfold Rdiv. each ltac:(first [apply Rgt_not_eq; lra | ring [H0 H1]]).
 Qed.
 Theorem bump_is_not_displacement__angle : Statements.bump_is_not_displacement__angle.
 Proof.
-  red. intros. pose proof PI_RGT_0. circles_of H H0. set (b := h_theta / sin_phi).
-  assert (B : b = h_u / (2 * PI * sin_phi)) by (unfold b, h_theta; field; lra). assert (F : h_phi = h_v / PI) by reflexivity.
-  replace (h_u ^ 2 / (2 * PI * sin_phi) + h_v ^ 2 / PI) with (h_u * b + h_v * h_phi) by (rewrite B, F; field; lra). rewrite <- B, <- F.
-  unfold displaced_x, displaced_y, displaced_z. clearbody h_phi.
-  repeat match goal with |- context [?e * h_theta / sin_phi] => replace (e * h_theta / sin_phi) with (e * b) by (unfold b, Rdiv; ring) end.
-  split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
-  unfold m_x, m_y, m_z, g_x, g_y, g_z, lift, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z.
-  repeat split; ring [C' D'].
+  red. intros. pose proof PI_RGT_0. circles_of H H0. split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
+  lines. unfold Rdiv. rewrite !Rinv_mult. repeat split; ring [C' D'].
 Qed.
 
 (* The displaced surface *)

@@ -116,13 +116,14 @@ Definition phong_base (n : vector) : R :=
 Definition omega : vector := scaled (/ magnitude (difference L P)) (difference L P).
 End models.
 
-Ltac square_of_difference := match goal with |- context [(?a - ?b) ^ 2 + (?c - ?d) ^ 2 + (?e - ?f) ^ 2] =>
-  replace ((a - b) ^ 2 + (c - d) ^ 2 + (e - f) ^ 2) with ((a + -1 * b) * (a + -1 * b) + (c + -1 * d) * (c + -1 * d) + (e + -1 * f) * (e + -1 * f)) by ring end.
+Lemma difference_is (x y z px py pz : R) : difference (x, y, z) (px, py, pz) = (x - px, y - py, z - pz).
+Proof. unfold difference, vector_sum, scaled. f_equal; [f_equal|]; ring. Qed.
+Lemma dot_itself (x y z : R) : dot (x, y, z) (x, y, z) = x ^ 2 + y ^ 2 + z ^ 2.
+Proof. unfold dot. ring. Qed.
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
   destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
-  unfold mu, omega; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference. ring.
+  unfold mu, omega, magnitude; light_direction.lines. rewrite difference_is, dot_itself. reflexivity.
 Qed.
 Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
@@ -136,11 +137,8 @@ Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
   blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
 Proof.
   cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold blinn_base, omega; blinn.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference.
-  set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
-  set (a := s * _ + vx). set (b := s * _ + vy). set (c := s * _ + vz). replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
-  destruct (Rlt_dec 0 (sqrt (a * a + b * b + c * c))); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold Rdiv. ring.
+  unfold blinn_base, omega, magnitude; blinn.lines. rewrite difference_is, dot_itself. unfold vector_sum, scaled. rewrite dot_itself.
+  destruct (Rlt_dec _ _); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold dot, Rdiv. ring.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
@@ -154,8 +152,7 @@ Qed.
 Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
 Proof.
   rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold phong_base, mu, omega; phong.lines; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference. f_equal. ring.
+  unfold phong_base, mu, omega, magnitude; phong.lines; light_direction.lines. rewrite difference_is, dot_itself. unfold dot, scaled. f_equal. ring.
 Qed.
 
 Ltac expand_dots :=
@@ -222,7 +219,7 @@ Theorem specular_lipschitz__highlight__point : exists P L v n : vector, 0 < magn
 Proof.
   exists (0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0).
   assert (E : magnitude (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
-  replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
+  rewrite difference_is, !Rminus_0_r, E. lra.
 Qed.
 (* The error of a colour *)
 
@@ -275,12 +272,8 @@ Let s := / (magnitude d * dot k k).
 Lemma squared_is : 0 < dot k k -> mu_squared = dot n d * dot k k * s /\ base_squared = Rmax 0 (dot n k) ^ 2 * magnitude d * s.
 Proof.
   unfold s, k, d, mu_squared, base_squared. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  blinn_squared.lines; unfold difference, magnitude, dot, vector_sum, scaled.
-  replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
-  generalize (lx + -1 * px) (ly + -1 * py) (lz + -1 * pz). intros a b c. replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
-  set (r := sqrt _). rewrite (Rplus_comm (r * vx)), (Rplus_comm (r * vy)), (Rplus_comm (r * vz)). set (kx := a + _). set (ky := b + _). set (kz := c + _).
-  replace (kx ^ 2 + ky ^ 2 + kz ^ 2) with (kx * kx + ky * ky + kz * kz) by ring. intro K.
-  destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold Rdiv. rewrite (Rmult_comm r). split; ring.
+  unfold magnitude; blinn_squared.lines. rewrite difference_is, dot_itself. set (r := sqrt _). unfold vector_sum, scaled. rewrite dot_itself, !(Rplus_comm (r * _)). intro K.
+  destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold dot, Rdiv. rewrite !Rinv_mult. split; ring.
 Qed.
 (* With d = L - P, k = d + |d| v and s = 1/(|d| k.k): mu = (N'.d)(k.k)s, and the square of Blinn's base is (N'.k)^2 |d| s where N'.k >= 0.
    The printed shortcut is the model. *)
@@ -302,8 +295,7 @@ Qed.
 End squared.
 Lemma above_is : omega (0, 0, 0) (0, 0, 1) = (0, 0, 1).
 Proof.
-  unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring).
-  rewrite (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
+  unfold omega. rewrite difference_is, !Rminus_0_r, (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
 Lemma above_apart : magnitude (difference (0, 0, 1) (0, 0, 0)) = 1.
 Proof. apply length_of_unit. unfold dot, difference, vector_sum, scaled. ring. Qed.
