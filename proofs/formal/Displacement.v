@@ -16,9 +16,7 @@ Lemma bumped_derives : 0 < m2 ->
   is_derive (fun b => perturbed.bumped_z nx ny nz gx gy gz b) beta (normal_by_beta.bumped_by_beta_z nx ny nz gx gy gz beta).
 Proof.
   intro P. assert (r0 : 0 < sqrt m2) by (apply sqrt_lt_R0; exact P). assert (r2 : sqrt m2 ^ 2 = m2) by (apply pow2_sqrt; lra).
-  unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_by_beta_y, normal_by_beta.bumped_by_beta_z, normal_by_beta.bumped_x, normal_by_beta.bumped_y, normal_by_beta.bumped_z,
-    normal_by_beta.m_scale, normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z,
-    perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z, m2 in *.
+  normal_by_beta.lines; perturbed.lines; unfold m2 in *.
   split; [|split]; auto_derive; simpl in *; set (r := sqrt _) in *;
     try (split; [lra | split; [lra | exact I]]); field_simplify_eq; try lra;
     replace (r ^ 3) with (r * (r * (r * 1))) by ring; replace (r ^ 2) with (r * (r * 1)) by ring; rewrite ?r2; ring.

@@ -56,15 +56,13 @@ Proof.
   { assert (discriminant_b <= ball_radius ^ 2 * ray_length_squared) by (unfold discriminant_b, ray_length_squared; by_squares).
     assert (0 <= ray_length_squared) by (unfold ray_length_squared; by_squares). nra. }
   assert (R : root_b = toward_b - ray_length_squared * t_b) by lra.
-  assert (X : radius_vector_x = t_b * x - ball_center_x) by (unfold radius_vector_x; rewrite R; unfold toward_b, moment_y, moment_z, ray_length_squared, distance in *; field; lra).
-  assert (Y : radius_vector_y = t_b * y - ball_center_y) by (unfold radius_vector_y; rewrite R; unfold toward_b, moment_x, moment_z, ray_length_squared, distance in *; field; lra).
-  assert (Z : radius_vector_z = eye * (1 - t_b) - ball_center_z) by (unfold radius_vector_z; rewrite R; unfold toward_b, moment_x, moment_y, ray_length_squared, distance in *; field; lra).
+  assert (X : radius_vector_x = t_b * x - ball_center_x /\ radius_vector_y = t_b * y - ball_center_y /\ radius_vector_z = eye * (1 - t_b) - ball_center_z)
+    by (unfold radius_vector_x, radius_vector_y, radius_vector_z; rewrite R; clearbody t_b root_b; clear - A; lines; repeat split; field; lra). destruct X as (X & Y & Z).
   assert (S : radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2 = ball_radius ^ 2).
   { rewrite X, Y, Z. apply Rminus_diag_uniq. etransitivity; [| exact TQ]. unfold ray_length_squared, toward_b, c, distance. ring. }
   assert (L : radius_length = ball_radius) by (unfold radius_length; rewrite S; apply sqrt_pow2; lra).
-  assert (NX : ball_radius * normal_x = t_b * x - ball_center_x) by (unfold normal_x; rewrite L, X; field; lra).
-  assert (NY : ball_radius * normal_y = t_b * y - ball_center_y) by (unfold normal_y; rewrite L, Y; field; lra).
-  assert (NZ : ball_radius * normal_z = eye * (1 - t_b) - ball_center_z) by (unfold normal_z; rewrite L, Z; field; lra).
+  assert (N : ball_radius * normal_x = t_b * x - ball_center_x /\ ball_radius * normal_y = t_b * y - ball_center_y /\ ball_radius * normal_z = eye * (1 - t_b) - ball_center_z)
+    by (unfold normal_x, normal_y, normal_z; rewrite L, X, Y, Z; repeat split; field; lra). destruct N as (NX & NY & NZ).
   assert (0 <= ball_radius ^ 2) by apply pow2_ge_0. each ltac:(first [assumption | lra | apply Rgt_not_eq; lra | unfold point_x, point_y, point_z; lra]).
 Qed.
 
