@@ -62,20 +62,22 @@ Proof.
   unfold hit_of_a.tangent_squared. nra.
 Qed.
 
-(* A quadratic a s^2 - 2 b s + c with b, c > 0, and its near root c / (b + sqrt d). *)
+(* A quadratic a s^2 - 2 b s + c with b > 0, and its root c / (b + sqrt d): the near one where a, c > 0. *)
+Lemma root_by_conjugate a b c d : 0 < b -> d = b ^ 2 - a * c -> 0 <= d -> let q := sqrt d in let t := c / (b + q) in
+  0 <= q /\ q ^ 2 = d /\ t * (b + q) = c /\ a * t = b - q /\ a * t ^ 2 - 2 * b * t + c = 0.
+Proof.
+  intros B E D q t. pose proof (sqrt_pos d) as P. pose proof (pow2_sqrt d D) as Q. fold q in P, Q.
+  assert (T : t * (b + q) = c) by (unfold t; field; lra).
+  assert (A : a * t = b - q) by (apply (Rmult_eq_reg_r (b + q)); [rewrite Rmult_assoc, T; lra | lra]).
+  repeat split; trivial. rewrite <- T. transitivity (t * (a * t + q - b)); [ring | rewrite A; ring].
+Qed.
 Lemma near_root a b c d : 0 < a -> 0 < b -> 0 < c -> d = b ^ 2 - a * c -> 0 <= d ->
   let t := c / (b + sqrt d) in
   0 < t /\ a * t = b - sqrt d /\ a * t ^ 2 - 2 * b * t + c = 0 /\
   forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s.
 Proof.
-  intros Ha Hb Hc E Hd t. pose proof (sqrt_pos d). pose proof (sqrt_sqrt d Hd). set (q := sqrt d) in *.
-  assert (T : t * (b + q) = c) by (unfold t; field; lra).
-  assert (P : 0 < t) by nra.
-  assert (A : a * t = b - q) by nra.
-  repeat split; try assumption.
-  - nra.
-  - intros s S.
-    apply (Rmult_le_reg_l a); [exact Ha |]. nra.
+  intros Ha B C E D t. destruct (root_by_conjugate a b c d B E D) as (P & Q & T & A & S). fold t in T, A, S. set (q := sqrt d) in *.
+  repeat split; trivial; [nra |]. intros s Z. apply (Rmult_le_reg_l a); [exact Ha | nra].
 Qed.
 
 (* P(t) lies on A exactly if t is a root of A's quadratic. *)

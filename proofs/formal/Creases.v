@@ -106,16 +106,14 @@ Theorem straddling__error (v k_v epsilon : R) (k m : Z) : (0 < k)%Z -> 0 < epsil
   filterlim (fun d => gradient_ridges.h_u (u d) v (IZR k) k_v - central_ridges.h_u (u d) v (IZR k) k_v epsilon) (at_right 0) (locally (PI * IZR k * Rabs (sin (PI * (k_v * v))))).
 Proof.
   intros K E u. apply IZR_lt in K. set (w := Rabs (sin (PI * (k_v * v)))).
-  apply (filterlim_ext_loc (fun d => PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w)).
+  set (f d := PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w). apply (filterlim_ext_loc f).
   - assert (P : 0 < Rmin epsilon (1 / IZR k - epsilon)) by (apply Rmin_glb_lt; lra). exists (mkposreal _ P). intros d B D. change (Rabs (d - 0) < Rmin epsilon (1 / IZR k - epsilon)) in B.
-    rewrite Rminus_0_r in B. assert (B1 := Rlt_le_trans _ _ _ B (Rmin_l _ _)). assert (B2 := Rlt_le_trans _ _ _ B (Rmin_r _ _)).
+    rewrite Rminus_0_r in B. apply Rmin_Rgt in B. destruct B as [B1 B2].
     unfold u. rewrite (proj1 (straddling__of_the_slope 0 v (IZR k) k_v d m) K), (proj1 (straddling__of_the_difference 0 v (IZR k) k_v d epsilon m B1) K); try lra.
-    + rewrite sign_eq_1 by exact D. unfold w. ring.
+    + rewrite sign_eq_1 by exact D. unfold f, w. ring.
     + left. exists k. reflexivity.
     + split; [apply Rabs_pos_lt; lra | lra].
-  - apply (filterlim_filter_le_1 (F := locally 0)); [intros Q H; unfold at_right, within; revert H; apply filter_imp; auto|].
-    set (f d := PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w).
-    replace (PI * IZR k * w) with (f 0) by (unfold f; rewrite !Rmult_0_r, sin_0, cos_0; field; lra). apply (ex_derive_continuous f 0). unfold f. auto_derive. trivial.
+  - apply (filterlim_filter_le_1 (F := locally 0)); [apply filter_le_within|]. replace (PI * IZR k * w) with (f 0) by (unfold f; rewrite !Rmult_0_r, sin_0, cos_0; field; lra). apply (ex_derive_continuous f 0). unfold f. auto_derive. trivial.
 Qed.
 (* It does not come to 0. *)
 Theorem straddling__error__false : ~ forall v k_v epsilon (k m : Z), 0 < epsilon < 1 / IZR k -> let u d := IZR m / IZR k + d in

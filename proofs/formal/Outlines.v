@@ -6,20 +6,10 @@ From Formal Require Import Preliminaries Formulas Camera Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
-(* A quadratic a t^2 - 2 b t + c with b > 0, and its near root c / (q + b), where q is the root of b^2 - a c. *)
-Lemma root_by_conjugate (a b c d : R) : d = b ^ 2 - a * c -> d >= 0 -> b > 0 -> let q := sqrt (Rmax 0 d) in let t := c / (q + b) in
-  Rmax 0 d >= 0 /\ q + b > 0 /\ q >= 0 /\ q ^ 2 = d /\ t * (q + b) = c /\ a * t = b - q /\ a * t ^ 2 - 2 * b * t + c = 0.
-Proof.
-  intros D P B q t. pose proof (Rmax_l 0 d). assert (Q : q >= 0) by apply Rle_ge, sqrt_pos.
-  assert (S : q ^ 2 = d) by (unfold q; rewrite Rmax_right, pow2_sqrt by lra; reflexivity).
-  assert (T : t * (q + b) = c) by (unfold t; field; lra).
-  assert (A : a * t = b - q) by (apply (Rmult_eq_reg_r (q + b)); [rewrite Rmult_assoc, T; lra | lra]).
-  repeat split; try lra. replace c with (t * (q + b)) at 1. transitivity (t * (a * t + q - b)); [ring | rewrite A; ring].
-Qed.
-
 Ltac by_squares := repeat match goal with |- context [?a ^ 2] => lazymatch goal with H : 0 <= a ^ 2 |- _ => fail | _ => pose proof (pow2_ge_0 a) end end; lra.
-Ltac root_of_b d b c t q := match goal with D : d >= 0, B : b > 0, Q : d = b ^ 2 - ?a * _ |- _ =>
-  generalize (root_by_conjugate a b c d Q D B); cbv zeta; fold q; fold t; intros (M & QB & Q0 & QQ & TM & TA & TQ) end.
+Ltac root_of_b a d b t q := match goal with D : d >= 0, B : b > 0, T := ?n / (q + b) |- _ => set (c := n) in *;
+  assert (Q : d = b ^ 2 - a * c) by (lines; ring); pose proof (Rmax_l 0 d) as M; assert (RQ : q = sqrt d) by (unfold q; rewrite Rmax_right by lra; reflexivity);
+  generalize (root_by_conjugate a b c d B Q (Rge_le _ _ D)); cbv zeta; rewrite <- RQ, (Rplus_comm b q); fold t; intros (Q0 & QQ & TM & TA & TQ); assert (QB : q + b > 0) by lra end.
 
 Theorem hit_of_b__quadratic : Statements.hit_of_b__quadratic.
 Proof. claim. Qed.
@@ -27,9 +17,7 @@ Theorem hit_of_b__behind : Statements.hit_of_b__behind.
 Proof. claim. Qed.
 Theorem hit_of_b__solves : Statements.hit_of_b__solves.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  assert (Q : discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b. assert (C : c > 0) by (unfold c, distance; lra).
+  red. intros. root_of_b (eye ^ 2 + x ^ 2 + y ^ 2) discriminant_b toward_b t_b root_b. assert (C : c > 0) by (unfold c, distance; lra).
   assert (t_b > 0) by (unfold t_b; apply Rdiv_lt_0_compat; lra).
   assert ((eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2).
   { apply Rminus_diag_uniq. etransitivity; [| exact TQ]. unfold toward_b, c, distance. ring. }
@@ -38,9 +26,7 @@ Qed.
 
 Theorem hit_of_b__near : Statements.hit_of_b__near.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  set (a := (- eye) * (- eye) + x * x + y * y). assert (Q : discriminant_b = toward_b ^ 2 - a * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b. assert (A : a > 0) by (unfold a; nra).
+  red. intros. set (a := (- eye) * (- eye) + x * x + y * y). root_of_b a discriminant_b toward_b t_b root_b. assert (A : a > 0) by (unfold a; nra).
   assert (S : (a * t - toward_b) ^ 2 = root_b ^ 2).
   { rewrite QQ, Q. transitivity (toward_b ^ 2 - a * c + a * (a * t ^ 2 - 2 * toward_b * t + c)); [ring|].
     replace (a * t ^ 2 - 2 * toward_b * t + c) with 0; [ring|]. unfold a, toward_b, c, distance. lra. }
@@ -49,9 +35,7 @@ Proof.
 Qed.
 Theorem hit_of_b__outward : Statements.hit_of_b__outward.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  assert (Q : discriminant_b = toward_b ^ 2 - ray_length_squared * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b.
+  red. intros. root_of_b ray_length_squared discriminant_b toward_b t_b root_b.
   assert (C : c > 0) by (unfold c, distance; lra). assert (A : ray_length_squared > 0).
   { assert (discriminant_b <= ball_radius ^ 2 * ray_length_squared) by (unfold discriminant_b, ray_length_squared; by_squares).
     assert (0 <= ray_length_squared) by (unfold ray_length_squared; by_squares). nra. }
