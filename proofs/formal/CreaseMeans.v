@@ -53,9 +53,9 @@ Qed.
 
 (* The error of a half-wave's difference, by the nearest crease. *)
 Definition error_along_u (k epsilon x : R) : R := (Rabs (sin (PI * (k * (x + epsilon)))) - Rabs (sin (PI * (k * (x - epsilon))))) / (2 * epsilon) - slope_of_wave k x.
-Lemma error_beside (k epsilon x : R) : 0 < k -> error_along_u k epsilon x = of_a_hump k epsilon (x - nearest k x).
+Lemma error_beside (k epsilon x : R) (m : Z) : 0 < k -> - / (2 * k) <= x - IZR m / k <= / (2 * k) -> error_along_u k epsilon x = of_a_hump k epsilon (x - IZR m / k).
 Proof.
-  intro K. destruct (near_the_nearest k x K) as (m & -> & D). set (d := x - IZR m / k) in *. replace x with (d + IZR m / k) by (unfold d; ring). assert (/ (2 * k) < 1 / k) by (replace (1 / k) with (/ (2 * k) + / (2 * k)) by (field; lra); assert (0 < / (2 * k)) by (apply Rinv_0_lt_compat; lra); lra).
+  intros K D. set (d := x - IZR m / k) in *. replace x with (d + IZR m / k) by (unfold d; ring). assert (1 / k = / (2 * k) + / (2 * k)) by (field; lra). assert (0 < / (2 * k)) by (apply Rinv_0_lt_compat; lra).
   unfold error_along_u, of_a_hump. rewrite (Rplus_comm d), slope_beside by (exact K || apply Rabs_def1; lra). replace (IZR m / k + d + epsilon) with (d + epsilon + IZR m / k) by ring. replace (IZR m / k + d - epsilon) with (d - epsilon + IZR m / k) by ring.
   rewrite !beyond_a_crease by (apply sine_of_whole || lra). same_angles. reflexivity.
 Qed.
@@ -102,45 +102,6 @@ Proof.
   - intros x X. unfold tent. unfold Rmin, Rmax in X. destruct S as [-> | ->]; cases; lra.
   - unfold minus, plus, opp. simpl. destruct S as [-> | ->]; field; lra.
 Qed.
-(* and of those over the chart: one hump each, without overlap, around the creases between whose middles it lies. *)
-Definition tents (k epsilon x : R) : R := tent k epsilon (x - nearest k x).
-Section areas.
-Variables (k : nat) (epsilon : R).
-Hypotheses (K : (0 < k)%nat) (E : 0 < epsilon <= / (2 * INR k)).
-Let h := / (2 * INR k).
-Let area := (PI * INR k) ^ 2 * (epsilon / 3).
-Lemma halves (m : nat) (s : R) : s = 1 \/ s = -1 -> is_RInt (fun x => tents (INR k) epsilon x ^ 2) (INR m / INR k) (INR m / INR k + s * h) (s * area).
-Proof.
-  intro S. assert (P : 0 < INR k) by (apply lt_0_INR, K). eapply is_RInt_ext; [|apply side_of_a_tent; [exact E | exact S]]. intros x X.
-  unfold tents. rewrite INR_IZR_INZ with (n := m) in *. rewrite (nearest_is _ x (Z.of_nat m)); [reflexivity | exact P|]. unfold Rmin, Rmax, h in X. destruct S as [-> | ->]; cases; lra.
-Qed.
-Lemma inner_tents (n : nat) : is_RInt (fun x => tents (INR k) epsilon x ^ 2) h ((2 * INR n + 1) * h) (INR n * (2 * area)).
-Proof.
-  assert (P : 0 < INR k) by (apply lt_0_INR, K). induction n as [|n IH].
-  - simpl. replace ((2 * 0 + 1) * h) with h by ring. eapply integral_is; [apply is_RInt_point | unfold zero; simpl; ring].
-  - generalize (halves (S n) 1 ltac:(auto)) (is_RInt_swap _ _ _ _ (halves (S n) (-1) ltac:(auto))). rewrite S_INR. replace ((INR n + 1) / INR k + -1 * h) with ((2 * INR n + 1) * h) by (unfold h; field; lra).
-    replace ((INR n + 1) / INR k + 1 * h) with ((2 * (INR n + 1) + 1) * h) by (unfold h; field; lra). intros A B.
-    eapply integral_is; [apply (is_RInt_Chasles _ _ _ _ _ _ IH (is_RInt_Chasles _ _ _ _ _ _ B A))|]. unfold plus, opp. simpl. ring.
-Qed.
-Lemma tents_in_u : is_RInt (fun x => tents (INR k) epsilon x ^ 2) 0 1 (INR k * (2 * area)).
-Proof.
-  assert (P : 0 < INR k) by (apply lt_0_INR, K). generalize (halves 0 1 ltac:(auto)) (is_RInt_swap _ _ _ _ (halves k (-1) ltac:(auto))) (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 0). simpl (INR 1).
-  replace (0 / INR k + 1 * h) with h by (field; lra). replace (0 / INR k) with 0 by (field; lra). replace (INR k / INR k) with 1 by (field; lra). replace ((2 * (INR k - 1) + 1) * h) with (1 + -1 * h) by (unfold h; field; lra). intros A B C.
-  eapply integral_is; [apply (is_RInt_Chasles _ _ _ _ _ _ A (is_RInt_Chasles _ _ _ _ _ _ C B))|]. unfold plus, opp. simpl. ring.
-Qed.
-Definition inner (x : R) : R := if both (Rlt_dec h x) (Rlt_dec x (1 - h)) then tents (INR k) epsilon x else 0.
-Lemma tents_in_v : is_RInt (fun x => inner x ^ 2) 0 1 ((INR k - 1) * (2 * area)).
-Proof.
-  assert (P : 0 < INR k) by (apply lt_0_INR, K). assert (P1 : 1 <= INR k) by (apply (le_INR 1); lia). assert (H : 0 < h) by (apply Rinv_0_lt_compat; lra). assert (H1 : INR k * h = 1 / 2) by (unfold h; field; lra).
-  assert (H2 : h <= 1 / 2) by nra. generalize (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 1). replace ((2 * (INR k - 1) + 1) * h) with (1 - h) by lra. intro C.
-  eapply integral_is; [apply (is_RInt_Chasles _ 0 h 1); [|apply (is_RInt_Chasles _ h (1 - h) 1); [eapply is_RInt_ext; [|exact C]|]]|].
-  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
-  - rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [_|[]]; [reflexivity | lra | lra].
-  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
-  - unfold plus. simpl. ring.
-Qed.
-End areas.
-
 
 (* The mean square of the error is there: it is continuous between creases. *)
 Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, 0 <= x <= 1 -> continuity_pt C x) -> (forall x, 0 < x < 1 -> f x = C x - slope_of_wave (INR k) x) -> ex_RInt (fun x => f x ^ 2) 0 1.
@@ -182,35 +143,63 @@ Proof.
 Qed.
 
 
-Section chart.
+(* and of those over the chart: one hump each, without overlap, around the creases between whose middles it lies. *)
+Definition tents (k epsilon x : R) : R := tent k epsilon (x - nearest k x).
+Section areas.
 Variables (k : nat) (epsilon : R).
 Hypotheses (K : (0 < k)%nat) (E : 0 < epsilon <= / (2 * INR k)).
 Let k_pos : 0 < INR k := lt_0_INR k K.
-Lemma whole : INR k = IZR (Z.of_nat k).
-Proof. apply INR_IZR_INZ. Qed.
-Lemma reach_is : INR k * / (2 * INR k) = 1 / 2 /\ 0 < / (2 * INR k) <= 1 / 2.
+Let h := / (2 * INR k).
+Lemma reach_is : INR k * h = 1 / 2 /\ 0 < h <= 1 / 2 /\ epsilon <= h.
 Proof.
-  generalize k_pos. intro P. assert (P1 : 1 <= INR k) by (apply (le_INR 1), K). assert (I : INR k * / (2 * INR k) = 1 / 2) by (field; lra).
-  assert (0 < / (2 * INR k)) by (apply Rinv_0_lt_compat; lra). split; [exact I | split; [assumption|]]. assert (0 <= (INR k - 1) * / (2 * INR k)) by (apply Rmult_le_pos; lra). lra.
+  generalize k_pos. intro P. assert (P1 : 1 <= INR k) by (apply (le_INR 1), K). assert (I : INR k * h = 1 / 2) by (unfold h; field; lra).
+  assert (0 < h) by (apply Rinv_0_lt_compat; lra). repeat split; trivial; [nra | apply E].
 Qed.
+Let area := (PI * INR k) ^ 2 * (epsilon / 3).
+Lemma halves (m : nat) (s : R) : s = 1 \/ s = -1 -> is_RInt (fun x => tents (INR k) epsilon x ^ 2) (INR m / INR k) (INR m / INR k + s * h) (s * area).
+Proof.
+  intro S. generalize k_pos. intro P. eapply is_RInt_ext; [|apply side_of_a_tent; [exact E | exact S]]. intros x X.
+  unfold tents. rewrite INR_IZR_INZ with (n := m) in *. rewrite (nearest_is _ x (Z.of_nat m)); [reflexivity | exact P|]. unfold Rmin, Rmax, h in X. destruct S as [-> | ->]; cases; lra.
+Qed.
+Lemma inner_tents (n : nat) : is_RInt (fun x => tents (INR k) epsilon x ^ 2) h ((2 * INR n + 1) * h) (INR n * (2 * area)).
+Proof.
+  generalize k_pos. intro P. induction n as [|n IH].
+  - simpl. replace ((2 * 0 + 1) * h) with h by ring. eapply integral_is; [apply is_RInt_point | unfold zero; simpl; ring].
+  - generalize (halves (S n) 1 ltac:(auto)) (is_RInt_swap _ _ _ _ (halves (S n) (-1) ltac:(auto))). rewrite S_INR. replace ((INR n + 1) / INR k + -1 * h) with ((2 * INR n + 1) * h) by (unfold h; field; lra).
+    replace ((INR n + 1) / INR k + 1 * h) with ((2 * (INR n + 1) + 1) * h) by (unfold h; field; lra). intros A B.
+    eapply integral_is; [apply (is_RInt_Chasles _ _ _ _ _ _ IH (is_RInt_Chasles _ _ _ _ _ _ B A))|]. unfold plus, opp. simpl. ring.
+Qed.
+Lemma tents_in_u : is_RInt (fun x => tents (INR k) epsilon x ^ 2) 0 1 (INR k * (2 * area)).
+Proof.
+  generalize k_pos. intro P. generalize (halves 0 1 ltac:(auto)) (is_RInt_swap _ _ _ _ (halves k (-1) ltac:(auto))) (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 0). simpl (INR 1).
+  replace (0 / INR k + 1 * h) with h by (field; lra). replace (0 / INR k) with 0 by (field; lra). replace (INR k / INR k) with 1 by (field; lra). replace ((2 * (INR k - 1) + 1) * h) with (1 + -1 * h) by (unfold h; field; lra). intros A B C.
+  eapply integral_is; [apply (is_RInt_Chasles _ _ _ _ _ _ A (is_RInt_Chasles _ _ _ _ _ _ C B))|]. unfold plus, opp. simpl. ring.
+Qed.
+Definition inner (x : R) : R := if both (Rlt_dec h x) (Rlt_dec x (1 - h)) then tents (INR k) epsilon x else 0.
+Lemma tents_in_v : is_RInt (fun x => inner x ^ 2) 0 1 ((INR k - 1) * (2 * area)).
+Proof.
+  generalize reach_is. intros [H1 H]. generalize (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 1). replace ((2 * (INR k - 1) + 1) * h) with (1 - h) by lra. intro C.
+  eapply integral_is; [apply (is_RInt_Chasles _ 0 h 1); [|apply (is_RInt_Chasles _ h (1 - h) 1); [eapply is_RInt_ext; [|exact C]|]]|].
+  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
+  - rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [_|[]]; [reflexivity | lra | lra].
+  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
+  - unfold plus. simpl. ring.
+Qed.
+
 Lemma near_tents_in_u (u : R) : Rabs (error_along_u (INR k) epsilon u - tents (INR k) epsilon u) <= room (INR k) epsilon.
 Proof.
-  generalize k_pos. intro P. rewrite error_beside by exact P. unfold tents. destruct (near_the_nearest _ u P) as (m & -> & D). apply hump_beside; lra.
+  generalize k_pos. intro P. unfold tents. destruct (near_the_nearest _ u P) as (m & -> & D). rewrite (error_beside _ _ _ m) by assumption. apply hump_beside; lra.
 Qed.
-Lemma near_the_pole (v : R) : 0 < v <= / (2 * INR k) -> Rabs (error_along_v (INR k) epsilon v) <= room (INR k) epsilon.
+Lemma near_the_pole (v : R) : 0 < v <= h -> Rabs (error_along_v (INR k) epsilon v) <= room (INR k) epsilon.
 Proof.
-  generalize k_pos reach_is. intros P [R1 R2] V. destruct (Rlt_le_dec v epsilon) as [L|L].
-  - apply error_at_the_pole; lra.
-  - assert (Z : tents (INR k) epsilon v = 0).
-    { unfold tents, tent. destruct (near_the_nearest _ v P) as (m & -> & D). destruct (Rlt_dec _ _) as [X|_]; [exfalso | reflexivity]. apply Rabs_def2 in X.
-      assert (Y : INR k * (IZR m / INR k) = IZR m) by (field; lra). assert (0 < IZR m) by (rewrite <- Y; apply Rmult_lt_0_compat; lra).
-      assert (IZR m < 1) by (rewrite <- Y; apply Rlt_le_trans with (INR k * (2 * / (2 * INR k))); [apply Rmult_lt_compat_l; lra | lra]). assert (0 < m < 1)%Z by (split; apply lt_IZR; lra). lia. }
-    rewrite not_clamped, <- (Rminus_0_r (error_along_u _ _ _)), <- Z by lra. apply near_tents_in_u.
+  generalize k_pos reach_is. unfold h. intros P [R1 R2] V. destruct (Rlt_le_dec v epsilon) as [L|L]; [apply error_at_the_pole; lra|].
+  assert (Z : v - 0 / INR k = v) by (field; lra). rewrite not_clamped, (error_beside _ _ v 0), Z by lra. rewrite <- (Rminus_0_r (of_a_hump _ _ _)). replace 0 with (tent (INR k) epsilon v); [apply hump_after; lra|].
+  unfold tent. rewrite Rabs_pos_eq by lra. destruct (Rlt_dec _ _); lra.
 Qed.
-Lemma near_tents_in_v (v : R) : 0 < v < 1 -> Rabs (error_along_v (INR k) epsilon v - inner k epsilon v) <= room (INR k) epsilon.
+Lemma near_tents_in_v (v : R) : 0 < v < 1 -> Rabs (error_along_v (INR k) epsilon v - inner v) <= room (INR k) epsilon.
 Proof.
   generalize reach_is. intros [R1 R2] V. unfold inner. destruct (both _ _) as [[A B]|[A|A]]; [rewrite not_clamped by lra; apply near_tents_in_u | rewrite Rminus_0_r; apply near_the_pole; lra |].
-  rewrite Rminus_0_r, <- Rabs_Ropp, whole, <- seen_from_the_other_pole, <- whole. apply near_the_pole. lra.
+  rewrite Rminus_0_r, <- Rabs_Ropp, INR_IZR_INZ, <- seen_from_the_other_pole, <- INR_IZR_INZ. apply near_the_pole. lra.
 Qed.
 Lemma mean_in_u : ex_RInt (fun u => error_along_u (INR k) epsilon u ^ 2) 0 1.
 Proof.
@@ -222,12 +211,12 @@ Proof.
   assert (U : forall v, central_sine.v_plus v epsilon = up v) by (intro v; unfold up, central_sine.v_plus, Rmin, Rabs; destruct Rle_dec, Rcase_abs; lra).
   assert (D : forall v, central_sine.v_minus v epsilon = down v) by (intro v; unfold down, central_sine.v_minus, Rmax, Rabs; destruct Rle_dec, Rcase_abs; lra).
   assert (S : forall v, 0 < v < 1 -> central_sine.span_v v epsilon = up v - down v) by (intros v V; unfold central_sine.span_v; rewrite U, D; unfold up, down, Rabs; destruct both as [[]|[]]; repeat destruct Rcase_abs; lra).
-  generalize reach_is. intros [R1 R2].
+  generalize reach_is. unfold h. intros [R1 R2].
   apply (square_has_a_mean k _ (fun v => (Rabs (sin (PI * (INR k * up v))) - Rabs (sin (PI * (INR k * down v)))) * / (up v - down v)) K).
   - intros x X. assert (up x - down x <> 0) by (apply Rgt_not_eq; unfold up, down, Rabs; repeat destruct Rcase_abs; lra). unfold up, down in *. reg.
   - intros v V. unfold error_along_v, clamped. rewrite U, D, S by exact V. reflexivity.
 Qed.
-End chart.
+End areas.
 
 
 (* Over all of the chart the error is the tents' up to 2/3 pi k (pi k eps)^2, times the other factor. *)
