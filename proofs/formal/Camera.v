@@ -323,30 +323,6 @@ Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
 
-(* What the printed lines divide by is not 0, and what they take roots of is not negative: in Coq x / 0 and
-   sqrt (- 1) are numbers too, so this has to be said. *)
-
-Lemma nearest_cases (floor : R) (ta tb : Rbar) :
-  let tf := nearest.t_floor floor in let s := nearest.surface floor ta tb in
-  let a := Rbar_lt ta p_infty /\ Rbar_le ta tb /\ Rbar_le ta tf in
-  let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
-  (s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c).
-Proof.
-  intros tf s a b c. unfold s, nearest.surface. fold tf.
-  destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
-Qed.
-
-Lemma ta_is x y e r : visible_surface.t_a x y e r = hit_of_a.t_a x y e r.
-Proof. reflexivity. Qed.
-
-Lemma tb_is x y e bx by_ bz br on :
-  visible_surface.t_b x y e bx by_ bz br on = hit_of_b.t_b x y e bx by_ bz br on.
-Proof. reflexivity. Qed.
-
-Lemma surface_is x y e r bx by_ bz br on floor : visible_surface.surface x y e r bx by_ bz br on floor =
-  nearest.surface floor (hit_of_a.t_a x y e r) (hit_of_b.t_b x y e bx by_ bz br on).
-Proof. rewrite <- ta_is, <- tb_is. unfold visible_surface.surface, nearest.surface. reflexivity. Qed.
-
 (* The surface shown is that of the nearest hit: A's (1) before B's (2) before the floor's (3), which is at t = 1; 0 is
    the background. *)
 Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
@@ -358,8 +334,10 @@ Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
   ((s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c)) /\
   (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
 Proof.
-  cbv zeta. rewrite surface_is. split; [apply nearest_cases |].
-  unfold nearest.t_floor. destruct Rlt_dec; split; intros; (reflexivity || lra).
+  intros ta tb tf s a b c. unfold s, visible_surface.surface. change (visible_surface.t_floor floor) with tf.
+  change (visible_surface.t_a x y e r) with ta. change (visible_surface.t_b x y e bx by_ bz br on) with tb.
+  split; [| unfold tf, nearest.t_floor; destruct Rlt_dec; split; intros; (reflexivity || lra)].
+  destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
 Qed.
 
 (* Not the floor whenever there is one. *)
