@@ -6,11 +6,13 @@ From Formal Require Import Preliminaries Formulas Vectors Fields Bump Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
+Lemma last_squared (x y z : R) : z * z + x * x + y * y = 1 -> z ^ 2 = 1 - x ^ 2 - y ^ 2.
+Proof. lra. Qed.
 Theorem specular_lipschitz__along_a_direction : Statements.specular_lipschitz__along_a_direction.
 Proof.
   red. intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
   assert (S : a ^ 2 - w ^ 2 = (ox * (ny - my) - oy * (nx - mx)) ^ 2 + (oy * (nz - mz) - oz * (ny - my)) ^ 2 + (oz * (nx - mx) - ox * (nz - mz)) ^ 2).
-  { transitivity (a ^ 2 * (oz * oz + ox * ox + oy * oy) - w ^ 2); [rewrite U; ring | rewrite G; unfold w; ring]. }
+  { rewrite G. unfold w. ring [(last_squared _ _ _ U)]. }
   assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; sum_of_squares). assert (- a <= w <= a) by (clear - A D; split; nra).
   split; [exact D | unfold w in *; split; lra].
 Qed.
@@ -22,9 +24,7 @@ Proof.
 Qed.
 Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz N M O.
-  transitivity ((mz * mz + mx * mx + my * my) * (nz * nz + nx * nx + ny * ny) * (oz * oz + ox * ox + oy * oy) + (mz * oz + mx * ox + my * oy) * 2 * (nz * oz + nx * ox + ny * oy) * (mz * nz + mx * nx + my * ny)
-    - (mz * mz + mx * mx + my * my) * (nz * oz + nx * ox + ny * oy) ^ 2 - (nz * nz + nx * nx + ny * ny) * (mz * oz + mx * ox + my * oy) ^ 2 - (oz * oz + ox * ox + oy * oy) * (mz * nz + mx * nx + my * ny) ^ 2); [ring | rewrite N, M, O; ring].
+  red. intros mx my mz nx ny nz ox oy oz N M O. ring [(last_squared _ _ _ N) (last_squared _ _ _ M) (last_squared _ _ _ O)].
 Qed.
 Theorem specular_lipschitz__twice : Statements.specular_lipschitz__twice.
 Proof.
@@ -44,10 +44,7 @@ Proof.
 Qed.
 Theorem specular_lipschitz__mirror : Statements.specular_lipschitz__mirror.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. set (a := nz * oz + nx * ox + ny * oy). set (b := mz * oz + mx * ox + my * oy).
-  split; [|split; [|split; unfold a, b; ring]].
-  - transitivity (4 * (b ^ 2 * (mz * mz + mx * mx + my * my) + a ^ 2 * (nz * nz + nx * nx + ny * ny) - 2 * (mz * nz + mx * nx + my * ny) * b * a)); [ring | rewrite N, M; ring].
-  - transitivity ((nz * nz + nx * nx + ny * ny) + (mz * mz + mx * mx + my * my) - 2 * (mz * nz + mx * nx + my * ny)); [ring | rewrite N, M; ring].
+  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. repeat split; ring [(last_squared _ _ _ N) (last_squared _ _ _ M)].
 Qed.
 Theorem squared_highlight__base : Statements.squared_highlight__base.
 Proof.
