@@ -216,16 +216,13 @@ Qed.
 Lemma creased k a c : k <> 0 -> c <> 0 ->
   (exists m : Z, k * a = IZR m) <-> ~ ex_derive (fun a => Rabs (sin (PI * (k * a)) * c)) a.
 Proof.
-  rewrite <- sine_zero. split.
-  - intros S. apply (corner (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
-    + auto_derive; [exact I | ring].
+  rewrite <- sine_zero. assert (D : is_derive (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)) by (auto_derive; [exact I | ring]). split.
+  - intros S. apply (corner _ _ _ D).
     + rewrite S. apply Rmult_0_l.
     + assert (cos (PI * (k * a)) <> 0) by (pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
       pose proof PI_RGT_0. do 3 (apply Rmult_integral_contrapositive_currified; [| assumption]). lra.
   - intros N. destruct (Req_dec (sin (PI * (k * a))) 0) as [S | S]; [exact S | destruct N].
-    eexists. apply (is_derive_Rabs (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
-    + auto_derive; [exact I | ring].
-    + apply Rmult_integral_contrapositive_currified; assumption.
+    eexists. apply (is_derive_Rabs _ _ _ D). apply Rmult_integral_contrapositive_currified; assumption.
 Qed.
 
 (* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
