@@ -34,7 +34,7 @@ Lemma mean_value (f f1 : R -> R) (a b : R) : (forall w, is_derive f w (f1 w)) ->
 Proof.
   intro D. apply MVT_gen; intros x _; [apply D|]. apply continuity_pt_filterlim, (ex_derive_continuous f). exists (f1 x). apply D.
 Qed.
-(* The derivative of an expression in a function that has the derivative of D. *)
+(* The derivative of an expression in a function whose derivative is at hand. *)
 Ltac derives D := auto_derive; [repeat split; eexists; apply D | rewrite ?(is_derive_unique _ _ _ (D _)); field].
 Lemma times_its_sign (w : R) : w * sign w = Rabs w.
 Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring. Qed.

@@ -184,15 +184,14 @@ Proof.
   assert (N : h <> 0) by nra. pose proof (pow2_ge_0 cx). pose proof (pow2_ge_0 cy).
   assert (L : forall p q, (p * cx + q * cy) ^ 2 < c * (p ^ 2 + q ^ 2) -> exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0).
   { intros p q G. set (m := p * cx + q * cy) in *. set (x s := e * cx / h + s * p). set (y s := e * cy / h + s * q).
-    assert (V : forall s, hit_of_b.discriminant_b (x s) (y s) e cx cy cz r = - ((c * (p ^ 2 + q ^ 2) - m ^ 2) * s ^ 2 +
-      2 * (e / h * m * (c - w - h ^ 2)) * s + - ((e / h) ^ 2 * (w + h ^ 2) * r ^ 2))).
-    { intro s. destruct (quadratic_of_b 0 (x s) (y s) e cx cy cz r) as (_ & _ & ->). fold c. rewrite W.
+    set (bend := c * (p ^ 2 + q ^ 2) - m ^ 2). set (slope := e / h * m * (c - w - h ^ 2)). set (height := (e / h) ^ 2 * (w + h ^ 2) * r ^ 2).
+    assert (V : forall s, hit_of_b.discriminant_b (x s) (y s) e cx cy cz r = - (bend * s ^ 2 + 2 * slope * s + - height)).
+    { intro s. destruct (quadratic_of_b 0 (x s) (y s) e cx cy cz r) as (_ & _ & ->). unfold bend, slope, height. fold c. rewrite W.
       unfold dot3; hit_of_b.lines; unfold x, y, m, w. fold h. field. exact N. }
-    assert (K : 0 < (e / h) ^ 2 * (w + h ^ 2) * r ^ 2).
+    assert (K : 0 < height).
     { assert (0 < (e / h) ^ 2) by (apply pow2_gt_0, Rmult_integral_contrapositive_currified; [lra | apply Rinv_neq_0_compat, N]).
       apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; unfold w; nra. }
-    destruct (two_roots (c * (p ^ 2 + q ^ 2) - m ^ 2) (e / h * m * (c - w - h ^ 2)) (- ((e / h) ^ 2 * (w + h ^ 2) * r ^ 2)) 0) as (s & _ & _ & S & _);
-      [lra | lra |]. exists (x s), (y s). rewrite V, S. ring. }
+    destruct (two_roots bend slope (- height) 0) as (s & _ & _ & S & _); [unfold bend; lra | lra |]. exists (x s), (y s). rewrite V, S. ring. }
   destruct (Rlt_dec (cx ^ 2) c); [apply (L 1 0) | apply (L 0 1)]; unfold w in W; lra.
 Qed.
 
