@@ -82,7 +82,7 @@ Proof.
     by (central_sine.lines; unfold Rmin, Rmax; repeat destruct Rle_dec; lra). destruct A as [A B].
   assert (D : central_sine.span_v (1 - v) epsilon = central_sine.span_v v epsilon) by (unfold central_sine.span_v; rewrite A, B; destruct (both _ _) as [[]|[]], (both _ _) as [[]|[]]; lra).
   unfold error_along_v, clamped, slope_of_wave. rewrite A, B, D, !S. replace (PI * (IZR k * (1 - v))) with (- (PI * (IZR k * v)) + PI * IZR k) by ring. rewrite sin_plus, cos_plus, sin_neg, cos_neg, sine_of_whole, !Rmult_0_r, Rplus_0_r, sign_mult, sign_opp.
-  destruct (half_turns k) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; unfold Rdiv; ring.
+  destruct (cosine_of_whole k) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; unfold Rdiv; ring.
 Qed.
 
 

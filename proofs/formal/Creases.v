@@ -76,7 +76,7 @@ Proof.
   intro H. generalize (H (1/2) 1 0 (1/2) Z B) PI_RGT_0. rewrite (proj1 (straddling__of_the_difference 0 (1/2) 1 1 0 (1/2) 0 Z) Rlt_0_1 B (or_introl (ex_intro _ 1%Z eq_refl))).
   rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
 Qed.
-Lemma half_turns (m : Z) : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
+Lemma cosine_of_whole (m : Z) : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
 Proof. apply Rsqr_eq. rewrite cos2, sine_of_whole. unfold Rsqr. ring. Qed.
 (* The slope of a half-wave |sin pi k x|, where it has one. *)
 Definition slope_of_wave (k x : R) : R := PI * k * cos (PI * (k * x)) * sign (sin (PI * (k * x))).
@@ -90,7 +90,7 @@ Proof.
   { assert (B : -1 < k * d < 1) by nra. rewrite <- (Rmult_1_l (sign d)), <- (sign_eq_1 k K), <- sign_mult. destruct (Rtotal_order (k * d) 0) as [L|[->|L]]; [rewrite !sign_eq_m1 | rewrite Rmult_0_r, sin_0 | rewrite !sign_eq_1]; first [reflexivity | lra | apply sin_lt_0_var; nra | apply sin_gt_0; nra]. }
   unfold slope_of_wave. replace (PI * (k * (IZR m / k + d))) with (PI * (k * d) + PI * IZR m) by (field; lra).
   rewrite sin_plus, cos_plus, sine_of_whole, !Rmult_0_r, Rplus_0_r, sign_mult, S.
-  destruct (half_turns m) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; ring.
+  destruct (cosine_of_whole m) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; ring.
 Qed.
 Theorem straddling__of_the_slope (u v k_u k_v d : R) (m : Z) :
   (0 < k_u -> 0 < Rabs d < 1 / k_u -> gradient_ridges.h_u (IZR m / k_u + d) v k_u k_v = sign d * PI * k_u * cos (PI * (k_u * d)) * Rabs (sin (PI * (k_v * v)))) /\
