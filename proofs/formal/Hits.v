@@ -33,12 +33,11 @@ Proof.
   rewrite <- M, <- V in I. rewrite T. unfold is_finite. repeat split; try lra. exists t. repeat split; try lra; try exact A; try exact N. rewrite V. field. lra.
 Qed.
 
-Ltac of_a := red; intros; match goal with _ := sqrt (?x ^ 2 + ?y ^ 2), tangent := (?eye - ?radius) * (?eye + ?radius), edge := ?eye * ?radius / _, d := _ * (_ - ?rho) * _, R : _ >= _ * ?eye |- _ =>
-  change (hit_of_a.rho_raw x y >= tiny * eye) in R;
+Ltac of_a x y eye radius rho tangent edge d := match goal with R : _ >= _ * eye |- _ => change (hit_of_a.rho_raw x y >= tiny * eye) in R;
   destruct (lines_of_a x y eye radius ltac:(assumption) ltac:(assumption) ltac:(assumption) R) as (HA & O & T & TP & EP & ES & RP & RS & DV);
   change (hit_of_a.tangent_squared eye radius) with tangent in *; change (hit_of_a.rho x y eye) with rho in *;
   change (hit_of_a.rho_silhouette eye radius) with edge in *; change (hit_of_a.discriminant_a x y eye radius) with d in * end.
-Ltac hit := match goal with root := sqrt (Rmax 0 ?d), t := _ / (_ + _), A : 0 < ?radius < ?eye, O : off_axis ?x ?y ?eye, D : ?d >= 0 |- _ =>
+Ltac hit x y eye radius d root t := match goal with A : 0 < radius < eye, O : off_axis x y eye, D : d >= 0 |- _ =>
   destruct (hit_a x y eye radius A O D) as (M0 & N0 & FT & R0 & RR & t1 & _ & TB & TM & TR & TA & TN);
   change (hit_of_a.root_a x y eye radius) with root in *; change (hit_of_a.discriminant_a x y eye radius) with d in *;
   unfold on_a, distance2 in TA; assert (PR : eye ^ 2 + root > 0) by nra;
@@ -48,34 +47,34 @@ Ltac decided := match goal with |- ?hits = _ => unfold hits; match goal with |- 
 Ltac settled := first [assumption | lra | nra | apply Rgt_not_eq; lra | decided].
 
 Theorem hit_of_a__solves : Statements.hit_of_a__solves.
-Proof. of_a. hit. each settled. Qed.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
 Theorem hit_of_a__near : Statements.hit_of_a__near.
 Proof.
-  of_a. hit.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
   assert (L : t1 <= t) by (apply TN; unfold on_a, distance2; lra). each settled.
 Qed.
 Theorem hit_of_a__misses : Statements.hit_of_a__misses.
 Proof.
-  of_a.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
   assert (G : (eye ^ 2 + rho ^ 2) * (eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 - radius ^ 2) =
     ((eye ^ 2 + rho ^ 2) * t - eye ^ 2) ^ 2 - discriminant_a) by (rewrite DV, RS, T; ring).
   pose proof (pow2_ge_0 ((eye ^ 2 + rho ^ 2) * t - eye ^ 2)). assert (eye ^ 2 + rho ^ 2 > 0) by nra. each settled.
 Qed.
 Theorem silhouette_of_a__quadratic : Statements.silhouette_of_a__quadratic.
-Proof. of_a. each settled. Qed.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
 Theorem silhouette_of_a__inside : Statements.silhouette_of_a__inside.
-Proof. of_a. each settled. Qed.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
 Theorem silhouette_of_a__only_inside : Statements.silhouette_of_a__only_inside.
 Proof.
-  of_a.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
   assert (Q : discriminant_a = tangent_squared * (rho_silhouette ^ 2 - rho ^ 2)) by (unfold discriminant_a; ring).
   assert (rho ^ 2 <= rho_silhouette ^ 2) by nra. each settled.
 Qed.
 Theorem silhouette_of_a__in_front : Statements.silhouette_of_a__in_front.
-Proof. of_a. hit. each settled. Qed.
+Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
 Theorem silhouette_of_a__tangent : Statements.silhouette_of_a__tangent.
 Proof.
-  of_a.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
   assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
   set (s := 1 - radius ^ 2 / eye ^ 2) in *. assert (Q : eye ^ 2 * (1 - s) = radius ^ 2) by (unfold s; field; lra).
   assert (E2 : (x ^ 2 + y ^ 2) * s = radius ^ 2) by (unfold s; field_simplify_eq; lra). assert (R4 : radius ^ 4 / eye ^ 2 = radius ^ 2 * (1 - s)) by (unfold s; field; lra).
@@ -86,14 +85,14 @@ Proof.
 Qed.
 Theorem visible_iff__visible : Statements.visible_iff__visible.
 Proof.
-  of_a. hit.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
   assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (apply Rge_le in H5; apply (Rmult_le_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
   assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
   assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
 Qed.
 Theorem visible_iff__hidden : Statements.visible_iff__hidden.
 Proof.
-  of_a. hit.
+  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
   assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (apply (Rmult_lt_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
   assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
   assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.

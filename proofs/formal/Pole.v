@@ -1,8 +1,8 @@
 (* The gradient at the pole: along each meridian it has a limit, and not the same one. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Claim.
+From Formal Require Import Preliminaries Formulas Vectors Camera Fields Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -126,18 +126,13 @@ Qed.
 Lemma ratio_of_sines (k : R) : is_lim (fun v => sin (PI * (k * v)) / sin (PI * v)) 0 k.
 Proof.
   generalize PI_RGT_0. intro P.
-  assert (D : forall c, is_derive (fun v => sin (PI * (c * v))) 0 (PI * c)) by (intro c; auto_derive; trivial; rewrite !Rmult_0_r, cos_0; ring).
   assert (Q : forall c, is_lim (fun v => sin (PI * (c * v)) / v) 0 (PI * c)).
-  { intro c. generalize (D c). intro Dc. apply is_derive_Reals in Dc. intros S [eps HS]. destruct (Dc eps (cond_pos eps)) as [delta H].
-    exists delta. intros v B normal_at. apply HS. unfold ball. simpl. unfold AbsRing_ball, abs, minus, plus, opp. simpl.
-    change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B.
-    generalize (H v normal_at B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
+  { intro c. assert (D : is_derive (fun v => sin (PI * (c * v))) 0 (PI * c)) by (auto_derive; trivial; rewrite !Rmult_0_r, cos_0; ring).
+    apply is_derive_Reals in D. apply is_lim_spec. intro eps. destruct (D eps (cond_pos eps)) as [delta H]. exists delta. intros v B N.
+    change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B. generalize (H v N B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
   apply (is_lim_ext_loc (fun v => (sin (PI * (k * v)) / v) / (sin (PI * (1 * v)) / v))).
-  - exists (mkposreal 1 Rlt_0_1). intros v B normal_at. change (Rabs (v - 0) < 1) in B.
-    rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
-    { destruct (Rdichotomy v 0 normal_at) as [L|L].
-      - assert (0 < sin (PI * - v)) by (apply sin_gt_0; nra). rewrite Ropp_mult_distr_r_reverse, sin_neg in *. lra.
-      - assert (0 < sin (PI * v)) by (apply sin_gt_0; nra). lra. }
+  - exists (mkposreal 1 Rlt_0_1). intros v B N. change (Rabs (v - 0) < 1) in B. rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
+    { intro Z. apply sine_zero in Z. destruct Z as [m ->]. assert (-1 < m < 1)%Z by (split; apply lt_IZR; lra). apply N. replace m with 0%Z by lia. reflexivity. }
     rewrite Rmult_1_l. field. split; assumption.
   - replace (Finite k) with (Rbar_div (PI * k) (PI * 1)) by (simpl; f_equal; field; lra).
     apply is_lim_div; [apply Q | apply Q | intro E; injection E; lra | simpl; trivial].

@@ -186,17 +186,17 @@ Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
 Lemma product_of_units (n w : vector) : magnitude n = 1 -> magnitude w = 1 -> -1 <= dot n w <= 1.
-Proof. intros normal_at W. destruct (cauchy_schwarz n w) as [A B]. rewrite normal_at, W in *. lra. Qed.
+Proof. intros N W. destruct (cauchy_schwarz n w) as [A B]. rewrite N, W in *. lra. Qed.
 Lemma blinn_base_in_unit (P L v n : vector) : magnitude n = 1 -> 0 <= blinn_base P L v n <= 1.
 Proof.
-  intro normal_at. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ normal_at (direction_is_unit _ H)).
+  intro N. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ N (direction_is_unit _ H)).
   unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 Lemma phong_base_in_unit (P L v n : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
 Proof.
-  intros H normal_at V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
+  intros H N V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
   assert (R : magnitude (reflected (omega P L) n) = 1).
-  { apply length_of_unit. unfold reflected. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, normal_at, W. ring. }
+  { apply length_of_unit. unfold reflected. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, N, W. ring. }
   generalize (product_of_units _ v R V). rewrite reflected_product. unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
