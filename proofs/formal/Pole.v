@@ -110,8 +110,7 @@ Proof.
   assert (N : PI * k_v * sin (PI * (k_u * u)) <> 0).
   { apply Rmult_integral_contrapositive_currified; [apply Rmult_integral_contrapositive_currified |]; [lra | intro Z; apply K; rewrite Z; ring | exact S]. }
   set (n := PI * k_v * sin (PI * (k_u * u))) in *. set (c := cos (2 * PI * u - PI)) in *. set (d := sin (2 * PI * u - PI)) in *.
-  apply N. transitivity (n * c * c + n * d * d); [|rewrite <- X', <- Y', X, Y; ring].
-  transitivity (n * (d * d + c * c)); [|ring]. replace (d * d + c * c) with 1 by (symmetry; exact (sin2_cos2 (2 * PI * u - PI))). ring.
+  apply N. replace n with (n * c * c + n * d * d) by (unfold c, d; ring [(sin_squared (2 * PI * u - PI))]). rewrite <- X', <- Y', X, Y. ring.
 Qed.
 Theorem pole__two_limits__point : exists k_u k_v : R, k_u * k_v <> 0.
 Proof. exists 1, 1. lra. Qed.
