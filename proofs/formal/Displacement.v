@@ -132,17 +132,16 @@ Theorem bump_is_not_displacement__cosine (theta phi h_u h_v beta h : R) : 0 < si
   0 < magnitude bumped * magnitude outward /\ 0 < m_length * d_length /\
   dot bumped outward / (magnitude bumped * magnitude outward) = (1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)) / (m_length * d_length).
 Proof.
-  cbv zeta. intros S L. generalize PI_RGT_0. intro. assert (C : forall a, cos a ^ 2 + sin a ^ 2 = 1) by (intro; rewrite sin_squared; ring).
-  destruct (bump_is_not_displacement__angle beta (cos phi) (cos theta) h h_u h_v (sin phi) (sin theta) (C _) (C _) S) as (_ & _ & A & _ & D).
-  assert (D' : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u / (2 * PI * sin phi)) ^ 2) + (beta * h + 1) ^ 2).
-  { etransitivity; [|exact D]. unfold_displaced. unfold dot. ring. }
+  cbv zeta. intros S L. generalize PI_RGT_0. intro.
+  replace (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2) with ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2) by (field; lra).
+  assert (D : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = (1 + beta * h) ^ 2 + beta ^ 2 * ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2))
+    by (unfold_displaced; unfold dot; field [(sin_squared theta) (sin_squared phi)]; lra).
   assert (P : 0 < magnitude (displaced theta phi h_u h_v beta h)).
-  { apply sqrt_lt_R0. rewrite D'. apply Rplus_le_lt_0_compat; [apply Rmult_le_pos; [|apply Rplus_le_le_0_compat]; apply pow2_ge_0 | apply pow_lt; lra]. }
-  replace (beta ^ 2 * _ + _) with ((1 + beta * h) ^ 2 + beta ^ 2 * (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2)) in D' by (field; lra).
-  assert (MD : dot (M theta phi h_u h_v beta) (displaced theta phi h_u h_v beta h) = 1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)).
-  { etransitivity; [|etransitivity; [exact A|]]; [unfold_displaced; unfold_vectors; ring | ring]. }
+  { apply sqrt_lt_R0. rewrite D. apply Rplus_lt_le_0_compat; [apply pow_lt, L | apply Rmult_le_pos; [|apply Rplus_le_le_0_compat]; apply pow2_ge_0]. }
+  assert (MD : dot (M theta phi h_u h_v beta) (displaced theta phi h_u h_v beta h) = 1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI))
+    by (unfold_displaced; unfold_vectors; field [(sin_squared theta) (sin_squared phi)]; lra).
   generalize P (m_length_at_least_1 theta phi h_u h_v beta). destruct (unit_length_length theta phi h_u h_v beta) as (_ & _ & ->). rewrite bumped_is_scaled, dot_scaled, MD.
-  unfold magnitude. rewrite m_squared, D'. intros. split; [lra|]. split; [apply Rmult_lt_0_compat; lra | field; lra].
+  unfold magnitude. rewrite m_squared, D. intros. split; [lra|]. split; [apply Rmult_lt_0_compat; lra | field; lra].
 Qed.
 Theorem bump_is_not_displacement__cosine__point : exists phi beta h, 0 < sin phi /\ 0 < 1 + beta * h.
 Proof. exists (PI / 2), 0, 0. rewrite sin_PI2. lra. Qed.
