@@ -157,7 +157,7 @@ Proof.
     change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
     destruct Rlt_dec; [split; field; lra | lra]. }
   pose proof T as U. rewrite (t_a_value x y e r H O D) in U. apply Rbar_finite_eq in U.
-  pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)). 
+  pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)).
   assert (K : 0 < e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) by nra.
   assert (SP : angles_on_a.sin_phi x y e r = t * rho / r /\ angles_on_a.cos_phi x y e r = e * (1 - t) / r).
   { unfold angles_on_a.sin_phi, angles_on_a.cos_phi, angles_on_a.hit_scale.

@@ -86,6 +86,46 @@ Proof.
 Qed.
 
 
+(* The mean square of the error is there: it is continuous between creases. *)
+Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, 0 <= x <= 1 -> continuity_pt C x) -> (forall x, 0 < x < 1 -> f x = C x - slope_of_wave (INR k) x) -> ex_RInt (fun x => f x ^ 2) 0 1.
+Proof.
+  intros K Cc F. assert (P : 0 < INR k) by (apply lt_0_INR, K). assert (I : forall j, (j <= k)%nat -> ex_RInt (fun x => f x ^ 2) 0 (INR j / INR k)).
+  { induction j as [|j IH]; intro J; [simpl; unfold Rdiv; rewrite Rmult_0_l; apply ex_RInt_point|]. apply ex_RInt_Chasles with (INR j / INR k); [apply IH; lia|].
+    assert (B : 0 <= INR j /\ INR j + 1 <= INR k) by (split; [apply pos_INR | rewrite <- S_INR; apply le_INR, J]). rewrite S_INR.
+    assert (A1 : INR k * (INR j / INR k) = INR j) by (field; lra). assert (A2 : (INR j + 1) / INR k = INR j / INR k + 1 / INR k) by (field; lra). assert (A3 : 0 < 1 / INR k /\ INR k * (1 / INR k) = 1) by (split; [apply Rdiv_lt_0_compat | field]; lra).
+    rewrite A2. set (a := INR j / INR k) in *. set (b := 1 / INR k) in *. assert (A : 0 <= a /\ a + b <= 1) by (split; nra).
+    apply (ex_RInt_ext (fun x => (C x - PI * INR k * cos (PI * (INR k * (x - a)))) ^ 2)).
+    - rewrite Rmin_left, Rmax_right by lra. intros x X. rewrite F by lra. replace x with (IZR (Z.of_nat j) / INR k + (x - a)) at 4 by (rewrite <- INR_IZR_INZ; unfold a; ring).
+      rewrite slope_beside, sign_eq_1 by (first [exact P | apply Rabs_def1; unfold b in *; lra | lra]). f_equal. ring.
+    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra. intros x X. apply continuity_pt_filterlim. assert (continuity_pt C x) by (apply Cc; lra). reg. }
+  specialize (I k (le_n k)). replace (INR k / INR k) with 1 in I by (field; lra). exact I.
+Qed.
+
+(* Of two functions that are at most b apart, the roots of half the mean squares are. *)
+Lemma mean_at_most (f g : R -> R) (F G b : R) : is_RInt (fun x => f x ^ 2) 0 1 F -> is_RInt (fun x => g x ^ 2) 0 1 G -> (forall x, 0 < x < 1 -> Rabs (f x - g x) <= b) -> 0 < b -> sqrt (F / 2) <= sqrt (G / 2) + b.
+Proof.
+  intros IF IG D B. assert (G0 : 0 <= G) by exact (is_RInt_ge_0 _ 0 1 G Rle_0_1 IG (fun x _ => pow2_ge_0 (g x))). generalize (sqrt_pos (G / 2)) (pow2_sqrt (G / 2) ltac:(lra)). set (s := sqrt (G / 2)). intros S Q.
+  set (p := s + b). set (i := / p). assert (P : i * p = 1) by (apply Rinv_l; unfold p; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; unfold p; lra).
+  assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2)))).
+  unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 p) by (unfold p; lra). apply sqrt_le_1_alt. lapply J.
+  - replace G with (2 * s ^ 2) by lra. assert (0 <= b * s) by nra. assert (i * s <= 1) by (unfold p in P; nra). assert (b * i * (2 * s ^ 2) <= 2 * b * s) by nra. unfold p. lra.
+  - intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. change (f x ^ 2 <= (1 + b * i) * g x ^ 2 + (b * p + b ^ 2)). rewrite <- (pow2_abs (f x)), <- (pow2_abs (g x)).
+    replace (_ + _) with ((Rabs (g x) + b) ^ 2 + b * i * (Rabs (g x) - p) ^ 2) by ring [P]. rewrite <- (Rplus_0_r (Rabs (f x) ^ 2)).
+    apply Rplus_le_compat; [apply pow_incr; split; [apply Rabs_pos | unfold Rabs; repeat destruct Rcase_abs; lra] | apply Rmult_le_pos; [nra | apply pow2_ge_0]].
+Qed.
+
+
+(* The printed errors are those along u and along v, times the size of the other factor. *)
+Lemma factor_of_u (u v k_u k_v epsilon : R) : (exists n, k_u = IZR n) -> central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v = error_along_u k_u epsilon u * Rabs (sin (PI * (k_v * v))).
+Proof.
+  intro K. rewrite (proj1 (slope_factors _ _ _ _)). unfold error_along_u; central_ridges.lines. rewrite !Rabs_mult, !wrapped, (Rplus_comm epsilon) by (left; exact K). unfold Rdiv. rewrite Rinv_mult. lra.
+Qed.
+Lemma factor_of_v (u v k_u k_v epsilon : R) : central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v = error_along_v k_v epsilon v * Rabs (sin (PI * (k_u * u))).
+Proof.
+  destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (_ & -> & _). rewrite (proj2 (slope_factors _ _ _ _)). unfold error_along_v, clamped, height_ridges.h. rewrite !Rabs_mult. unfold Rdiv. ring.
+Qed.
+
+
 (* Areas: of a squared tent on either side of its crease, eps/3, *)
 Lemma integral_is (f : R -> R) (a b l l' : R) : is_RInt f a b l -> l = l' -> is_RInt f a b l'.
 Proof. intros H <-. exact H. Qed.
@@ -102,47 +142,6 @@ Proof.
   - intros x X. unfold tent. unfold Rmin, Rmax in X. destruct S as [-> | ->]; cases; lra.
   - unfold minus, plus, opp. simpl. destruct S as [-> | ->]; field; lra.
 Qed.
-
-(* The mean square of the error is there: it is continuous between creases. *)
-Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, 0 <= x <= 1 -> continuity_pt C x) -> (forall x, 0 < x < 1 -> f x = C x - slope_of_wave (INR k) x) -> ex_RInt (fun x => f x ^ 2) 0 1.
-Proof.
-  intros K Cc F. assert (P : 0 < INR k) by (apply lt_0_INR, K). assert (I : forall j, (j <= k)%nat -> ex_RInt (fun x => f x ^ 2) 0 (INR j / INR k)).
-  { induction j as [|j IH]; intro J; [simpl; unfold Rdiv; rewrite Rmult_0_l; apply ex_RInt_point|]. apply ex_RInt_Chasles with (INR j / INR k); [apply IH; lia|].
-    assert (B : 0 <= INR j /\ INR j + 1 <= INR k) by (split; [apply pos_INR | rewrite <- S_INR; apply le_INR, J]). rewrite S_INR.
-    assert (A1 : INR k * (INR j / INR k) = INR j) by (field; lra). assert (A2 : (INR j + 1) / INR k = INR j / INR k + 1 / INR k) by (field; lra). assert (A3 : 0 < 1 / INR k /\ INR k * (1 / INR k) = 1) by (split; [apply Rdiv_lt_0_compat | field]; lra).
-    rewrite A2. set (a := INR j / INR k) in *. set (b := 1 / INR k) in *. assert (A : 0 <= a /\ a + b <= 1) by (split; nra).
-    apply (ex_RInt_ext (fun x => (C x - PI * INR k * cos (PI * (INR k * (x - a)))) ^ 2)).
-    - rewrite Rmin_left, Rmax_right by lra. intros x X. rewrite F by lra. replace x with (IZR (Z.of_nat j) / INR k + (x - a)) at 4 by (rewrite <- INR_IZR_INZ; unfold a; ring).
-      rewrite slope_beside, sign_eq_1 by (first [exact P | apply Rabs_def1; unfold b in *; lra | lra]). f_equal. ring.
-    - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra. intros x X. apply continuity_pt_filterlim. assert (continuity_pt C x) by (apply Cc; lra). reg. }
-  specialize (I k (le_n k)). replace (INR k / INR k) with 1 in I by (field; lra). exact I.
-Qed.
-
-(* Two functions that are at most b apart have root mean squares at most b apart, halved too. *)
-Lemma mean_at_most (f g : R -> R) (F G b : R) : is_RInt (fun x => f x ^ 2) 0 1 F -> is_RInt (fun x => g x ^ 2) 0 1 G -> (forall x, 0 < x < 1 -> Rabs (f x - g x) <= b) -> 0 < b -> sqrt (F / 2) <= sqrt (G / 2) + b.
-Proof.
-  intros IF IG D B. assert (G0 : 0 <= G) by exact (is_RInt_ge_0 _ 0 1 G Rle_0_1 IG (fun x _ => pow2_ge_0 (g x))). generalize (sqrt_pos (G / 2)) (pow2_sqrt (G / 2) ltac:(lra)). set (s := sqrt (G / 2)). intros S Q.
-  set (p := s + b). set (i := / p). assert (P : i * p = 1) by (apply Rinv_l; unfold p; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; unfold p; lra).
-  assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2)))).
-  unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 p) by (unfold p; lra). apply sqrt_le_1_alt. lapply J.
-  - replace G with (2 * s ^ 2) by lra. assert (0 <= b * s) by nra. assert (i * s <= 1) by (unfold p in P; nra). assert (b * i * (2 * s ^ 2) <= 2 * b * s) by nra. unfold p. lra.
-  - intros x X. generalize (D x X). intro Y. apply Rabs_le_between in Y. change (f x ^ 2 <= (1 + b * i) * g x ^ 2 + (b * p + b ^ 2)). rewrite <- (pow2_abs (f x)), <- (pow2_abs (g x)).
-    replace (_ + _) with ((Rabs (g x) + b) ^ 2 + b * i * (Rabs (g x) - p) ^ 2) by ring [P]. rewrite <- (Rplus_0_r (Rabs (f x) ^ 2)).
-    apply Rplus_le_compat; [apply pow_incr; split; [apply Rabs_pos | unfold Rabs; repeat destruct Rcase_abs; lra] | apply Rmult_le_pos; [nra | apply pow2_ge_0]].
-Qed.
-
-
-(* Where the other factor is w, the printed errors are those along u and v, times |sin pi k w|. *)
-Lemma factor_of_u (u v k_u k_v epsilon : R) : (exists n, k_u = IZR n) -> central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v = error_along_u k_u epsilon u * Rabs (sin (PI * (k_v * v))).
-Proof.
-  intro K. rewrite (proj1 (slope_factors _ _ _ _)). unfold error_along_u; central_ridges.lines. rewrite !Rabs_mult, !wrapped, (Rplus_comm epsilon) by (left; exact K). unfold Rdiv. rewrite Rinv_mult. lra.
-Qed.
-Lemma factor_of_v (u v k_u k_v epsilon : R) : central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v = error_along_v k_v epsilon v * Rabs (sin (PI * (k_u * u))).
-Proof.
-  destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (_ & -> & _). rewrite (proj2 (slope_factors _ _ _ _)). unfold error_along_v, clamped, height_ridges.h. rewrite !Rabs_mult. unfold Rdiv. ring.
-Qed.
-
-
 (* and of those over the chart: one hump each, without overlap, around the creases between whose middles it lies. *)
 Definition tents (k epsilon x : R) : R := tent k epsilon (x - nearest k x).
 Section areas.
@@ -260,6 +259,7 @@ Proof.
     + intros x _. apply (ex_derive_continuous (fun v => sin (PI * (INR k * v)) ^ 2)). auto_derive. trivial.
   - rewrite !Rmult_0_r, sin_0. replace (2 * (PI * (INR k * 1))) with (0 + 2 * INR k * PI) by ring. rewrite sin_period, sin_0. unfold minus, plus, opp. simpl. field. split; lra.
 Qed.
+(* Of an error along x, beside tents, times a half-wave in y, whose mean square is 1/2. *)
 Lemma root_mean_square (k k' : nat) (n epsilon : R) (along tent : R -> R) (error : R -> R -> R) : (0 < k)%nat -> (0 < k')%nat -> 0 < epsilon -> 0 <= n ->
   ex_RInt (fun x => along x ^ 2) 0 1 -> is_RInt (fun x => tent x ^ 2) 0 1 (n * (2 * ((PI * INR k) ^ 2 * (epsilon / 3)))) -> (forall x, 0 < x < 1 -> Rabs (along x - tent x) <= room (INR k) epsilon) ->
   (forall x y, error x y = along x * Rabs (sin (PI * (INR k' * y)))) -> exists (means : R -> R) (mean : R),
