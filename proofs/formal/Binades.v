@@ -58,11 +58,11 @@ Proof.
     + assert (U' : u = bpow radix2 k) by (rewrite U; change (IZR (2 ^ 52)) with (bpow radix2 52); unfold s; rewrite <- bpow_plus; f_equal; ring). specialize (A U').
       assert (K' : (-1020 <= k)%Z) by (generalize (float64_step e (k - 54) E P A); lia).
       assert (Q : bpow radix2 (k - 54) = s / 4) by (unfold s; replace (k - 52)%Z with (k - 54 + 2)%Z by ring; rewrite (bpow_plus _ _ 2); change (bpow radix2 2) with 4; field).
-      replace (u - e) with ((IZR (2 ^ 53) - 2 * t) * bpow radix2 (k - 1 - 52)).
-      * rewrite rounded_in_binade; [|lia|split; [simpl; lra | lra]]. assert (T4 : 2 * t <= / 2) by nra. destruct T4 as [T4|T4].
-        -- unfold Rminus. rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). rewrite U'. change (IZR (2 ^ 53)) with (bpow radix2 53). rewrite <- bpow_plus. f_equal. ring.
-        -- replace (IZR (2 ^ 53) - 2 * t) with (IZR (2 ^ 53 - 1) + / 2) by (rewrite T4, minus_IZR; lra). rewrite nearest_tie, U'. match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end. rewrite <- bpow_plus. f_equal. ring.
-      * rewrite U, T. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. change (IZR (2 ^ 53)) with (IZR (2 * 2 ^ 52)). rewrite mult_IZR. field.
+      assert (Tie : rounded (u - s / 4) = u).
+      { replace (u - s / 4) with ((IZR (2 ^ 53 - 1) + / 2) * bpow radix2 (k - 1 - 52)).
+        - rewrite rounded_in_binade, nearest_tie, U' by (lia || simpl; lra). match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end. rewrite <- bpow_plus. f_equal. ring.
+        - rewrite U. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. simpl. lra. }
+      apply Rle_antisym; [rewrite <- (kept u F) at 2 | rewrite <- Tie at 1]; apply round_le; try typeclasses eauto; lra.
     + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply IZR_le; lia).
       unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.
 Qed.

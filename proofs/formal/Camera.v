@@ -62,20 +62,22 @@ Proof.
   unfold hit_of_a.tangent_squared. nra.
 Qed.
 
-(* A quadratic a s^2 - 2 b s + c with b, c > 0, and its near root c / (b + sqrt d). *)
+(* A quadratic a s^2 - 2 b s + c with b > 0, and its root c / (b + sqrt d): the near one where a, c > 0. *)
+Lemma root_by_conjugate a b c d : 0 < b -> d = b ^ 2 - a * c -> 0 <= d -> let q := sqrt d in let t := c / (b + q) in
+  0 <= q /\ q ^ 2 = d /\ t * (b + q) = c /\ a * t = b - q /\ a * t ^ 2 - 2 * b * t + c = 0.
+Proof.
+  intros B E D q t. pose proof (sqrt_pos d) as P. pose proof (pow2_sqrt d D) as Q. fold q in P, Q.
+  assert (T : t * (b + q) = c) by (unfold t; field; lra).
+  assert (A : a * t = b - q) by (apply (Rmult_eq_reg_r (b + q)); [rewrite Rmult_assoc, T; lra | lra]).
+  repeat split; trivial. rewrite <- T. transitivity (t * (a * t + q - b)); [ring | rewrite A; ring].
+Qed.
 Lemma near_root a b c d : 0 < a -> 0 < b -> 0 < c -> d = b ^ 2 - a * c -> 0 <= d ->
   let t := c / (b + sqrt d) in
   0 < t /\ a * t = b - sqrt d /\ a * t ^ 2 - 2 * b * t + c = 0 /\
   forall s, a * s ^ 2 - 2 * b * s + c = 0 -> t <= s.
 Proof.
-  intros Ha Hb Hc E Hd t. pose proof (sqrt_pos d). pose proof (sqrt_sqrt d Hd). set (q := sqrt d) in *.
-  assert (T : t * (b + q) = c) by (unfold t; field; lra).
-  assert (P : 0 < t) by nra.
-  assert (A : a * t = b - q) by nra.
-  repeat split; try assumption.
-  - nra.
-  - intros s S.
-    apply (Rmult_le_reg_l a); [exact Ha |]. nra.
+  intros Ha B C E D t. destruct (root_by_conjugate a b c d B E D) as (P & Q & T & A & S). fold t in T, A, S. set (q := sqrt d) in *.
+  repeat split; trivial; [nra |]. intros s Z. apply (Rmult_le_reg_l a); [exact Ha | nra].
 Qed.
 
 (* P(t) lies on A exactly if t is a root of A's quadratic. *)
@@ -155,7 +157,7 @@ Proof.
     change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
     destruct Rlt_dec; [split; field; lra | lra]. }
   pose proof T as U. rewrite (t_a_value x y e r H O D) in U. apply Rbar_finite_eq in U.
-  pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)). 
+  pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)).
   assert (K : 0 < e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) by nra.
   assert (SP : angles_on_a.sin_phi x y e r = t * rho / r /\ angles_on_a.cos_phi x y e r = e * (1 - t) / r).
   { unfold angles_on_a.sin_phi, angles_on_a.cos_phi, angles_on_a.hit_scale.
@@ -214,16 +216,13 @@ Qed.
 Lemma creased k a c : k <> 0 -> c <> 0 ->
   (exists m : Z, k * a = IZR m) <-> ~ ex_derive (fun a => Rabs (sin (PI * (k * a)) * c)) a.
 Proof.
-  rewrite <- sine_zero. split.
-  - intros S. apply (corner (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
-    + auto_derive; [exact I | ring].
+  rewrite <- sine_zero. assert (D : is_derive (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)) by (auto_derive; [exact I | ring]). split.
+  - intros S. apply (corner _ _ _ D).
     + rewrite S. apply Rmult_0_l.
     + assert (cos (PI * (k * a)) <> 0) by (pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
       pose proof PI_RGT_0. do 3 (apply Rmult_integral_contrapositive_currified; [| assumption]). lra.
   - intros N. destruct (Req_dec (sin (PI * (k * a))) 0) as [S | S]; [exact S | destruct N].
-    eexists. apply (is_derive_Rabs (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)).
-    + auto_derive; [exact I | ring].
-    + apply Rmult_integral_contrapositive_currified; assumption.
+    eexists. apply (is_derive_Rabs _ _ _ D). apply Rmult_integral_contrapositive_currified; assumption.
 Qed.
 
 (* Ridges is creased in u exactly on the rays k_u u = m with m whole, off the circles where it is 0 all along. *)
@@ -321,40 +320,6 @@ Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
 
-(* What the printed lines divide by is not 0, and what they take roots of is not negative: in Coq x / 0 and
-   sqrt (- 1) are numbers too, so this has to be said. *)
-
-Lemma nearest_cases (floor : R) (ta tb : Rbar) :
-  let tf := nearest.t_floor floor in let s := nearest.surface floor ta tb in
-  let a := Rbar_lt ta p_infty /\ Rbar_le ta tb /\ Rbar_le ta tf in
-  let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
-  (s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c).
-Proof.
-  intros tf s a b c.
-  assert (H : (a /\ s = 1) \/ (~ a /\ b /\ s = 2) \/ (~ a /\ ~ b /\ c /\ s = 3) \/ (~ a /\ ~ b /\ ~ c /\ s = 0)).
-  { unfold s, nearest.surface. fold tf. destruct both as [[[A B] C] | N].
-    - left. split; [exact (conj A (conj B C)) | reflexivity].
-    - right. assert (N1 : ~ a) by (intros (A & B & C); destruct N as [[N | N] | N]; auto).
-      destruct both as [[A B] | M].
-      + left. split; [exact N1 | split; [exact (conj A B) | reflexivity]].
-      + right. assert (M1 : ~ b) by (intros (A & B); destruct M as [M | M]; auto).
-        destruct Rbar_lt_dec as [L | L]; [left | right]; repeat (split; [assumption |]); reflexivity. }
-  clearbody s a b c. destruct H as [(A & ->) | [(A & B & ->) | [(A & B & C & ->) | (A & B & C & ->)]]].
-  all: repeat split; try tauto; intros; try lra.
-  all: tauto.
-Qed.
-
-Lemma ta_is x y e r : visible_surface.t_a x y e r = hit_of_a.t_a x y e r.
-Proof. reflexivity. Qed.
-
-Lemma tb_is x y e bx by_ bz br on :
-  visible_surface.t_b x y e bx by_ bz br on = hit_of_b.t_b x y e bx by_ bz br on.
-Proof. reflexivity. Qed.
-
-Lemma surface_is x y e r bx by_ bz br on floor : visible_surface.surface x y e r bx by_ bz br on floor =
-  nearest.surface floor (hit_of_a.t_a x y e r) (hit_of_b.t_b x y e bx by_ bz br on).
-Proof. rewrite <- ta_is, <- tb_is. unfold visible_surface.surface, nearest.surface. reflexivity. Qed.
-
 (* The surface shown is that of the nearest hit: A's (1) before B's (2) before the floor's (3), which is at t = 1; 0 is
    the background. *)
 Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
@@ -366,8 +331,10 @@ Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
   ((s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c)) /\
   (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
 Proof.
-  cbv zeta. rewrite surface_is. split; [apply nearest_cases |].
-  unfold nearest.t_floor. destruct Rlt_dec; split; intros; (reflexivity || lra).
+  intros ta tb tf s a b c. unfold s, visible_surface.surface. change (visible_surface.t_floor floor) with tf.
+  change (visible_surface.t_a x y e r) with ta. change (visible_surface.t_b x y e bx by_ bz br on) with tb.
+  split; [| unfold tf, nearest.t_floor; destruct Rlt_dec; split; intros; (reflexivity || lra)].
+  destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
 Qed.
 
 (* Not the floor whenever there is one. *)
@@ -382,19 +349,19 @@ Proof.
   rewrite A, B, (T ltac:(lra)) in S. enough (1 = 3) by lra. rewrite <- F. symmetry. apply S. simpl. repeat split; lra.
 Qed.
 
-Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 ->
-  (Z.Even n -> 0 < sin (PI * x)) /\ (Z.Odd n -> sin (PI * x) < 0).
+Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 -> exists s, 0 < s /\ sin (PI * x) = s * cos (PI * IZR n).
 Proof.
-  intros H. pose proof PI_RGT_0. assert (S : 0 < sin (PI * (x - IZR n))) by (apply sin_gt_0; nra).
-  assert (E : sin (PI * x) = sin (PI * (x - IZR n)) * cos (PI * IZR n)).
-  { replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring. rewrite sin_plus.
-    rewrite (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring. }
-  assert (C : forall k, cos (PI * IZR (2 * k)) = 1).
-  { intros k. rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
+  intros H. pose proof PI_RGT_0. exists (sin (PI * (x - IZR n))). split; [apply sin_gt_0; nra |].
+  replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring.
+  rewrite sin_plus, (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring.
+Qed.
+
+Lemma whole_turns (k : Z) : cos (PI * IZR (2 * k)) = 1 /\ cos (PI * IZR (2 * k + 1)) = -1.
+Proof.
+  assert (C : cos (PI * IZR (2 * k)) = 1).
+  { rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
     rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring. }
-  split; intros [k ->]; rewrite E; [rewrite C; lra |].
-  replace (cos (PI * IZR (2 * k + 1))) with (-1); [lra |].
-  rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
+  split; [exact C |]. rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
 Qed.
 
 Lemma floor_between (x : R) : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
@@ -413,28 +380,17 @@ Qed.
 Theorem bump_moves_no_boundary__checker (x y : R) : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
 Proof.
   assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
-  checker.lines. rewrite <- plus_IZR.
-  destruct both as [[[X Y] S] | [[X | Y] | S]].
-  - split; [intros _ | reflexivity]. apply half_floor in S. apply floor_between in X, Y.
-    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
-    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
-    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
-    + specialize (XE P). specialize (YO Q). nra.
-    + specialize (XO P). specialize (YE Q). nra.
-    + exfalso. destruct P as [a A], Q as [b B], S as [c C]. lia.
-  - rewrite (Z x X). lra.
-  - rewrite (Z y Y). lra.
-  - split; [lra | intros H; exfalso].
-    assert (X : x <> IZR (Int_part x)) by (intros E; rewrite (Z x E) in H; lra).
-    assert (Y : y <> IZR (Int_part y)) by (intros E; rewrite (Z y E) in H; lra).
-    apply floor_between in X, Y.
-    destruct (sine_between _ _ X) as [XE XO], (sine_between _ _ Y) as [YE YO].
-    assert (O : ~ Z.Odd (Int_part x + Int_part y)) by (intros O; apply half_floor in O; contradiction).
-    destruct (Z.Even_or_Odd (Int_part x)) as [P | P]; destruct (Z.Even_or_Odd (Int_part y)) as [Q | Q].
-    + specialize (XE P). specialize (YE Q). nra.
-    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
-    + apply O. destruct P as [a A], Q as [b B]. exists (a + b)%Z. lia.
-    + specialize (XO P). specialize (YO Q). nra.
+  destruct (Req_dec x (IZR (Int_part x))) as [X | X];
+    [rewrite (Z x X); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
+  destruct (Req_dec y (IZR (Int_part y))) as [Y | Y];
+    [rewrite (Z y Y); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
+  assert (D : checker.dark x y = 1 <-> Z.Odd (Int_part x + Int_part y)).
+  { rewrite <- half_floor, plus_IZR. checker.lines. destruct both as [[_ S] | [[] | S]]; split; intros; lra || contradiction || reflexivity. }
+  rewrite D. destruct (sine_between x _ (floor_between x X)) as (s & S & ->), (sine_between y _ (floor_between y Y)) as (t & T & ->).
+  pose proof (Rmult_lt_0_compat _ _ S T).
+  replace (_ * _) with (s * t * cos (PI * IZR (Int_part x + Int_part y))).
+  - destruct (Z.Even_or_Odd (Int_part x + Int_part y)) as [[k E] | [k E]]; rewrite E, ?(proj1 (whole_turns k)), ?(proj2 (whole_turns k)); split; intros O; try lra; [destruct O; lia | exists k; reflexivity].
+  - rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, (proj2 (sine_zero (IZR (Int_part x)))) by eauto. ring.
 Qed.
 
 (* Not where it is > 0. *)

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Fields Claim.
+From Formal Require Import Preliminaries Formulas Fields Claim Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -29,48 +29,22 @@ Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__
 Proof. claim. Qed.
 
 
-(* A function that is 0 at 0, and whose derivative is at most S t^n in size, is at most S t^(n+1)/(n+1). *)
-Lemma nonnegative_growth (f f1 : R -> R) (t : R) : 0 <= t -> (forall s, is_derive f s (f1 s)) -> 0 <= f 0 ->
-  (forall s, 0 <= s <= t -> 0 <= f1 s) -> 0 <= f t.
+(* The mean value theorem, for b on either side of a. *)
+Lemma mean_value (f f1 : R -> R) (a b : R) : (forall w, is_derive f w (f1 w)) -> exists c, Rmin a b <= c <= Rmax a b /\ f b - f a = f1 c * (b - a).
 Proof.
-  intros T D Z P. destruct (MVT_gen f 0 t f1) as (c & C & Ec).
-  - intros. apply D.
-  - intros x _. apply continuity_pt_filterlim. apply (ex_derive_continuous f). exists (f1 x). apply D.
-  - rewrite Rmin_left, Rmax_right in C by lra. assert (0 <= f1 c * (t - 0)) by (apply Rmult_le_pos; [apply P; lra | lra]). lra.
+  intro D. apply MVT_gen; intros x _; [apply D|]. apply continuity_pt_filterlim, (ex_derive_continuous f). exists (f1 x). apply D.
 Qed.
-
-Lemma growth (n : nat) (f f1 : R -> R) (S t : R) : 0 <= t -> (forall s, is_derive f s (f1 s)) -> f 0 = 0 ->
-  (forall s, 0 <= s <= t -> Rabs (f1 s) <= S * s ^ n) -> Rabs (f t) <= S * (t ^ (n + 1) / INR (n + 1)).
+(* The derivative of an expression in a function whose derivative is at hand. *)
+Ltac derives D := auto_derive; [repeat split; eexists; apply D | rewrite ?(is_derive_unique _ _ _ (D _)); field].
+Lemma times_its_sign (w : R) : w * sign w = Rabs w.
+Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring. Qed.
+Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v) / 2) w (Rabs (w - v)).
 Proof.
-  intros T D Z B. assert (N : 0 < INR (n + 1)) by (apply lt_0_INR; lia).
-  assert (D' : forall c s, is_derive (fun s => S * (s ^ (n + 1) / INR (n + 1)) + c * f s) s (S * s ^ n + c * f1 s)).
-  { intros c s. generalize (D s). intro Ds. auto_derive; [exists (f1 s); exact Ds|].
-    replace (Derive (fun x => f x) s) with (f1 s) by (symmetry; apply is_derive_unique; exact Ds).
-    replace (pred (n + 1)) with n by lia. field. lra. }
-  assert (A : forall c, Rabs c = 1 -> 0 <= S * (t ^ (n + 1) / INR (n + 1)) + c * f t).
-  { intros c C. apply (nonnegative_growth (fun s => S * (s ^ (n + 1) / INR (n + 1)) + c * f s) (fun s => S * s ^ n + c * f1 s)); trivial.
-    - rewrite Z, pow_i by lia. unfold Rdiv. lra.
-    - intros s Hs. generalize (B s Hs). rewrite <- (Rmult_1_l (Rabs (f1 s))), <- C, <- Rabs_mult. generalize (Rabs_maj2 (c * f1 s)). lra. }
-  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). intros. apply Rabs_le. lra.
-Qed.
-
-(* |h(v + t) - h - t h'| <= S t^2/2 where h' moves by at most S over each unit of length, and the same before v. *)
-Lemma value_after (h h1 : R -> R) (v t S : R) : (forall w, is_derive h w (h1 w)) -> 0 <= t ->
-  (forall s, 0 <= s <= t -> Rabs (h1 (v + s) - h1 v) <= S * s ^ 1) -> Rabs (h (v + t) - h v - t * h1 v) <= S * (t ^ 2 / 2).
-Proof.
-  intros D T B. replace (S * (t ^ 2 / 2)) with (S * (t ^ (1 + 1) / INR (1 + 1))) by (simpl; field).
-  apply (growth 1 (fun s => h (v + s) - h v - s * h1 v) (fun s => h1 (v + s) - h1 v)); trivial.
-  - intro r. auto_derive; [exists (h1 (v + r)); apply D|]. replace (Derive _ _) with (h1 (v + r)) by (symmetry; apply is_derive_unique, D). ring.
-  - rewrite Rplus_0_r. ring.
-Qed.
-Lemma value_before (h h1 : R -> R) (v t S : R) : (forall w, is_derive h w (h1 w)) -> 0 <= t ->
-  (forall s, 0 <= s <= t -> Rabs (h1 (v - s) - h1 v) <= S * s ^ 1) -> Rabs (h (v - t) - h v + t * h1 v) <= S * (t ^ 2 / 2).
-Proof.
-  intros D T B. generalize (value_after (fun w => h (- w)) (fun w => - h1 (- w)) (- v) t S).
-  rewrite !Ropp_involutive. replace (- (- v + t)) with (v - t) by ring. replace (h (v - t) - h v - t * - h1 v) with (h (v - t) - h v + t * h1 v) by ring.
-  intro G. apply G; trivial.
-  - intro w. auto_derive; [exists (h1 (- w)); apply D|]. replace (Derive _ _) with (h1 (- w)) by (symmetry; apply is_derive_unique, D). ring.
-  - intros s Hs. replace (- (- v + s)) with (v - s) by ring. replace (- h1 (v - s) - - h1 v) with (- (h1 (v - s) - h1 v)) by ring. rewrite Rabs_Ropp. apply B, Hs.
+  destruct (Req_dec w v) as [->|N].
+  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply is_derive_Reals. intros e E. exists (mkposreal e E). intros t T B. simpl in B.
+    replace (v + t - v) with t by ring. replace (v - v) with 0 by ring. rewrite Rmult_0_l. replace (_ - 0) with (Rabs t / 2) by (field; exact T).
+    generalize (Rabs_pos t). intro. rewrite Rabs_pos_eq; lra.
+  - auto_derive; [lra|]. fold (w - v). rewrite <- times_its_sign. field.
 Qed.
 
 (* The printed lines' difference of any height, *)
@@ -96,30 +70,16 @@ Theorem clamped_difference__of_any_height (h h1 : R -> R) (v epsilon S : R) : (f
   (forall w x, 0 <= w <= v + epsilon -> 0 <= x <= v + epsilon -> Rabs (h1 w - h1 x) <= S * Rabs (w - x)) ->
   Rabs (clamped h v epsilon - h1 v) <= (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S.
 Proof.
-  intros D V W B. rewrite clamped_is by assumption.
-  assert (A := value_after h h1 v epsilon S D ltac:(lra)). assert (C := value_before h h1 v v S D ltac:(lra)). replace (v - v) with 0 in C by ring.
-  assert (P : forall s, 0 <= s -> S * s ^ 1 = S * Rabs (v + s - v)) by (intros s Q; rewrite Rabs_pos_eq; lra).
-  assert (M : forall s, 0 <= s -> S * s ^ 1 = S * Rabs (v - s - v)) by (intros s Q; rewrite Rabs_left1; lra).
-  specialize (A ltac:(intros s Q; rewrite P by lra; apply B; lra)). specialize (C ltac:(intros s Q; rewrite M by lra; apply B; lra)).
-  replace (_ / _ - h1 v) with (((h (v + epsilon) - h v - epsilon * h1 v) - (h 0 - h v + v * h1 v)) / (v + epsilon)) by (field; lra).
-  unfold Rdiv at 1. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra).
-  replace ((epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S) with ((S * (epsilon ^ 2 / 2) + S * (v ^ 2 / 2)) * / (v + epsilon)) by (field; lra).
-  apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|]. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+  intros D V W B. rewrite clamped_is by assumption. set (a := v + epsilon) in *.
+  assert (A : forall c, Rabs c = 1 -> 0 <= S * (epsilon ^ 2 + v ^ 2) / 2 + c * (h a - h 0 - a * h1 v)).
+  { intros c C. destruct (mean_value (fun w => S * ((w - v) * Rabs (w - v) / 2) + c * (h w - w * h1 v)) (fun w => S * Rabs (w - v) + c * (h1 w - h1 v)) 0 a) as (w & R & E).
+    - intro w. apply (is_derive_plus (fun w => S * ((w - v) * Rabs (w - v) / 2)) (fun w => c * (h w - w * h1 v))); [apply is_derive_scal, slope_of_half_square | derives D].
+    - unfold a in *. rewrite Rmin_left, Rmax_right in R by lra. rewrite (Rabs_pos_eq (_ - v)), (Rabs_left1 (0 - v)) in E by lra.
+      generalize (B w v ltac:(lra) ltac:(lra)) (Rabs_maj2 (c * (h1 w - h1 v))). rewrite Rabs_mult, C. intros. assert (0 <= (S * Rabs (w - v) + c * (h1 w - h1 v)) * (v + epsilon - 0)) by (apply Rmult_le_pos; lra). lra. }
+  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). intros. assert (0 < a) by (unfold a; lra). replace ((epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S) with (S * (epsilon ^ 2 + v ^ 2) / 2 / a) by (unfold a; field; lra).
+  apply Rabs_le. split; apply Rmult_le_reg_r with a; trivial; field_simplify; lra.
 Qed.
 (* No smaller factor will do: h(w) = (w - v)|w - v|/2, whose derivative |w - v| is 1-Lipschitz, attains it. *)
-Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v) / 2) w (Rabs (w - v)).
-Proof.
-  destruct (Rtotal_order w v) as [L|[->|G]].
-  - rewrite Rabs_left by lra. apply (is_derive_ext_loc (fun w => - (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
-    assert (P : 0 < v - w) by lra. exists (mkposreal _ P). intros y B. change (Rabs (y - w) < v - w) in B.
-    apply Rabs_def2 in B. rewrite Rabs_left by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
-  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply is_derive_Reals. intros e E. exists (mkposreal e E). intros t T B. simpl in B.
-    replace (v + t - v) with t by ring. replace (v - v) with 0 by ring. rewrite Rmult_0_l. replace (_ - 0) with (Rabs t / 2) by (field; exact T).
-    generalize (Rabs_pos t). intro. rewrite Rabs_pos_eq; lra.
-  - rewrite Rabs_pos_eq by lra. apply (is_derive_ext_loc (fun w => (w - v) ^ 2 / 2)); [|auto_derive; trivial; field].
-    assert (P : 0 < w - v) by lra. exists (mkposreal _ P). intros y B. change (Rabs (y - w) < w - v) in B.
-    apply Rabs_def2 in B. rewrite Rabs_pos_eq by lra. match goal with |- ?a = ?b => change (a = b :> R) end; field.
-Qed.
 Theorem clamped_difference__attained (v epsilon : R) : 0 <= v < epsilon -> v + epsilon <= 1 -> let h w := (w - v) * Rabs (w - v) / 2 in
   (forall w, is_derive h w (Rabs (w - v))) /\ (forall w x, Rabs (Rabs (w - v) - Rabs (x - v)) <= 1 * Rabs (w - x)) /\
   clamped h v epsilon - Rabs (v - v) = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * 1.
@@ -146,10 +106,11 @@ Proof.
   red. intros. unfold h_sine, h_rings, h_ridge. replace (PI * (k_v * - v)) with (- (PI * (k_v * v))) by ring. replace (PI * (2 * -1 * k_v * v)) with (- (PI * (2 * k_v * v))) by ring.
   replace (- v * PI * k_v) with (- (v * PI * k_v)) by ring. rewrite !sin_neg. repeat split; ring.
 Qed.
+Lemma sine_on_a_hump (x : R) : 0 <= x <= 1 -> 0 <= sin (PI * x).
+Proof. intro X. generalize PI_RGT_0. intro. apply sin_ge_0; nra. Qed.
 Theorem clamped_difference_of_odd__first_ridge : Statements.clamped_difference_of_odd__first_ridge.
 Proof.
-  red. intros k_u k_v u v K V L. assert (S : 0 <= sin (v * PI * k_v)) by (generalize PI_RGT_0; intro; apply sin_ge_0; [apply Rmult_le_pos; nra | nra]).
-  generalize (Rabs_pos (sin (u * PI * k_u))). intro U. replace (PI * (k_u * u)) with (u * PI * k_u) by ring. replace (PI * (k_v * v)) with (v * PI * k_v) by ring.
+  red. intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))). same_angles. intros S U.
   rewrite Rabs_mult, (Rabs_pos_eq _ S). repeat split; nra.
 Qed.
 Theorem clamped_difference_of_odd__second_order : Statements.clamped_difference_of_odd__second_order.
@@ -166,46 +127,22 @@ Proof. claim. Qed.
 Section odd.
 Variables f0 f1 f2 f3 : R -> R.
 Hypotheses (D1 : forall w, is_derive f0 w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
-
-Lemma shifted (g g1 : R -> R) (c m s : R) : (forall w, is_derive g w (g1 w)) -> is_derive (fun t => g (m + c * t)) s (c * g1 (m + c * s)).
-Proof.
-  intro D. auto_derive; [exists (g1 (m + c * s)); apply D|]. replace (Derive _ _) with (g1 (m + c * s)) by (symmetry; apply is_derive_unique, D). ring.
-Qed.
-
 (* A function with f0(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f0(a) for v <= a/2. *)
 Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f0 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f0 a.
 Proof.
-  intros V Z Z2 P.
-  assert (P2 : forall w s, 0 <= w -> 0 <= s -> w + s <= a -> f2 w <= f2 (w + s)).
-  { intros w s W S L. assert (0 <= f2 (w + 1 * s) - f2 w); [|rewrite Rmult_1_l in *; lra].
-    apply (nonnegative_growth (fun t => f2 (w + 1 * t) - f2 w) (fun t => 1 * f3 (w + 1 * t) - 0)); trivial.
-    - intro t. apply (is_derive_minus (fun t => f2 (w + 1 * t)) (fun _ => f2 w)); [apply shifted, D3 | auto_derive; trivial].
-    - rewrite Rmult_0_r, Rplus_0_r. lra.
-    - intros t T. rewrite Rmult_1_l, Rminus_0_r, Rmult_1_l. apply P. lra. }
-  assert (P1 : f1 v <= f1 (a / 2)).
-  { assert (0 <= f1 (v + 1 * (a / 2 - v)) - f1 v); [|replace (v + 1 * (a / 2 - v)) with (a / 2) in * by ring; lra].
-    apply (nonnegative_growth (fun t => f1 (v + 1 * t) - f1 v) (fun t => 1 * f2 (v + 1 * t) - 0)); try lra.
-    - intro t. apply (is_derive_minus (fun t => f1 (v + 1 * t)) (fun _ => f1 v)); [apply shifted, D2 | auto_derive; trivial].
-    - rewrite Rmult_0_r, Rplus_0_r. lra.
-    - intros t T. rewrite Rmult_1_l, Rminus_0_r, Rmult_1_l. rewrite <- Z2. replace (v + t) with (0 + (v + t)) by ring. apply P2; lra. }
-  set (m := a / 2) in *.
-  assert (Q1 : forall t, 0 <= t <= m -> 0 <= f1 (m + 1 * t) + f1 (m + -1 * t) - 2 * f1 m).
-  { intros t T. apply (nonnegative_growth (fun t => f1 (m + 1 * t) + f1 (m + -1 * t) - 2 * f1 m) (fun t => 1 * f2 (m + 1 * t) + -1 * f2 (m + -1 * t) - 0)); try lra.
-    - intro s. apply (is_derive_minus (fun t => f1 (m + 1 * t) + f1 (m + -1 * t)) (fun _ => 2 * f1 m)); [|auto_derive; trivial].
-      apply (is_derive_plus (fun t => f1 (m + 1 * t)) (fun t => f1 (m + -1 * t))); apply shifted, D2.
-    - rewrite !Rmult_0_r, !Rplus_0_r. lra.
-    - intros s S. assert (f2 (m + -1 * s) <= f2 (m + -1 * s + 2 * s)) by (apply P2; unfold m in *; lra).
-      replace (m + -1 * s + 2 * s) with (m + 1 * s) in * by ring. lra. }
-  assert (Q : 0 <= f0 (m + 1 * m) - f0 (m + -1 * m) - 2 * f1 m * m).
-  { apply (nonnegative_growth (fun t => f0 (m + 1 * t) - f0 (m + -1 * t) - 2 * f1 m * t) (fun t => 1 * f1 (m + 1 * t) - -1 * f1 (m + -1 * t) - 2 * f1 m)); try lra.
-    - intro s. apply (is_derive_minus (fun t => f0 (m + 1 * t) - f0 (m + -1 * t)) (fun t => 2 * f1 m * t)); [|auto_derive; trivial; ring].
-      apply (is_derive_minus (fun t => f0 (m + 1 * t)) (fun t => f0 (m + -1 * t))); apply shifted, D1.
-    - rewrite !Rmult_0_r, !Rplus_0_r. lra.
-    - intros t T. generalize (Q1 t T). lra. }
-  replace (m + 1 * m) with a in Q by (unfold m; field). replace (m + -1 * m) with 0 in Q by ring. rewrite Z in Q.
-  assert (a * f1 v <= a * f1 m) by (apply Rmult_le_compat_l; [unfold m in V; lra | lra]). unfold m in *. lra.
+  intros V Z Z2 P. destruct (mean_value f2 f3 0 v D3) as (b & B & E). rewrite Rmin_left, Rmax_right in B by lra. assert (F := P b ltac:(lra)).
+  destruct (mean_value (fun t => f0 t - t * f1 v - f2 v * ((t - v) ^ 2 / 2)) (fun t => f1 t - f1 v - f2 v * (t - v)) 0 a) as (t & T & G); [intro; derives D1|].
+  destruct (mean_value f1 f2 v t D2) as (c & C & H). destruct (mean_value f2 f3 v c D3) as (w & W & I). rewrite Rmin_left, Rmax_right in T by lra.
+  assert (J : 0 <= f3 w * ((c - v) * (t - v))) by (unfold Rmin, Rmax in *; repeat destruct Rle_dec; apply Rmult_le_pos; first [apply P; lra | nra]).
+  assert (0 <= f2 v * (a * (a - 2 * v))) by (repeat apply Rmult_le_pos; nra). assert (0 <= f3 w * ((c - v) * (t - v)) * a) by (apply Rmult_le_pos; lra).
+  replace (f1 t - f1 v - f2 v * (t - v)) with (f3 w * ((c - v) * (t - v))) in G by (rewrite H; transitivity ((f2 c - f2 v) * (t - v)); [rewrite I|]; ring). lra.
 Qed.
 End odd.
+(* The derivative of an odd function is even, and the other way round. *)
+Lemma mirrored (g g1 : R -> R) (s : R) : (forall w, is_derive g w (g1 w)) -> (forall w, g (- w) = s * g w) -> forall w, g1 (- w) = - s * g1 w.
+Proof.
+  intros D E w. assert (A : is_derive (fun t => g (- t)) w (- g1 (- w))) by derives D. apply is_derive_unique in A. rewrite (Derive_ext _ (fun t => s * g t) _ E), Derive_scal, (is_derive_unique _ _ _ (D w)) in A. lra.
+Qed.
 
 (* The clamp costs no order where h is odd about v = 0. *)
 Theorem clamped_difference_of_odd__of_any_height (h h1 h2 h3 : R -> R) (v epsilon S : R) :
@@ -215,20 +152,13 @@ Theorem clamped_difference_of_odd__of_any_height (h h1 h2 h3 : R -> R) (v epsilo
 Proof.
   intros D1 D2 D3 O V Top B. rewrite clamped_is by assumption.
   assert (Z : h 0 = 0) by (generalize (O 0); rewrite Ropp_0; lra).
-  assert (O1 : forall w, h1 (- w) = h1 w).
-  { intro w. generalize (is_derive_unique _ _ _ (shifted h h1 (-1) 0 w D1)). rewrite (Derive_ext _ (fun t => - h t)).
-    - rewrite Derive_opp, (is_derive_unique _ _ _ (D1 w)). replace (0 + -1 * w) with (- w) by ring. lra.
-    - intro t. rewrite <- O. f_equal. ring. }
-  assert (Z2 : h2 0 = 0).
-  { generalize (is_derive_unique _ _ _ (shifted h1 h2 (-1) 0 0 D2)). rewrite (Derive_ext _ h1).
-    - rewrite (is_derive_unique _ _ _ (D2 0)). replace (0 + -1 * 0) with 0 by ring. lra.
-    - intro t. rewrite <- (O1 t). f_equal. ring. }
+  assert (Z2 : h2 0 = 0) by (generalize (mirrored h1 h2 (- (-1)) D2 (mirrored h h1 (-1) D1 ltac:(intro; rewrite O; ring)) 0); rewrite Ropp_0; lra).
   assert (A : forall c, Rabs c = 1 -> (v + epsilon) * (S * (v ^ 2 / 2) + c * h1 v) <= S * ((v + epsilon) ^ 3 / 6) + c * h (v + epsilon)).
   { intros c C.
     apply (middle_slope (fun w => S * (w ^ 3 / 6) + c * h w) (fun w => S * (w ^ 2 / 2) + c * h1 w) (fun w => S * w + c * h2 w) (fun w => S + c * h3 w)); try lra.
-    - intro w. apply (is_derive_plus (fun w => S * (w ^ 3 / 6)) (fun w => c * h w)); [auto_derive; trivial; field | apply (is_derive_scal h), D1].
-    - intro w. apply (is_derive_plus (fun w => S * (w ^ 2 / 2)) (fun w => c * h1 w)); [auto_derive; trivial; field | apply (is_derive_scal h1), D2].
-    - intro w. apply (is_derive_plus (fun w => S * w) (fun w => c * h2 w)); [auto_derive; trivial; field | apply (is_derive_scal h2), D3].
+    - intro. derives D1.
+    - intro. derives D2.
+    - intro. derives D3.
     - rewrite Z. field.
     - rewrite Z2. ring.
     - intros w W. generalize (B w W). rewrite <- (Rmult_1_l (Rabs (h3 w))), <- C, <- Rabs_mult. generalize (Rabs_maj2 (c * h3 w)). lra. }
@@ -247,12 +177,14 @@ Proof.
   - rewrite clamped_is, Rabs_pos_eq in H0 by lra. lra.
 Qed.
 (* Sine, rings and the first hump of ridges, against its slope upwards, are odd sines. *)
-Lemma of_an_odd_sine (a k v epsilon : R) : Rabs a <= 1 -> 0 <= k -> 0 <= v < epsilon -> v + epsilon <= 1 ->
-  Rabs (clamped (fun v => a * sin (PI * (k * v))) v epsilon - a * (PI * k * cos (PI * (k * v)))) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3.
+Lemma of_an_odd_sine (a k v epsilon slope : R) (f : R -> R) : Rabs a <= 1 -> 0 <= k -> 0 <= v < epsilon -> v + epsilon <= 1 ->
+  (forall w, 0 <= w <= v + epsilon -> f w = a * sin (PI * (k * w))) -> slope = a * (PI * k * cos (PI * (k * v))) ->
+  Rabs (clamped f v epsilon - slope) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3.
 Proof.
-  intros A K V W. generalize PI_RGT_0. intro P. apply (clamped_difference_of_odd__of_any_height _ (fun v => a * (PI * k * cos (PI * (k * v)))) (fun v => - (a * ((PI * k) ^ 2 * sin (PI * (k * v)))))
+  intros A K V W F ->. generalize PI_RGT_0. intro P. rewrite clamped_is, !F, <- (clamped_is (fun v => a * sin (PI * (k * v)))) by lra.
+  apply (clamped_difference_of_odd__of_any_height _ (fun v => a * (PI * k * cos (PI * (k * v)))) (fun v => - (a * ((PI * k) ^ 2 * sin (PI * (k * v)))))
     (fun v => - (a * ((PI * k) ^ 3 * cos (PI * (k * v)))))); trivial; intro w; try (auto_derive; trivial; ring).
-  - replace (PI * (k * - w)) with (- (PI * (k * w))) by ring. rewrite sin_neg. ring.
+  - rewrite !Ropp_mult_distr_r_reverse, sin_neg. ring.
   - intros _. rewrite Rabs_Ropp. replace (a * _) with ((PI * k) ^ 3 * (a * cos (PI * (k * w)))) by ring. apply at_most; [apply pow_le; nra | exact A | apply cosine_at_most_1].
 Qed.
 Theorem clamped_difference_of_odd__of_the_fields (u v k_u k_v epsilon : R) : 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 ->
@@ -262,14 +194,8 @@ Theorem clamped_difference_of_odd__of_the_fields (u v k_u k_v epsilon : R) : 0 <
   (k_v * (v + epsilon) <= 1 -> Rabs (central_ridges.h_v u v k_u k_v epsilon - Rabs (sin (PI * (k_u * u))) * (PI * k_v * cos (PI * (k_v * v)))) <= bound k_v).
 Proof.
   intros K V W bound. destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (A & B & C). rewrite A, B, C. unfold_fields.
-  repeat split; [| | intro L].
-  - replace (PI * cos (PI * (k_v * v)) * k_v * sin (PI * (k_u * u))) with (sin (PI * (k_u * u)) * (PI * k_v * cos (PI * (k_v * v)))) by ring. apply of_an_odd_sine; trivial; [apply sine_at_most_1 | lra].
-  - generalize (of_an_odd_sine 1 (2 * k_v) v epsilon ltac:(rewrite Rabs_R1; lra) ltac:(lra) V W). rewrite !clamped_is by assumption. rewrite !Rmult_1_l. intro E. eapply Rle_trans; [|exact E].
-    right. f_equal. f_equal. ring.
-  - generalize (of_an_odd_sine (Rabs (sin (PI * (k_u * u)))) k_v v epsilon ltac:(rewrite Rabs_Rabsolu; apply sine_at_most_1) ltac:(lra) V W). rewrite !clamped_is by assumption.
-    assert (F : forall w, 0 <= w -> k_v * w <= 1 -> Rabs (sin (PI * (k_u * u)) * sin (PI * (k_v * w))) = Rabs (sin (PI * (k_u * u))) * sin (PI * (k_v * w))).
-    { intros w P Q. destruct (clamped_difference_of_odd__first_ridge k_u k_v u w) as (_ & _ & _ & E); try lra. rewrite E. replace (w * PI * k_v) with (PI * (k_v * w)) by ring. replace (u * PI * k_u) with (PI * (k_u * u)) by ring. ring. }
-    rewrite (F (v + epsilon)), (F 0) by lra. trivial.
+  repeat split; [| | intro L]; [apply of_an_odd_sine with (sin (PI * (k_u * u))) | apply of_an_odd_sine with 1 | apply of_an_odd_sine with (Rabs (sin (PI * (k_u * u))))];
+    rewrite ?Rabs_Rabsolu, ?Rabs_R1; trivial; try apply sine_at_most_1; try lra; intros; try (rewrite Rabs_mult, (Rabs_pos_eq (sin (PI * (k_v * w)))) by (apply sine_on_a_hump; nra)); rewrite ?Rmult_assoc; ring.
 Qed.
 (* The rule of creases has the slope 0 at the pole, from which ridges' difference is far. *)
 Theorem clamped_difference_of_odd__of_the_fields__false : ~ forall u v k_u k_v epsilon, 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 -> k_v * (v + epsilon) <= 1 ->

@@ -6,21 +6,27 @@ From Formal Require Import Preliminaries Formulas Fields Claim Clamped Creases.
 From Formal Require Statements.
 Open Scope R_scope.
 
+(* Across the crease the difference of a half-wave is sin y cos x/x, in units of pi k, its slope is cos y, and the tent is y/x - 1. *)
+Lemma beside_the_tent (x y : R) : 0 < y <= x -> 0 <= sin y -> 0 <= (1 - cos x) * sin y <= x ^ 3 / 2 /\ Rabs (sin y * cos x / x - cos y - (y / x - 1)) <= 2 / 3 * x ^ 2.
+Proof.
+  intros Y S. generalize (cubic_below y ltac:(lra)) (COS_bound y) (COS_bound x) (cosine_from_below y) (cosine_from_below x). intros S1 C C' C2 C2'.
+  assert (X2 : y ^ 2 <= x ^ 2) by nra. assert (X3 : y * y ^ 2 <= x * x ^ 2) by (apply Rmult_le_compat; nra).
+  assert (F : (1 - cos x) * sin y <= x ^ 2 / 2 * x) by (apply Rmult_le_compat; lra). assert (F0 : 0 <= (1 - cos x) * sin y) by (apply Rmult_le_pos; lra).
+  assert (G : 0 <= x * (1 - cos y) <= x ^ 3 / 2) by (split; [apply Rmult_le_pos; lra | nra]). split; [lra|].
+  apply Rabs_le. split; apply Rmult_le_reg_l with x; field_simplify; lra.
+Qed.
 Theorem crease_error_area__tent : Statements.crease_error_area__tent.
 Proof.
   red. intros d e k E K D A B. generalize PI_RGT_0. intro P. assert (Q : PI * k > 0) by nra.
   set (rest := _ / e / (PI * k) - _ - _). set (x := e * PI * k) in *. set (y := d * PI * k) in *.
-  assert (Y : 0 < y <= x) by (unfold x, y; split; nra). assert (S : y * (1 - y ^ 2 / 6) <= sin y <= y) by (apply cubic_below; lra).
-  assert (S0 : 0 <= sin y) by (apply sin_ge_0; unfold x, y in *; nra). generalize (COS_bound y) (COS_bound x) (cosine_from_below y) (cosine_from_below x). intros C C' C2 C2'.
+  assert (Y : 0 < y <= x) by (unfold x, y; split; nra). assert (S0 : 0 <= sin y) by (apply sin_ge_0; unfold x, y in *; nra). destruct (beside_the_tent x y Y S0) as [F R].
+  generalize (cubic_below y (proj1 Y)) (COS_bound y) (COS_bound x) (cosine_from_below y). intros S C C' C2.
+  replace (sin y * cos x / x - cos y - (y / x - 1)) with rest in R by (unfold rest, x, y; field; lra). apply Rabs_le_between in R.
   assert (X : x * rest = x * (1 - cos y) - (y - sin y * cos x)) by (unfold rest, x, y; field; lra).
-  assert (R : 2 / 3 * PI ^ 3 * e ^ 2 * k ^ 3 / (PI * k) = 2 / 3 * x ^ 2) by (unfold x; field; lra).
-  assert (R' : x * (2 / 3) * PI ^ 3 * e ^ 2 * k ^ 3 / (PI * k) = 2 / 3 * x ^ 3) by (unfold x; field; lra).
-  assert (X2 : y ^ 2 <= x ^ 2) by nra. assert (X3 : y * y ^ 2 <= x * x ^ 2) by (apply Rmult_le_compat; nra).
-  assert (F : (1 - cos x) * sin y <= x ^ 2 / 2 * x) by (apply Rmult_le_compat; lra). assert (F0 : 0 <= (1 - cos x) * sin y) by (apply Rmult_le_pos; lra).
-  assert (G : 0 <= x * (1 - cos y) <= x ^ 3 / 2) by (split; [apply Rmult_le_pos; lra | nra]).
-  assert (L : 2 / 3 * x ^ 3 - x * rest >= 0) by lra. assert (U : 2 / 3 * x ^ 3 + x * rest >= 0) by lra.
-  rewrite R, R'. replace (PI * d * k) with y by (unfold y; ring). replace (PI * e * k) with x by (unfold x; ring). clearbody rest.
-  repeat split; try lra; [revert L | revert U]; apply (over_a_span x); lra || ring.
+  replace (x * (2 / 3) * PI ^ 3 * e ^ 2 * k ^ 3 / (PI * k)) with (x * (2 / 3 * x ^ 2)) by (unfold x; field; lra).
+  replace (2 / 3 * PI ^ 3 * e ^ 2 * k ^ 3 / (PI * k)) with (2 / 3 * x ^ 2) by (unfold x; field; lra).
+  assert (X3 : y * y ^ 2 <= x * x ^ 2) by (apply Rmult_le_compat; nra).
+  replace (PI * d * k) with y by (unfold y; ring). replace (PI * e * k) with x by (unfold x; ring). clearbody rest. repeat split; first [lra | nra].
 Qed.
 Theorem crease_error_area__tents : Statements.crease_error_area__tents.
 Proof.

@@ -3,12 +3,13 @@
 From Coq Require Import Reals Lra Psatz Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Fields Claim Clamped.
+From Formal Require Import Preliminaries Formulas Fields Claim Derivatives Camera Clamped.
 From Formal Require Statements.
 Open Scope R_scope.
 
 (* A difference that straddles a crease *)
 
+Ltac beside_half := replace (PI * (1 / 2 * 1)) with (PI / 2) by field; rewrite sin_PI2, !Rmult_1_l.
 (* Beyond a whole number of half-turns the sine is the same but for its sign. *)
 Theorem straddling__every_crease : Statements.straddling__every_crease.
 Proof.
@@ -17,25 +18,20 @@ Proof.
 Qed.
 Lemma beyond_a_crease (k m t : R) : k <> 0 -> sin (PI * m) = 0 -> Rabs (sin (PI * (k * (t + m / k)))) = Rabs (sin (t * PI * k)).
 Proof. intros K M. rewrite <- (straddling__every_crease (t * PI * k) m M). do 2 f_equal. field. exact K. Qed.
-Lemma sine_on_a_hump (x : R) : 0 <= x <= 1 -> 0 <= sin (x * PI).
-Proof. intro X. generalize PI_RGT_0. intro. apply sin_ge_0; nra. Qed.
 Theorem straddling__value : Statements.straddling__value.
 Proof.
-  red. intros d e k E K A B C D. generalize (sine_on_a_hump (k * (d + e)) ltac:(nra)) (sine_on_a_hump (k * (e - d)) ltac:(nra)). intros S T.
-  replace (PI * (k * (d + e))) with (k * (d + e) * PI) by ring. replace (PI * (k * (d - e))) with (- (k * (e - d) * PI)) by ring.
-  replace (PI * (1 / 2 * 1)) with (PI / 2) by field. rewrite sin_PI2, !Rmult_1_l, sin_neg, Rabs_Ropp, (Rabs_pos_eq _ S), (Rabs_pos_eq _ T). split; [lra|].
-  replace (k * (d + e) * PI) with (d * PI * k + e * PI * k) by ring. replace (k * (e - d) * PI) with (e * PI * k - d * PI * k) by ring. rewrite sin_plus, sin_minus. field. lra.
+  red. intros d e k E K A B C D. generalize (sine_on_a_hump (k * (d + e)) ltac:(nra)) (sine_on_a_hump (k * (e - d)) ltac:(nra)). beside_half. intros S T.
+  replace (PI * (k * (d - e))) with (- (PI * (k * (e - d)))) by ring. rewrite sin_neg, Rabs_Ropp, (Rabs_pos_eq _ S), (Rabs_pos_eq _ T). split; [lra|]. alike. field. lra.
 Qed.
 Theorem straddling__at_the_crease : Statements.straddling__at_the_crease.
 Proof. claim. Qed.
-Ltac beside_half := replace (PI * (1 / 2 * 1)) with (PI / 2) by field; rewrite sin_PI2, Rmult_1_l.
 Theorem straddling__slope_after : Statements.straddling__slope_after.
 Proof.
-  red. intros d k S. beside_half. replace (PI * (d * k)) with (d * PI * k) by ring. rewrite sign_eq_1 by lra. ring.
+  red. intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_1 by lra. ring.
 Qed.
 Theorem straddling__slope_before : Statements.straddling__slope_before.
 Proof.
-  red. intros d k S. beside_half. replace (PI * (d * k)) with (d * PI * k) by ring. rewrite sign_eq_m1 by lra. ring.
+  red. intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_m1 by lra. ring.
 Qed.
 
 (* Beside any crease of ridges, in u and in v: what the kernels print as difference and as slope. *)
@@ -49,10 +45,8 @@ Proof.
   intros K A B. apply Rabs_def2 in A as A'. assert (L : - (1 / k - e) <= d <= 1 / k - e) by (apply Rabs_le_between; lra).
   assert (I : k * (1 / k) = 1) by (field; lra). replace (IZR m / k + d + e) with (d + e + IZR m / k) by ring. replace (IZR m / k + d - e) with (d - e + IZR m / k) by ring.
   rewrite !beyond_a_crease by (apply sine_of_whole || lra).
-  destruct (straddling__value d e k) as [_ V]; try lra; [nra | nra|]. revert V. replace (PI * (1 / 2 * 1)) with (PI / 2) by field. rewrite sin_PI2, !Rmult_1_l.
-  replace (PI * (k * (d + e))) with ((d + e) * PI * k) by ring. replace (PI * (k * (d - e))) with ((d - e) * PI * k) by ring.
-  replace (e * PI * k) with (PI * (k * e)) by ring. replace (d * PI * k) with (PI * (k * d)) by ring. intro V.
-  apply (f_equal (fun x => 2 * e * x)) in V. field_simplify in V; [|lra ..]. lra.
+  destruct (straddling__value d e k) as [_ V]; try lra; [nra | nra|]. revert V. beside_half. intro V.
+  apply (f_equal (fun x => 2 * e * x)) in V. field_simplify in V; [|lra ..]. revert V. same_angles. lra.
 Qed.
 (* Whole k_u leaves ridges the same across the seam; any k_u where the sample is inside. *)
 Lemma wrapped (k w : R) : (exists n, k = IZR n) \/ 0 <= w < 1 -> Rabs (sin (PI * (k * (w - IZR (Int_part w))))) = Rabs (sin (PI * (k * w))).
@@ -82,30 +76,26 @@ Proof.
   intro H. generalize (H (1/2) 1 0 (1/2) Z B) PI_RGT_0. rewrite (proj1 (straddling__of_the_difference 0 (1/2) 1 1 0 (1/2) 0 Z) Rlt_0_1 B (or_introl (ex_intro _ 1%Z eq_refl))).
   rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
 Qed.
-Lemma times_its_sign (w : R) : w * sign w = Rabs w.
-Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring. Qed.
-Lemma slope_beside (c s x w : R) : c ^ 2 = 1 -> s <> 0 -> x * c * sign (s * c * w) * w = sign s * x * Rabs w.
+Lemma cosine_of_whole (m : Z) : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
+Proof. apply Rsqr_eq. rewrite cos2, sine_of_whole. unfold Rsqr. ring. Qed.
+(* The slope of a half-wave |sin pi k x|, where it has one. *)
+Definition slope_of_wave (k x : R) : R := PI * k * cos (PI * (k * x)) * sign (sin (PI * (k * x))).
+Lemma slope_factors (u v k_u k_v : R) : gradient_ridges.h_u u v k_u k_v = slope_of_wave k_u u * Rabs (sin (PI * (k_v * v))) /\
+  gradient_ridges.h_v u v k_u k_v = slope_of_wave k_v v * Rabs (sin (PI * (k_u * u))).
+Proof. unfold slope_of_wave. unfold_fields. rewrite sign_mult, <- !times_its_sign. split; ring. Qed.
+Lemma slope_beside (k d : R) (m : Z) : 0 < k -> Rabs d < 1 / k -> slope_of_wave k (IZR m / k + d) = sign d * PI * k * cos (PI * (k * d)).
 Proof.
-  intros C S. assert (C1 : c = 1 \/ c = -1) by (assert (Z : (c - 1) * (c + 1) = 0) by lra; apply Rmult_integral in Z; destruct Z; lra).
-  rewrite !sign_mult.
-  rewrite <- (times_its_sign w). destruct C1 as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (-1)) by lra]; ring.
+  intros K D. apply Rabs_def2 in D. generalize PI_RGT_0. intro P. assert (I : k * (1 / k) = 1) by (field; lra).
+  assert (S : sign (sin (PI * (k * d))) = sign d).
+  { assert (B : -1 < k * d < 1) by nra. rewrite <- (Rmult_1_l (sign d)), <- (sign_eq_1 k K), <- sign_mult. destruct (Rtotal_order (k * d) 0) as [L|[->|L]]; [rewrite !sign_eq_m1 | rewrite Rmult_0_r, sin_0 | rewrite !sign_eq_1]; first [reflexivity | lra | apply sin_lt_0_var; nra | apply sin_gt_0; nra]. }
+  unfold slope_of_wave. replace (PI * (k * (IZR m / k + d))) with (PI * (k * d) + PI * IZR m) by (field; lra).
+  rewrite sin_plus, cos_plus, sine_of_whole, !Rmult_0_r, Rplus_0_r, sign_mult, S.
+  destruct (cosine_of_whole m) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; ring.
 Qed.
 Theorem straddling__of_the_slope (u v k_u k_v d : R) (m : Z) :
   (0 < k_u -> 0 < Rabs d < 1 / k_u -> gradient_ridges.h_u (IZR m / k_u + d) v k_u k_v = sign d * PI * k_u * cos (PI * (k_u * d)) * Rabs (sin (PI * (k_v * v)))) /\
   (0 < k_v -> 0 < Rabs d < 1 / k_v -> gradient_ridges.h_v u (IZR m / k_v + d) k_u k_v = sign d * PI * k_v * cos (PI * (k_v * d)) * Rabs (sin (PI * (k_u * u)))).
-Proof.
-  assert (S : forall k, 0 < k -> 0 < Rabs d < 1 / k -> sin (PI * (k * d)) <> 0 /\ sign (sin (PI * (k * d))) = sign d).
-  { intros k K D. assert (I : k * (1 / k) = 1) by (field; lra). generalize PI_RGT_0. intro P.
-    assert (T : forall t, 0 < t < 1 / k -> 0 < sin (PI * (k * t))) by (intros t [T T1]; assert (0 < k * t) by nra; assert (k * t < 1) by nra; apply sin_gt_0; nra).
-    destruct (Rle_lt_dec 0 d) as [G|G]; [rewrite Rabs_pos_eq in D by lra; generalize (T d D); intro; split; [lra | rewrite !sign_eq_1; lra]|].
-    rewrite Rabs_left in D by lra. generalize (T (- d) D). replace (PI * (k * - d)) with (- (PI * (k * d))) by ring. rewrite sin_neg. intro. split; [lra | rewrite !sign_eq_m1; lra]. }
-  assert (C : cos (PI * IZR m) ^ 2 = 1) by (generalize (sin2_cos2 (PI * IZR m)); rewrite sine_of_whole; unfold Rsqr; lra).
-  assert (A : forall k, k <> 0 -> sin (PI * (k * (IZR m / k + d))) = sin (PI * (k * d)) * cos (PI * IZR m) /\ cos (PI * (k * (IZR m / k + d))) = cos (PI * (k * d)) * cos (PI * IZR m)).
-  { intros k K. replace (PI * (k * (IZR m / k + d))) with (PI * (k * d) + PI * IZR m) by (field; exact K). rewrite sin_plus, cos_plus, sine_of_whole. split; ring. }
-  split; intros K D; destruct (S _ K D) as [N G]; [destruct (A k_u ltac:(lra)) as [U V] | destruct (A k_v ltac:(lra)) as [U V]]; unfold_fields; rewrite U, V, <- G.
-  - transitivity (PI * k_u * (sign (sin (PI * (k_u * d))) * cos (PI * (k_u * d)) * Rabs (sin (PI * (k_v * v))))); [rewrite <- (slope_beside _ _ _ _ C N) | ]; ring.
-  - rewrite (Rmult_comm (sin (PI * (k_u * u))) (_ * cos (PI * IZR m))). transitivity (PI * k_v * (sign (sin (PI * (k_v * d))) * cos (PI * (k_v * d)) * Rabs (sin (PI * (k_u * u))))); [rewrite <- (slope_beside _ _ _ _ C N) | ]; ring.
-Qed.
+Proof. split; intros K [_ D]; [rewrite (proj1 (slope_factors _ _ _ _)) | rewrite (proj2 (slope_factors _ _ _ _))]; rewrite slope_beside by assumption; reflexivity. Qed.
 Theorem straddling__of_the_slope__false : ~ forall v k_v d, 0 < Rabs d < 1 -> gradient_ridges.h_u (0 / 1 + d) v 1 k_v = PI * 1 * cos (PI * (1 * d)) * Rabs (sin (PI * (k_v * v))).
 Proof.
   assert (D : 0 < Rabs (- (1/4)) < 1 / 1) by (rewrite Rabs_left; lra). intro H. generalize (H (1/2) 1 (- (1/4)) ltac:(lra)).
@@ -116,16 +106,14 @@ Theorem straddling__error (v k_v epsilon : R) (k m : Z) : (0 < k)%Z -> 0 < epsil
   filterlim (fun d => gradient_ridges.h_u (u d) v (IZR k) k_v - central_ridges.h_u (u d) v (IZR k) k_v epsilon) (at_right 0) (locally (PI * IZR k * Rabs (sin (PI * (k_v * v))))).
 Proof.
   intros K E u. apply IZR_lt in K. set (w := Rabs (sin (PI * (k_v * v)))).
-  apply (filterlim_ext_loc (fun d => PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w)).
+  set (f d := PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w). apply (filterlim_ext_loc f).
   - assert (P : 0 < Rmin epsilon (1 / IZR k - epsilon)) by (apply Rmin_glb_lt; lra). exists (mkposreal _ P). intros d B D. change (Rabs (d - 0) < Rmin epsilon (1 / IZR k - epsilon)) in B.
-    rewrite Rminus_0_r in B. assert (B1 := Rlt_le_trans _ _ _ B (Rmin_l _ _)). assert (B2 := Rlt_le_trans _ _ _ B (Rmin_r _ _)).
+    rewrite Rminus_0_r in B. apply Rmin_Rgt in B. destruct B as [B1 B2].
     unfold u. rewrite (proj1 (straddling__of_the_slope 0 v (IZR k) k_v d m) K), (proj1 (straddling__of_the_difference 0 v (IZR k) k_v d epsilon m B1) K); try lra.
-    + rewrite sign_eq_1 by exact D. unfold w. ring.
+    + rewrite sign_eq_1 by exact D. unfold f, w. ring.
     + left. exists k. reflexivity.
     + split; [apply Rabs_pos_lt; lra | lra].
-  - apply (filterlim_filter_le_1 (F := locally 0)); [intros Q H; unfold at_right, within; revert H; apply filter_imp; auto|].
-    set (f d := PI * IZR k * cos (PI * (IZR k * d)) * w - cos (PI * (IZR k * epsilon)) * sin (PI * (IZR k * d)) / epsilon * w).
-    replace (PI * IZR k * w) with (f 0) by (unfold f; rewrite !Rmult_0_r, sin_0, cos_0; field; lra). apply (ex_derive_continuous f 0). unfold f. auto_derive. trivial.
+  - apply (filterlim_filter_le_1 (F := locally 0)); [apply filter_le_within|]. replace (PI * IZR k * w) with (f 0) by (unfold f; rewrite !Rmult_0_r, sin_0, cos_0; field; lra). apply (ex_derive_continuous f 0). unfold f. auto_derive. trivial.
 Qed.
 (* It does not come to 0. *)
 Theorem straddling__error__false : ~ forall v k_v epsilon (k m : Z), 0 < epsilon < 1 / IZR k -> let u d := IZR m / IZR k + d in
@@ -174,40 +162,14 @@ Qed.
 Theorem ridges_on_creases__differ : Statements.ridges_on_creases__differ.
 Proof. claim. Qed.
 
-(* Where the other factor of ridges is not 0, it has no derivative across a crease: its quotients are more than A apart. *)
-Lemma no_derivative_in_u (v k_u k_v : R) (m : Z) : 0 < k_u -> sin (PI * (k_v * v)) <> 0 ->
-  ~ ex_derive (fun u => height_ridges.h u v k_u k_v) (IZR m / k_u).
-Proof.
-  intros K S [d D]. generalize PI_RGT_0 (sine_of_whole m). intros P M. apply is_derive_Reals in D.
-  set (w := Rabs (sin (v * PI * k_v))). assert (W : 0 < w) by (apply Rabs_pos_lt; replace (v * PI * k_v) with (PI * (k_v * v)) by ring; exact S).
-  set (A := PI * k_u * w). assert (C : 0 < A) by (unfold A; apply Rmult_lt_0_compat; nra).
-  destruct (D (A / 2) ltac:(lra)) as [delta L]. generalize (cond_pos delta). intro P'. set (r := / (PI * k_u)).
-  assert (Q : 0 < PI * k_u) by nra. assert (I : 0 < r) by (apply Rinv_0_lt_compat, Q). assert (R1 : PI * k_u * r = 1) by (apply Rinv_r; lra).
-  set (s := Rmin (delta / 2) r). assert (S0 : 0 < s) by (apply Rmin_glb_lt; lra). assert (S1 : s <= delta / 2) by apply Rmin_l. assert (S2 : s <= r) by apply Rmin_r. clearbody s.
-  assert (X : s * PI * k_u <= 1) by nra. assert (X0 : 0 < s * PI * k_u) by nra. generalize PI2_1. intro P2.
-  destruct (ridges_on_creases__crease_in_u k_u k_v (IZR m) s v) as (_ & _ & _ & _ & _ & _ & _ & E & F & U & B); try lra; [nra|].
-  destruct (ridges_on_creases__differ (s * PI * k_u) (- (sin (s * PI * k_u) * w / s)) (sin (s * PI * k_u) * w / s) A) as [_ T].
-  - lra.
-  - nra.
-  - rewrite E in B. fold w in B. apply Rle_ge, Rmult_le_reg_r with s; [exact S0|].
-    replace (6 * (sin (s * PI * k_u) * w / s) * s) with (6 * (sin (s * PI * k_u) * w)) by (field; lra). unfold A. nra.
-  - reflexivity.
-  - assert (Z : height_ridges.h (IZR m / k_u) v k_u k_v = 0).
-    { unfold_fields. replace (PI * (k_u * (IZR m / k_u))) with (PI * IZR m) by (field; lra). rewrite M, Rmult_0_l. apply Rabs_R0. }
-    generalize (L s ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) (L (- s) ltac:(lra) ltac:(rewrite Rabs_Ropp, Rabs_pos_eq; lra)). rewrite Z, !Rminus_0_r.
-    unfold height_ridges.h. replace (IZR m / k_u + s) with (1 * s + IZR m / k_u) by ring. replace (IZR m / k_u + - s) with (IZR m / k_u - s) by ring. rewrite E, F. fold w.
-    intros Y Y'. apply Rabs_def2 in Y. apply Rabs_def2 in Y'. replace (_ / - s) with (- (sin (s * PI * k_u) * w / s)) in Y' by (field; lra). lra.
-Qed.
+(* Where the other factor of ridges is not 0, it has no derivative across a crease. *)
 Theorem ridges_on_creases__no_derivative (u v k_u k_v : R) (m : Z) :
   (0 < k_u -> sin (PI * (k_v * v)) <> 0 -> ~ ex_derive (fun u => height_ridges.h u v k_u k_v) (IZR m / k_u)) /\
   (0 < k_v -> sin (PI * (k_u * u)) <> 0 -> ~ ex_derive (fun v => height_ridges.h u v k_u k_v) (IZR m / k_v)).
-Proof.
-  split; [apply no_derivative_in_u|]. intros K S [d D]. apply (no_derivative_in_u u k_v k_u m K S). exists d. revert D. apply is_derive_ext.
-  intro t. unfold_fields. rewrite Rmult_comm. reflexivity.
-Qed.
+Proof. split; intros K S; [apply kink_loci__creased_in_u | apply kink_loci__creased_in_v]; try exact S; first [lra | exists m; field; lra]. Qed.
 (* The seed: ridges is differentiable. *)
 Theorem ridges_on_creases__no_derivative__false : ~ forall u v k_u k_v, ex_derive (fun u => height_ridges.h u v k_u k_v) u.
-Proof. intro H. apply (no_derivative_in_u (1/2) 1 1 0); [lra | rewrite sine_of_a_right_angle; lra | apply H]. Qed.
+Proof. intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra | apply H]. Qed.
 
 (* Where creases cross, ridges is differentiable in both coordinates together, and its derivative is 0. *)
 Theorem ridges_at_crossings__differentiable (k_u k_v : R) (m n : Z) : 0 < k_u -> 0 < k_v ->
@@ -215,28 +177,23 @@ Theorem ridges_at_crossings__differentiable (k_u k_v : R) (m n : Z) : 0 < k_u ->
   differentiable_pt_lim (fun u v => height_ridges.h u v k_u k_v) (IZR m / k_u) (IZR n / k_v) 0 0.
 Proof.
   intros K L. generalize PI_RGT_0. intro P. set (c := Rmax k_u k_v). assert (C : k_u <= c /\ k_v <= c) by (split; [apply Rmax_l | apply Rmax_r]).
+  assert (S : forall x k i, 0 < k <= c -> Rabs (sin (PI * (k * (x + IZR i / k)))) <= Rabs x * (PI * c)).
+  { intros x k i I. rewrite beyond_a_crease by (apply sine_of_whole || lra). eapply Rle_trans; [apply sine_below|]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq (PI * k)) by nra. apply Rmult_le_compat_l; [apply Rabs_pos | nra]. }
   assert (B : forall a b, 0 <= height_ridges.h (a + IZR m / k_u) (b + IZR n / k_v) k_u k_v <= PI ^ 2 * c ^ 2 * (a ^ 2 + b ^ 2) / 2).
-  { intros a b. split; [apply Rabs_pos|]. destruct (ridges_at_crossings__crossing k_u k_v (IZR m) (IZR n) a b K L (sine_of_whole m) (sine_of_whole n)) as (_ & _ & _ & E & G).
-    fold (height_ridges.h (a + IZR m / k_u) (b + IZR n / k_v) k_u k_v) in E. set (h := height_ridges.h _ _ _ _) in *.
-    set (q := sin (a * PI * k_u) ^ 2 + sin (b * PI * k_v) ^ 2) in *. assert (Q : 0 <= q) by (unfold q; generalize (pow2_ge_0 (sin (a * PI * k_u))) (pow2_ge_0 (sin (b * PI * k_v))); lra).
-    assert (2 * h <= q) by (apply Rnot_lt_le; intro X; nra).
-    assert (G2 : forall t k, 0 < k <= c -> (t * PI * k) ^ 2 <= PI ^ 2 * c ^ 2 * t ^ 2).
-    { intros t k T. rewrite !Rpow_mult_distr. assert (k ^ 2 <= c ^ 2) by (apply pow_incr; lra). assert (0 <= t ^ 2 * PI ^ 2) by (apply Rmult_le_pos; apply pow2_ge_0). nra. }
-    generalize (G2 a k_u ltac:(lra)) (G2 b k_v ltac:(lra)). lra. }
-  split; [exact B|]. intro e. generalize (cond_pos e). intro E. assert (D : 0 < PI ^ 2 * c ^ 2) by (apply Rmult_lt_0_compat; apply pow_lt; lra).
-  assert (D' : 0 < e / (PI ^ 2 * c ^ 2)) by (apply Rdiv_lt_0_compat; assumption). exists (mkposreal _ D'). simpl. intros u v U V.
-  generalize (B 0 0) (B (u - IZR m / k_u) (v - IZR n / k_v)). replace (u - IZR m / k_u + IZR m / k_u) with u by ring. replace (v - IZR n / k_v + IZR n / k_v) with v by ring.
-  rewrite !Rplus_0_l. set (a := u - IZR m / k_u) in *. set (b := v - IZR n / k_v) in *. intros Z H. rewrite !Rmult_0_l, Rplus_0_l, Rminus_0_r.
-  assert (Z' : height_ridges.h (IZR m / k_u) (IZR n / k_v) k_u k_v = 0) by lra. rewrite Z', Rminus_0_r, Rabs_pos_eq by lra.
-  rewrite <- (pow2_abs a), <- (pow2_abs b) in H. set (t := Rmax (Rabs a) (Rabs b)).
-  assert (T : Rabs a <= t /\ Rabs b <= t) by (split; [apply Rmax_l | apply Rmax_r]). assert (T' : t < e / (PI ^ 2 * c ^ 2)) by (apply Rmax_lub_lt; assumption).
-  assert (Y : PI ^ 2 * c ^ 2 * t <= e). { left. apply (Rmult_lt_compat_l (PI ^ 2 * c ^ 2)) in T'; [|exact D]. replace (PI ^ 2 * c ^ 2 * (e / (PI ^ 2 * c ^ 2))) with (pos e) in T' by (field; split; lra). exact T'. }
-  generalize (Rabs_pos a) (Rabs_pos b). intros. assert (Rabs a ^ 2 <= t ^ 2) by (apply pow_incr; lra). assert (Rabs b ^ 2 <= t ^ 2) by (apply pow_incr; lra).
-  destruct H as [_ H]. eapply Rle_trans; [exact H|]. apply Rle_trans with (PI ^ 2 * c ^ 2 * t * t); [nra | apply Rmult_le_compat_r; lra].
+  { intros a b. split; [apply Rabs_pos|]. unfold height_ridges.h. rewrite Rabs_mult. eapply Rle_trans; [apply Rmult_le_compat; [apply Rabs_pos | apply Rabs_pos | apply S; lra | apply S; lra]|].
+    rewrite <- (pow2_abs a), <- (pow2_abs b). generalize (pow2_ge_0 (PI * c * (Rabs a - Rabs b))). lra. }
+  split; [exact B|]. intro e. assert (D : 0 < PI ^ 2 * c ^ 2) by (apply Rmult_lt_0_compat; apply pow_lt; lra).
+  exists (mkposreal _ (Rdiv_lt_0_compat _ _ (cond_pos e) D)). cbn [pos]. intros u v U V.
+  generalize (B 0 0) (B (u - IZR m / k_u) (v - IZR n / k_v)). rewrite !Rplus_0_l, !(Rplus_comm (_ - _)), !Rplus_minus.
+  set (a := u - IZR m / k_u) in *. set (b := v - IZR n / k_v) in *. intros Z [H0 H]. rewrite !Rmult_0_l, Rplus_0_l, Rminus_0_r.
+  replace (height_ridges.h (IZR m / k_u) (IZR n / k_v) k_u k_v) with 0 by lra. rewrite Rminus_0_r, Rabs_pos_eq by exact H0.
+  rewrite <- (pow2_abs a), <- (pow2_abs b) in H. assert (Y := Rmax_lub_lt _ _ _ U V). apply Rlt_div_r in Y; [|exact D].
+  generalize (Rmax_l (Rabs a) (Rabs b)) (Rmax_r (Rabs a) (Rabs b)) (Rabs_pos a) (Rabs_pos b). set (t := Rmax (Rabs a) _) in *. intros.
+  eapply Rle_trans; [exact H|]. apply Rle_trans with (t * (PI ^ 2 * c ^ 2) * t); [|apply Rmult_le_compat_r; lra]. assert (Rabs a ^ 2 + Rabs b ^ 2 <= 2 * t ^ 2) by nra. nra.
 Qed.
 (* Where one crease runs alone it is not. *)
 Theorem ridges_at_crossings__differentiable__false : ~ forall u v, differentiable_pt_lim (fun u v => height_ridges.h u v 1 1) u v 0 0.
 Proof.
-  intro H. apply (no_derivative_in_u (1/2) 1 1 0); [lra | rewrite sine_of_a_right_angle; lra|]. exists (0 * 1 + 0 * 0). apply is_derive_Reals.
+  intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra|]. exists (0 * 1 + 0 * 0). apply is_derive_Reals.
   apply (derivable_pt_lim_comp_2d (fun u v => height_ridges.h u v 1 1) (fun u => u) (fun _ => 1/2)); [apply H | apply derivable_pt_lim_id | apply derivable_pt_lim_const].
 Qed.

@@ -16,8 +16,9 @@ Proof. intros F G. apply (is_derive_ext g); [intro; symmetry; apply is_derive_n_
 
 (* Angles that are equal, written alike. *)
 Ltac angle f := match f with sin => idtac | cos => idtac end.
-Ltac alike := angles; repeat match goal with |- context [?f ?a] => angle f; match goal with |- context [?g ?b] => angle g;
+Ltac same_angles := repeat match goal with |- context [?f ?a] => angle f; match goal with |- context [?g ?b] => angle g;
   assert_fails (constr_eq a b); replace b with a by ring end end.
+Ltac alike := angles; same_angles.
 (* Sizes and signs, where a sign is given. *)
 Ltac signs := repeat match goal with
   | |- context [Rabs ?x] => first [rewrite (Rabs_pos_eq x) by lra | rewrite (Rabs_left1 x) by lra]

@@ -16,9 +16,7 @@ Lemma bumped_derives : 0 < m2 ->
   is_derive (fun b => perturbed.bumped_z nx ny nz gx gy gz b) beta (normal_by_beta.bumped_by_beta_z nx ny nz gx gy gz beta).
 Proof.
   intro P. assert (r0 : 0 < sqrt m2) by (apply sqrt_lt_R0; exact P). assert (r2 : sqrt m2 ^ 2 = m2) by (apply pow2_sqrt; lra).
-  unfold normal_by_beta.bumped_by_beta_x, normal_by_beta.bumped_by_beta_y, normal_by_beta.bumped_by_beta_z, normal_by_beta.bumped_x, normal_by_beta.bumped_y, normal_by_beta.bumped_z,
-    normal_by_beta.m_scale, normal_by_beta.m_length, normal_by_beta.m_x, normal_by_beta.m_y, normal_by_beta.m_z, perturbed.bumped_x, perturbed.bumped_y, perturbed.bumped_z,
-    perturbed.m_scale, perturbed.m_length, perturbed.m_x, perturbed.m_y, perturbed.m_z, m2 in *.
+  normal_by_beta.lines; perturbed.lines; unfold m2 in *.
   split; [|split]; auto_derive; simpl in *; set (r := sqrt _) in *;
     try (split; [lra | split; [lra | exact I]]); field_simplify_eq; try lra;
     replace (r ^ 3) with (r * (r * (r * 1))) by ring; replace (r ^ 2) with (r * (r * 1)) by ring; rewrite ?r2; ring.
@@ -40,17 +38,12 @@ Ltac circles_of C D := match type of C with ?c ^ 2 + ?s ^ 2 = 1 => assert (C' : 
 Theorem displaced_normal__outward : Statements.displaced_normal__outward.
 Proof.
   red. intros. circles_of H H0. assert (E : displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y = lift).
-  { unfold displaced_x, displaced_y, displaced_z, Rdiv, normal_x, normal_y, normal_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z. ring [C' D']. }
+  { lines. unfold Rdiv. ring [C' D']. }
   rewrite E. unfold lift. each direct.
 Qed.
 Theorem displaced_normal__first_order : Statements.displaced_normal__first_order.
 Proof.
-  red. intros. circles_of H H0. set (b := h_theta / sin_phi).
-  unfold displaced_x, displaced_y, displaced_z.
-  repeat match goal with |- context [?e * h_theta / sin_phi] => replace (e * h_theta / sin_phi) with (e * b) by (unfold b, Rdiv; ring) end.
-  split; [apply Rgt_not_eq; lra|].
-  unfold lift, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z.
-  repeat split; ring [C' D'].
+  red. intros. circles_of H H0. split; [apply Rgt_not_eq; lra|]. lines. unfold Rdiv. repeat split; ring [C' D'].
 Qed.
 Theorem bump_is_not_displacement__only_where_flat : Statements.bump_is_not_displacement__only_where_flat.
 Proof.
@@ -61,10 +54,8 @@ Proof.
   assert (UV : beta * h_u * (lift + / (2 * PI * sin_phi)) = 0 /\ beta * h_v * (lift + / PI) = 0).
   { split.
     1: transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y * m_x - displaced_x * m_y)); [|rewrite H3, H4, H5; ring].
-    1: replace (beta * h_u * (lift + / (2 * PI * sin_phi))) with (beta * (h_u * lift + h_theta / sin_phi)) by (unfold h_theta; field; lra).
     2: transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z * (displaced_y * m_x - displaced_x * m_y))); [|rewrite H3, H4, H5; ring].
-    2: replace (beta * h_v * (lift + / PI)) with (beta * (h_v * lift + h_phi)) by (unfold h_phi; field; lra).
-    all: unfold displaced_x, displaced_y, displaced_z, Rdiv, m_x, m_y, m_z, g_x, g_y, g_z, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z; ring [C' D']. }
+    all: clear H3 H4 H5; lines; unfold Rdiv; rewrite ?Rinv_mult; ring [C' D']. }
   destruct UV as [U V].
   assert (L : 0 < lift) by (unfold lift; lra).
   assert (A : beta * h_u = 0) by (destruct (Rmult_integral _ _ U); lra). assert (B : beta * h_v = 0) by (destruct (Rmult_integral _ _ V); lra).
@@ -72,20 +63,12 @@ Proof.
 Qed.
 Theorem bump_is_not_displacement__where_flat : Statements.bump_is_not_displacement__where_flat.
 Proof.
-  red. intros. assert (D : forall e t, beta * (e * h_phi + t * h_theta / sin_phi) = 0) by (intros; unfold h_phi, h_theta, Rdiv; ring [H0 H1]).
-  assert (M : forall e t, beta * (e * h_v + t * h_u) = 0) by (intros; ring [H0 H1]).
-  unfold displaced_x, displaced_y, displaced_z, m_x, m_y, m_z, g_x, g_y, g_z. rewrite !D, !M. each ltac:(first [apply Rgt_not_eq; lra | ring]).
+  red. intros. lines. unfold Rdiv. each ltac:(first [apply Rgt_not_eq; lra | ring [H0 H1]]).
 Qed.
 Theorem bump_is_not_displacement__angle : Statements.bump_is_not_displacement__angle.
 Proof.
-  red. intros. pose proof PI_RGT_0. circles_of H H0. set (b := h_theta / sin_phi).
-  assert (B : b = h_u / (2 * PI * sin_phi)) by (unfold b, h_theta; field; lra). assert (F : h_phi = h_v / PI) by reflexivity.
-  replace (h_u ^ 2 / (2 * PI * sin_phi) + h_v ^ 2 / PI) with (h_u * b + h_v * h_phi) by (rewrite B, F; field; lra). rewrite <- B, <- F.
-  unfold displaced_x, displaced_y, displaced_z. clearbody h_phi.
-  repeat match goal with |- context [?e * h_theta / sin_phi] => replace (e * h_theta / sin_phi) with (e * b) by (unfold b, Rdiv; ring) end.
-  split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
-  unfold m_x, m_y, m_z, g_x, g_y, g_z, lift, e_theta_x, e_theta_y, e_theta_z, e_phi_x, e_phi_y, e_phi_z, normal_x, normal_y, normal_z.
-  repeat split; ring [C' D'].
+  red. intros. pose proof PI_RGT_0. circles_of H H0. split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
+  lines. unfold Rdiv. rewrite !Rinv_mult. repeat split; ring [C' D'].
 Qed.
 
 (* The displaced surface *)
@@ -121,26 +104,13 @@ Theorem displaced_normal__any_field (h : R -> R -> R) (theta phi h_u h_v beta : 
   scaled ((1 + beta * h u v) * sin phi) (displaced theta phi h_u h_v beta (h u v)).
 Proof.
   cbv zeta. intros S U V. generalize PI_RGT_0. intro P.
-  assert (E : forall (f : R -> R) c (b : R), is_derive f b c -> forall x, is_derive (fun t => f x) b 0) by (intros; auto_derive; trivial).
-  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)).
-  { replace (h_v / PI) with (scal (/ PI) h_v) by (unfold scal; simpl; unfold mult; simpl; field; lra).
-    apply (is_derive_comp (fun v => h ((theta + PI) / (2 * PI)) v) (fun t => t / PI)); [exact V | auto_derive; trivial; lra]. }
-  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))).
-  { replace (h_u / (2 * PI)) with (scal (/ (2 * PI)) h_u) by (unfold scal; simpl; unfold mult; simpl; field; lra).
-    apply (is_derive_comp (fun u => h u (phi / PI)) (fun t => (t + PI) / (2 * PI))); [exact U | auto_derive; trivial; field; lra]. }
-  clear E. set (c := h ((theta + PI) / (2 * PI)) (phi / PI)) in *.
+  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)) by (auto_derive; [eexists; exact V | replace (Derive _ _) with h_v by (symmetry; apply is_derive_unique, V); field; lra]).
+  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))) by (auto_derive; [eexists; exact U | replace (Derive _ _) with h_u by (symmetry; apply is_derive_unique, U); field; lra]).
   assert (K : forall (f g : R -> R) x a b, is_derive f x a -> is_derive g x b -> Derive (fun t => (1 + beta * f t) * g t) x = beta * a * g x + (1 + beta * f x) * b).
-  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|].
-    replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique; exact Hf).
-    replace (Derive (fun t => g t) x) with b by (symmetry; apply is_derive_unique; exact Hg). ring. }
-  assert (A : derivative_of (surface h beta theta) phi = vector_sum (scaled (beta * (h_v / PI)) (normal_at theta phi)) (scaled (1 + beta * c) (e_phi theta phi))).
-  { destruct (e_phi theta phi) as [[ex ey] ez] eqn:Ee. generalize (frame_by_phi theta phi). rewrite Ee. intros (Hx & Hy & Hz).
-    unfold derivative_of, surface. unfold_vectors.
-    rewrite (K _ _ _ _ _ W Hx), (K _ _ _ _ _ W Hy), (K _ _ _ _ _ W Hz). reflexivity. }
-  assert (T : derivative_of (fun t => surface h beta t phi) theta = vector_sum (scaled (beta * (h_u / (2 * PI))) (normal_at theta phi)) (scaled ((1 + beta * c) * sin phi) (e_theta theta))).
-  { generalize (frame_by_theta theta phi). unfold derivative_of, surface. unfold_vectors. intros (Hx & Hy & Hz).
-    rewrite (K _ _ _ _ _ X Hx), (K _ _ _ _ _ X Hy), (K _ _ _ _ _ X Hz). f_equal; [f_equal|]; fold c; ring. }
-  rewrite A, T, displaced_in_frame by exact S. unfold G. unfold_vectors. f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
+  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|]. replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique, Hf). replace (Derive _ x) with b by (symmetry; apply is_derive_unique, Hg). ring. }
+  rewrite displaced_in_frame by exact S. generalize (frame_by_phi theta phi) (frame_by_theta theta phi). unfold derivative_of, surface, G. unfold_vectors. intros (Px & Py & Pz) (Tx & Ty & Tz).
+  rewrite (K _ _ _ _ _ W Px), (K _ _ _ _ _ W Py), (K _ _ _ _ _ W Pz), (K _ _ _ _ _ X Tx), (K _ _ _ _ _ X Ty), (K _ _ _ _ _ X Tz).
+  f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
 Qed.
 
 (* A false variant: the product without its lift. *)
@@ -162,17 +132,16 @@ Theorem bump_is_not_displacement__cosine (theta phi h_u h_v beta h : R) : 0 < si
   0 < magnitude bumped * magnitude outward /\ 0 < m_length * d_length /\
   dot bumped outward / (magnitude bumped * magnitude outward) = (1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)) / (m_length * d_length).
 Proof.
-  cbv zeta. intros S L. generalize PI_RGT_0. intro. assert (C : forall a, cos a ^ 2 + sin a ^ 2 = 1) by (intro; rewrite sin_squared; ring).
-  destruct (bump_is_not_displacement__angle beta (cos phi) (cos theta) h h_u h_v (sin phi) (sin theta) (C _) (C _) S) as (_ & _ & A & _ & D).
-  assert (D' : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u / (2 * PI * sin phi)) ^ 2) + (beta * h + 1) ^ 2).
-  { etransitivity; [|exact D]. unfold_displaced. unfold dot. ring. }
+  cbv zeta. intros S L. generalize PI_RGT_0. intro.
+  replace (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2) with ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2) by (field; lra).
+  assert (D : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = (1 + beta * h) ^ 2 + beta ^ 2 * ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2))
+    by (unfold_displaced; unfold dot; field [(sin_squared theta) (sin_squared phi)]; lra).
   assert (P : 0 < magnitude (displaced theta phi h_u h_v beta h)).
-  { apply sqrt_lt_R0. rewrite D'. apply Rplus_le_lt_0_compat; [apply Rmult_le_pos; [|apply Rplus_le_le_0_compat]; apply pow2_ge_0 | apply pow_lt; lra]. }
-  replace (beta ^ 2 * _ + _) with ((1 + beta * h) ^ 2 + beta ^ 2 * (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2)) in D' by (field; lra).
-  assert (MD : dot (M theta phi h_u h_v beta) (displaced theta phi h_u h_v beta h) = 1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)).
-  { etransitivity; [|etransitivity; [exact A|]]; [unfold_displaced; unfold_vectors; ring | ring]. }
+  { apply sqrt_lt_R0. rewrite D. apply Rplus_lt_le_0_compat; [apply pow_lt, L | apply Rmult_le_pos; [|apply Rplus_le_le_0_compat]; apply pow2_ge_0]. }
+  assert (MD : dot (M theta phi h_u h_v beta) (displaced theta phi h_u h_v beta h) = 1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI))
+    by (unfold_displaced; unfold_vectors; field [(sin_squared theta) (sin_squared phi)]; lra).
   generalize P (m_length_at_least_1 theta phi h_u h_v beta). destruct (unit_length_length theta phi h_u h_v beta) as (_ & _ & ->). rewrite bumped_is_scaled, dot_scaled, MD.
-  unfold magnitude. rewrite m_squared, D'. intros. split; [lra|]. split; [apply Rmult_lt_0_compat; lra | field; lra].
+  unfold magnitude. rewrite m_squared, D. intros. split; [lra|]. split; [apply Rmult_lt_0_compat; lra | field; lra].
 Qed.
 Theorem bump_is_not_displacement__cosine__point : exists phi beta h, 0 < sin phi /\ 0 < 1 + beta * h.
 Proof. exists (PI / 2), 0, 0. rewrite sin_PI2. lra. Qed.

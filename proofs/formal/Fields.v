@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Claim Derivatives.
+From Formal Require Import Preliminaries Formulas Claim Derivatives Camera.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -215,11 +215,7 @@ Proof. claim. Qed.
 (* Ridges is 0 exactly on the rays k_u u = m and the circles k_v v = m: so p is not 0 everywhere else. *)
 Theorem kink_loci__zero (u v k_u k_v : R) : height_ridges.h u v k_u k_v = 0 <-> (exists m : Z, k_u * u = IZR m) \/ (exists m : Z, k_v * v = IZR m).
 Proof.
-  assert (Z : forall x, sin (PI * x) = 0 <-> exists m : Z, x = IZR m).
-  { intro x. generalize PI_RGT_0. intro P. split.
-    - intro E. destruct (sin_eq_0_0 _ E) as [m M]. exists m. apply Rmult_eq_reg_l with PI; lra.
-    - intros [m ->]. apply sin_eq_0_1. exists m. ring. }
-  rewrite <- !Z. unfold_fields. split.
+  rewrite <- !sine_zero. unfold_fields. split.
   - intro E. apply Rmult_integral. destruct (Req_dec (sin (PI * (k_u * u)) * sin (PI * (k_v * v))) 0) as [H|H]; [exact H | destruct (Rabs_no_R0 _ H E)].
   - intros [E|E]; rewrite E, ?Rmult_0_l, ?Rmult_0_r; apply Rabs_R0.
 Qed.

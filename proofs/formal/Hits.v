@@ -75,15 +75,12 @@ Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discr
 Theorem silhouette_of_a__tangent : Statements.silhouette_of_a__tangent.
 Proof.
   red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
-  assert (E2 : (x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) = radius ^ 2) by (field_simplify_eq; lra).
   assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
-  assert (x ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + y ^ 2 * (1 - radius ^ 2 / eye ^ 2) ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2).
-  { transitivity ((x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) * (1 - radius ^ 2 / eye ^ 2) + radius ^ 4 / eye ^ 2); [ring | rewrite E2; field; lra]. }
-  assert (eye * (1 - (1 - radius ^ 2 / eye ^ 2)) * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) + x * (1 - radius ^ 2 / eye ^ 2) * x * (1 - radius ^ 2 / eye ^ 2) +
-    y * (1 - radius ^ 2 / eye ^ 2) * y * (1 - radius ^ 2 / eye ^ 2) = radius ^ 2) by (etransitivity; [|eassumption]; field; lra).
-  assert (Q : eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) = radius ^ 2) by (field; lra).
-  assert (- eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2)) + x * x * (1 - radius ^ 2 / eye ^ 2) + y * y * (1 - radius ^ 2 / eye ^ 2) = 0).
-  { transitivity ((x ^ 2 + y ^ 2) * (1 - radius ^ 2 / eye ^ 2) - eye * eye * (1 - (1 - radius ^ 2 / eye ^ 2))); [ring | rewrite E2, Q; ring]. }
+  set (s := 1 - radius ^ 2 / eye ^ 2) in *. assert (Q : eye ^ 2 * (1 - s) = radius ^ 2) by (unfold s; field; lra).
+  assert (E2 : (x ^ 2 + y ^ 2) * s = radius ^ 2) by (unfold s; field_simplify_eq; lra). assert (R4 : radius ^ 4 / eye ^ 2 = radius ^ 2 * (1 - s)) by (unfold s; field; lra).
+  assert (x ^ 2 * s ^ 2 + y ^ 2 * s ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2) by (transitivity ((x ^ 2 + y ^ 2) * s * s + radius ^ 4 / eye ^ 2); [ring | rewrite E2, R4; ring]).
+  assert (eye * (1 - s) * eye * (1 - s) + x * s * x * s + y * s * y * s = radius ^ 2) by (transitivity (eye ^ 2 * (1 - s) * (1 - s) + (x ^ 2 + y ^ 2) * s * s); [ring | rewrite Q, E2; ring]).
+  assert (- eye * eye * (1 - s) + x * x * s + y * y * s = 0) by (transitivity ((x ^ 2 + y ^ 2) * s - eye ^ 2 * (1 - s)); [ring | rewrite E2, Q; ring]).
   each settled.
 Qed.
 Theorem visible_iff__visible : Statements.visible_iff__visible.

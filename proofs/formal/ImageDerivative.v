@@ -25,6 +25,11 @@ Proof.
   - apply (level_below f _ x l); [exact D | lra|]. intros t H. rewrite Rmax_left; lra.
 Qed.
 
+(* What is left to show where functions have derivatives that are at hand. *)
+Lemma derivative_is (f : R -> R) (x l : R) : is_derive f x l -> Derive (fun t => f t) x = l.
+Proof. apply is_derive_unique. Qed.
+Ltac by_rules := auto_derive; [repeat split; trivial; eexists; eassumption|]; repeat match goal with D : is_derive ?f ?x ?l |- context [Derive (fun t => ?f t) ?x] => rewrite (derivative_is f x l D) end.
+
 (* The printed highlight: base^p, and 0 at base = 0. *)
 Definition highlight_of (base p : R) : R := highlight.specular base p.
 
@@ -35,10 +40,7 @@ Proof.
   - rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction].
     apply (is_derive_ext_loc (fun t => exp (p * ln (f t)))).
     + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
-    + eapply is_derive_is; [apply (is_derive_comp exp (fun t => p * ln (f t)) x (exp (p * ln (f x))) (p * (l * / f x)))|].
-      * apply is_derive_Reals, derivable_pt_lim_exp.
-      * apply (is_derive_scal (fun t => ln (f t))). apply (is_derive_comp ln f x (/ f x) l); [|exact D]. apply is_derive_Reals, derivable_pt_lim_ln, P.
-      * unfold scal. simpl. unfold mult. simpl. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, Rmult_1_l. unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
+    + by_rules. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, (Rmult_1_l (ln _)). unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
   - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (level_below f _ x l); [exact D | lra|]. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
 Qed.
 
@@ -49,27 +51,18 @@ Lemma share_derives (mu base : R -> R) (beta mu_by_beta base_by_beta i albedo kd
     (term_derivative.term_by_beta (mu beta) mu_by_beta (Rmax 0 (base beta)) base_by_beta p kd ks albedo i).
 Proof.
   intros DM DB NM NB. light_term.lines; term_derivative.lines.
-  generalize (clamp_derive mu beta mu_by_beta DM NM) (power_derive base beta base_by_beta p DB NB). intros A B.
-  set (m := fun b => Rmax 0 (mu b)) in *. set (s := fun b => highlight_of (Rmax 0 (base b)) p) in *.
+  set (m b := Rmax 0 (mu b)). set (s b := highlight_of (Rmax 0 (base b)) p).
+  assert (A := clamp_derive mu beta mu_by_beta DM NM : is_derive m beta _). assert (B := power_derive base beta base_by_beta p DB NB : is_derive s beta _).
   apply (is_derive_ext (fun b => i * (albedo * (kd * m b) + ks * s b) + 0)); [reflexivity|].
-  eapply is_derive_is.
-  - apply (is_derive_plus (fun b => i * (albedo * (kd * m b) + ks * s b)) (fun _ => 0)); [|apply is_derive_const].
-    apply (is_derive_scal (fun b => albedo * (kd * m b) + ks * s b)). apply (is_derive_plus (fun b => albedo * (kd * m b)) (fun b => ks * s b)).
-    + apply (is_derive_scal (fun b => kd * m b)), (is_derive_scal m), A.
-    + apply (is_derive_scal s), B.
-  - unfold plus, zero. simpl. destruct (Rlt_dec 0 (mu beta)), (Rlt_dec 0 (Rmax 0 (base beta))); ring.
+  by_rules. destruct (Rlt_dec 0 (mu beta)), (Rlt_dec 0 (Rmax 0 (base beta))); ring.
 Qed.
-Lemma times_derive (f : R -> R) (x l c : R) : is_derive f x l -> is_derive (fun t => f t * c) x (l * c).
-Proof. intro D. apply (is_derive_ext (fun t => c * f t)); [intro; apply Rmult_comm|]. rewrite Rmult_comm. apply (is_derive_scal f), D. Qed.
 
 Section lines.
 Variables nx ny nz : R -> R.
 Variables beta dx dy dz : R.
 Hypotheses (X : is_derive nx beta dx) (Y : is_derive ny beta dy) (W : is_derive nz beta dz).
 Lemma product_derive (a b c : R) : is_derive (fun t => nx t * a + ny t * b + nz t * c) beta (dx * a + dy * b + dz * c).
-Proof.
-  apply (is_derive_plus (fun t => nx t * a + ny t * b) (fun t => nz t * c)); [apply (is_derive_plus (fun t => nx t * a) (fun t => ny t * b))|]; apply times_derive; assumption.
-Qed.
+Proof. by_rules. ring. Qed.
 Variables px py pz lx ly lz vx vy vz : R.
 Let tx := light_direction.towards_x px py pz lx ly lz.
 Let ty := light_direction.towards_y px py pz lx ly lz.
@@ -86,7 +79,7 @@ Lemma blinn_base_derives : let hx := tx + vx in let hy := ty + vy in let hz := t
   (0 < r -> forall b, blinn.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 ((nx b * hx + ny b * hy + nz b * hz) / r)).
 Proof.
   cbv zeta. split.
-  - apply times_derive, product_derive.
+  - unfold blinn_base_derivative.base_by_beta. by_rules. unfold Rdiv. ring.
   - intros P b. unfold blinn.specular_base. destruct (Rlt_dec _ _) as [_|H]; [|contradiction]. apply Rmax_comm.
 Qed.
 
@@ -97,13 +90,7 @@ Lemma phong_base_derives : let m := fun b => light_direction.mu px py pz lx ly l
     (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
   (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz)).
 Proof.
-  cbv zeta. split; [|reflexivity]. generalize mu_derives (product_derive vx vy vz). intros A B.
-  set (m := fun b => light_direction.mu px py pz lx ly lz (nx b) (ny b) (nz b)) in *. set (q := fun b => nx b * vx + ny b * vy + nz b * vz) in *.
-  apply (is_derive_ext (fun b => 2 * (m b * q b) - (tx * vx + ty * vy + tz * vz))); [intro t; unfold q, m; cbv beta; match goal with |- ?a = ?b => change (a = b :> R) end; ring|].
-  eapply is_derive_is.
-  - apply (is_derive_minus (fun b => 2 * (m b * q b)) (fun _ => tx * vx + ty * vy + tz * vz)); [|apply is_derive_const].
-    apply (is_derive_scal (fun b => m b * q b)), (is_derive_mult m q); [exact A | exact B | intros; apply Rmult_comm].
-  - unfold minus, plus, opp, zero, mult, phong_base_derivative.base_by_beta, q. simpl. unfold m. ring.
+  intros m m'. split; [|reflexivity]. assert (A := mu_derives : is_derive m beta m'). by_rules. unfold phong_base_derivative.base_by_beta. ring.
 Qed.
 End lines.
 

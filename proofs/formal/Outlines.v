@@ -6,20 +6,10 @@ From Formal Require Import Preliminaries Formulas Camera Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
-(* A quadratic a t^2 - 2 b t + c with b > 0, and its near root c / (q + b), where q is the root of b^2 - a c. *)
-Lemma root_by_conjugate (a b c d : R) : d = b ^ 2 - a * c -> d >= 0 -> b > 0 -> let q := sqrt (Rmax 0 d) in let t := c / (q + b) in
-  Rmax 0 d >= 0 /\ q + b > 0 /\ q >= 0 /\ q ^ 2 = d /\ t * (q + b) = c /\ a * t = b - q /\ a * t ^ 2 - 2 * b * t + c = 0.
-Proof.
-  intros D P B q t. pose proof (Rmax_l 0 d). assert (Q : q >= 0) by apply Rle_ge, sqrt_pos.
-  assert (S : q ^ 2 = d) by (unfold q; rewrite Rmax_right, pow2_sqrt by lra; reflexivity).
-  assert (T : t * (q + b) = c) by (unfold t; field; lra).
-  assert (A : a * t = b - q) by (apply (Rmult_eq_reg_r (q + b)); [rewrite Rmult_assoc, T; lra | lra]).
-  repeat split; try lra. replace c with (t * (q + b)) at 1. transitivity (t * (a * t + q - b)); [ring | rewrite A; ring].
-Qed.
-
 Ltac by_squares := repeat match goal with |- context [?a ^ 2] => lazymatch goal with H : 0 <= a ^ 2 |- _ => fail | _ => pose proof (pow2_ge_0 a) end end; lra.
-Ltac root_of_b d b c t q := match goal with D : d >= 0, B : b > 0, Q : d = b ^ 2 - ?a * _ |- _ =>
-  generalize (root_by_conjugate a b c d Q D B); cbv zeta; fold q; fold t; intros (M & QB & Q0 & QQ & TM & TA & TQ) end.
+Ltac root_of_b a d b t q := match goal with D : d >= 0, B : b > 0, T := ?n / (q + b) |- _ => set (c := n) in *;
+  assert (Q : d = b ^ 2 - a * c) by (lines; ring); pose proof (Rmax_l 0 d) as M; assert (RQ : q = sqrt d) by (unfold q; rewrite Rmax_right by lra; reflexivity);
+  generalize (root_by_conjugate a b c d B Q (Rge_le _ _ D)); cbv zeta; rewrite <- RQ, (Rplus_comm b q); fold t; intros (Q0 & QQ & TM & TA & TQ); assert (QB : q + b > 0) by lra end.
 
 Theorem hit_of_b__quadratic : Statements.hit_of_b__quadratic.
 Proof. claim. Qed.
@@ -27,9 +17,7 @@ Theorem hit_of_b__behind : Statements.hit_of_b__behind.
 Proof. claim. Qed.
 Theorem hit_of_b__solves : Statements.hit_of_b__solves.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  assert (Q : discriminant_b = toward_b ^ 2 - (eye ^ 2 + x ^ 2 + y ^ 2) * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b. assert (C : c > 0) by (unfold c, distance; lra).
+  red. intros. root_of_b (eye ^ 2 + x ^ 2 + y ^ 2) discriminant_b toward_b t_b root_b. assert (C : c > 0) by (unfold c, distance; lra).
   assert (t_b > 0) by (unfold t_b; apply Rdiv_lt_0_compat; lra).
   assert ((eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2).
   { apply Rminus_diag_uniq. etransitivity; [| exact TQ]. unfold toward_b, c, distance. ring. }
@@ -38,9 +26,7 @@ Qed.
 
 Theorem hit_of_b__near : Statements.hit_of_b__near.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  set (a := (- eye) * (- eye) + x * x + y * y). assert (Q : discriminant_b = toward_b ^ 2 - a * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b. assert (A : a > 0) by (unfold a; nra).
+  red. intros. set (a := (- eye) * (- eye) + x * x + y * y). root_of_b a discriminant_b toward_b t_b root_b. assert (A : a > 0) by (unfold a; nra).
   assert (S : (a * t - toward_b) ^ 2 = root_b ^ 2).
   { rewrite QQ, Q. transitivity (toward_b ^ 2 - a * c + a * (a * t ^ 2 - 2 * toward_b * t + c)); [ring|].
     replace (a * t ^ 2 - 2 * toward_b * t + c) with 0; [ring|]. unfold a, toward_b, c, distance. lra. }
@@ -49,22 +35,18 @@ Proof.
 Qed.
 Theorem hit_of_b__outward : Statements.hit_of_b__outward.
 Proof.
-  red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) in *.
-  assert (Q : discriminant_b = toward_b ^ 2 - ray_length_squared * c) by (lines; ring).
-  root_of_b discriminant_b toward_b c t_b root_b.
+  red. intros. root_of_b ray_length_squared discriminant_b toward_b t_b root_b.
   assert (C : c > 0) by (unfold c, distance; lra). assert (A : ray_length_squared > 0).
   { assert (discriminant_b <= ball_radius ^ 2 * ray_length_squared) by (unfold discriminant_b, ray_length_squared; by_squares).
     assert (0 <= ray_length_squared) by (unfold ray_length_squared; by_squares). nra. }
   assert (R : root_b = toward_b - ray_length_squared * t_b) by lra.
-  assert (X : radius_vector_x = t_b * x - ball_center_x) by (unfold radius_vector_x; rewrite R; unfold toward_b, moment_y, moment_z, ray_length_squared, distance in *; field; lra).
-  assert (Y : radius_vector_y = t_b * y - ball_center_y) by (unfold radius_vector_y; rewrite R; unfold toward_b, moment_x, moment_z, ray_length_squared, distance in *; field; lra).
-  assert (Z : radius_vector_z = eye * (1 - t_b) - ball_center_z) by (unfold radius_vector_z; rewrite R; unfold toward_b, moment_x, moment_y, ray_length_squared, distance in *; field; lra).
+  assert (X : radius_vector_x = t_b * x - ball_center_x /\ radius_vector_y = t_b * y - ball_center_y /\ radius_vector_z = eye * (1 - t_b) - ball_center_z)
+    by (unfold radius_vector_x, radius_vector_y, radius_vector_z; rewrite R; clearbody t_b root_b; clear - A; lines; repeat split; field; lra). destruct X as (X & Y & Z).
   assert (S : radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2 = ball_radius ^ 2).
   { rewrite X, Y, Z. apply Rminus_diag_uniq. etransitivity; [| exact TQ]. unfold ray_length_squared, toward_b, c, distance. ring. }
   assert (L : radius_length = ball_radius) by (unfold radius_length; rewrite S; apply sqrt_pow2; lra).
-  assert (NX : ball_radius * normal_x = t_b * x - ball_center_x) by (unfold normal_x; rewrite L, X; field; lra).
-  assert (NY : ball_radius * normal_y = t_b * y - ball_center_y) by (unfold normal_y; rewrite L, Y; field; lra).
-  assert (NZ : ball_radius * normal_z = eye * (1 - t_b) - ball_center_z) by (unfold normal_z; rewrite L, Z; field; lra).
+  assert (N : ball_radius * normal_x = t_b * x - ball_center_x /\ ball_radius * normal_y = t_b * y - ball_center_y /\ ball_radius * normal_z = eye * (1 - t_b) - ball_center_z)
+    by (unfold normal_x, normal_y, normal_z; rewrite L, X, Y, Z; repeat split; field; lra). destruct N as (NX & NY & NZ).
   assert (0 <= ball_radius ^ 2) by apply pow2_ge_0. each ltac:(first [assumption | lra | apply Rgt_not_eq; lra | unfold point_x, point_y, point_z; lra]).
 Qed.
 
@@ -202,15 +184,14 @@ Proof.
   assert (N : h <> 0) by nra. pose proof (pow2_ge_0 cx). pose proof (pow2_ge_0 cy).
   assert (L : forall p q, (p * cx + q * cy) ^ 2 < c * (p ^ 2 + q ^ 2) -> exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0).
   { intros p q G. set (m := p * cx + q * cy) in *. set (x s := e * cx / h + s * p). set (y s := e * cy / h + s * q).
-    assert (V : forall s, hit_of_b.discriminant_b (x s) (y s) e cx cy cz r = - ((c * (p ^ 2 + q ^ 2) - m ^ 2) * s ^ 2 +
-      2 * (e / h * m * (c - w - h ^ 2)) * s + - ((e / h) ^ 2 * (w + h ^ 2) * r ^ 2))).
-    { intro s. destruct (quadratic_of_b 0 (x s) (y s) e cx cy cz r) as (_ & _ & ->). fold c. rewrite W.
+    set (bend := c * (p ^ 2 + q ^ 2) - m ^ 2). set (slope := e / h * m * (c - w - h ^ 2)). set (height := (e / h) ^ 2 * (w + h ^ 2) * r ^ 2).
+    assert (V : forall s, hit_of_b.discriminant_b (x s) (y s) e cx cy cz r = - (bend * s ^ 2 + 2 * slope * s + - height)).
+    { intro s. destruct (quadratic_of_b 0 (x s) (y s) e cx cy cz r) as (_ & _ & ->). unfold bend, slope, height. fold c. rewrite W.
       unfold dot3; hit_of_b.lines; unfold x, y, m, w. fold h. field. exact N. }
-    assert (K : 0 < (e / h) ^ 2 * (w + h ^ 2) * r ^ 2).
+    assert (K : 0 < height).
     { assert (0 < (e / h) ^ 2) by (apply pow2_gt_0, Rmult_integral_contrapositive_currified; [lra | apply Rinv_neq_0_compat, N]).
       apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat |]; unfold w; nra. }
-    destruct (two_roots (c * (p ^ 2 + q ^ 2) - m ^ 2) (e / h * m * (c - w - h ^ 2)) (- ((e / h) ^ 2 * (w + h ^ 2) * r ^ 2)) 0) as (s & _ & _ & S & _);
-      [lra | lra |]. exists (x s), (y s). rewrite V, S. ring. }
+    destruct (two_roots bend slope (- height) 0) as (s & _ & _ & S & _); [unfold bend; lra | lra |]. exists (x s), (y s). rewrite V, S. ring. }
   destruct (Rlt_dec (cx ^ 2) c); [apply (L 1 0) | apply (L 0 1)]; unfold w in W; lra.
 Qed.
 

@@ -1,8 +1,8 @@
 (* The gradient at the pole: along each meridian it has a limit, and not the same one. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Claim.
+From Formal Require Import Preliminaries Formulas Vectors Camera Fields Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -110,8 +110,7 @@ Proof.
   assert (N : PI * k_v * sin (PI * (k_u * u)) <> 0).
   { apply Rmult_integral_contrapositive_currified; [apply Rmult_integral_contrapositive_currified |]; [lra | intro Z; apply K; rewrite Z; ring | exact S]. }
   set (n := PI * k_v * sin (PI * (k_u * u))) in *. set (c := cos (2 * PI * u - PI)) in *. set (d := sin (2 * PI * u - PI)) in *.
-  apply N. transitivity (n * c * c + n * d * d); [|rewrite <- X', <- Y', X, Y; ring].
-  transitivity (n * (d * d + c * c)); [|ring]. replace (d * d + c * c) with 1 by (symmetry; exact (sin2_cos2 (2 * PI * u - PI))). ring.
+  apply N. replace n with (n * c * c + n * d * d) by (unfold c, d; ring [(sin_squared (2 * PI * u - PI))]). rewrite <- X', <- Y', X, Y. ring.
 Qed.
 Theorem pole__two_limits__point : exists k_u k_v : R, k_u * k_v <> 0.
 Proof. exists 1, 1. lra. Qed.
@@ -126,18 +125,13 @@ Qed.
 Lemma ratio_of_sines (k : R) : is_lim (fun v => sin (PI * (k * v)) / sin (PI * v)) 0 k.
 Proof.
   generalize PI_RGT_0. intro P.
-  assert (D : forall c, is_derive (fun v => sin (PI * (c * v))) 0 (PI * c)) by (intro c; auto_derive; trivial; rewrite !Rmult_0_r, cos_0; ring).
   assert (Q : forall c, is_lim (fun v => sin (PI * (c * v)) / v) 0 (PI * c)).
-  { intro c. generalize (D c). intro Dc. apply is_derive_Reals in Dc. intros S [eps HS]. destruct (Dc eps (cond_pos eps)) as [delta H].
-    exists delta. intros v B normal_at. apply HS. unfold ball. simpl. unfold AbsRing_ball, abs, minus, plus, opp. simpl.
-    change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B.
-    generalize (H v normal_at B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
+  { intro c. assert (D : is_derive (fun v => sin (PI * (c * v))) 0 (PI * c)) by (auto_derive; trivial; rewrite !Rmult_0_r, cos_0; ring).
+    apply is_derive_Reals in D. apply is_lim_spec. intro eps. destruct (D eps (cond_pos eps)) as [delta H]. exists delta. intros v B N.
+    change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B. generalize (H v N B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
   apply (is_lim_ext_loc (fun v => (sin (PI * (k * v)) / v) / (sin (PI * (1 * v)) / v))).
-  - exists (mkposreal 1 Rlt_0_1). intros v B normal_at. change (Rabs (v - 0) < 1) in B.
-    rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
-    { destruct (Rdichotomy v 0 normal_at) as [L|L].
-      - assert (0 < sin (PI * - v)) by (apply sin_gt_0; nra). rewrite Ropp_mult_distr_r_reverse, sin_neg in *. lra.
-      - assert (0 < sin (PI * v)) by (apply sin_gt_0; nra). lra. }
+  - exists (mkposreal 1 Rlt_0_1). intros v B N. change (Rabs (v - 0) < 1) in B. rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
+    { intro Z. apply sine_zero in Z. destruct Z as [m ->]. assert (-1 < m < 1)%Z by (split; apply lt_IZR; lra). apply N. replace m with 0%Z by lia. reflexivity. }
     rewrite Rmult_1_l. field. split; assumption.
   - replace (Finite k) with (Rbar_div (PI * k) (PI * 1)) by (simpl; f_equal; field; lra).
     apply is_lim_div; [apply Q | apply Q | intro E; injection E; lra | simpl; trivial].
@@ -159,23 +153,15 @@ Theorem pole__surface_limit :
   dot limit limit = k_v ^ 2 * (k_u ^ 2 / 4 + (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2).
 Proof.
   generalize PI_RGT_0. intro P. set (c := cos (PI * (k_u * u))). set (s := sin (PI * (k_u * u))).
-  assert (A : is_lim (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v))) 0 (k_u / 2 * c * k_v)).
-  { apply (is_lim_scal_l (fun v => sin (PI * (k_v * v)) / sin (PI * v)) (k_u / 2 * c) 0 k_v), ratio_of_sines. }
-  assert (B : forall (f : R -> R) (l : R), ex_derive f 0 -> f 0 = l -> is_lim f 0 l).
-  { intros f l D <-. apply is_lim_continuity, continuity_pt_filterlim, (ex_derive_continuous f 0 D). }
-  assert (E : forall v, gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) = k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v))).
-  { intro v. unfold_fields. fold c. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra. }
-  assert (F : forall v, gradient_sine.h_v u v k_u k_v / PI = k_v * s * cos (PI * (k_v * v))) by (intro v; unfold_fields; fold s; field; lra).
-  unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s.
-  assert (S : forall x (f : R -> R) (l : R), is_lim f 0 l -> is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + f v) 0 (k_v * (k_u / 2 * c * x) + l)).
-  { intros x f l Hf. apply (is_lim_ext (fun v => k_u / 2 * c * (sin (PI * (k_v * v)) / sin (PI * v)) * x + f v)); [intro v; rewrite E; reflexivity|].
-    apply (is_lim_plus' _ f 0 (k_v * (k_u / 2 * c * x)) l); [|exact Hf]. replace (k_v * (k_u / 2 * c * x)) with (k_u / 2 * c * k_v * x) by ring.
-    exact (is_lim_scal_r _ x 0 _ A). }
-  rewrite !Rmult_plus_distr_l.
-  assert (V : forall g l, ex_derive g 0 -> k_v * s * g 0 = l -> is_lim (fun v => gradient_sine.h_v u v k_u k_v / PI * g v) 0 l).
-  { intros g l D <-. apply (is_lim_ext (fun v => k_v * s * cos (PI * (k_v * v)) * g v)); [intro v; rewrite F; reflexivity|]. apply B; [auto_derive; trivial | rewrite !Rmult_0_r, cos_0; ring]. }
-  split; [|split; [|split]].
-  1, 2, 3: apply S, V; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
+  assert (S : forall x (f : R -> R) (l : R), ex_derive f 0 -> k_v * (k_u / 2 * c * x) + k_v * s * f 0 = l ->
+    is_lim (fun v => gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v)) * x + gradient_sine.h_v u v k_u k_v / PI * f v) 0 l).
+  { intros x f l D <-. apply (is_lim_ext (fun v => k_u / 2 * c * x * (sin (PI * (k_v * v)) / sin (PI * v)) + k_v * s * cos (PI * (k_v * v)) * f v)).
+    - intro v. unfold_fields. fold c s. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra.
+    - rewrite (Rmult_comm k_v (_ * x)). apply is_lim_plus'; [apply (is_lim_scal_l _ (k_u / 2 * c * x) 0 k_v), ratio_of_sines|].
+      replace (k_v * s * f 0) with (k_v * s * cos (PI * (k_v * 0)) * f 0) by (rewrite !Rmult_0_r, cos_0; ring).
+      apply (is_lim_continuity (fun v => k_v * s * cos (PI * (k_v * v)) * f v)), continuity_pt_filterlim, (ex_derive_continuous (fun v => k_v * s * cos (PI * (k_v * v)) * f v)). auto_derive. auto. }
+  unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s. split; [|split; [|split]].
+  1, 2, 3: apply S; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
   - unfold c, s. field_simplify_eq. ring [(sin_squared theta) (sin_squared (PI * (k_u * u)))].
 Qed.
 End surface.

@@ -6,11 +6,13 @@ From Formal Require Import Preliminaries Formulas Vectors Fields Bump Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
+Lemma last_squared (x y z : R) : z * z + x * x + y * y = 1 -> z ^ 2 = 1 - x ^ 2 - y ^ 2.
+Proof. lra. Qed.
 Theorem specular_lipschitz__along_a_direction : Statements.specular_lipschitz__along_a_direction.
 Proof.
   red. intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
   assert (S : a ^ 2 - w ^ 2 = (ox * (ny - my) - oy * (nx - mx)) ^ 2 + (oy * (nz - mz) - oz * (ny - my)) ^ 2 + (oz * (nx - mx) - ox * (nz - mz)) ^ 2).
-  { transitivity (a ^ 2 * (oz * oz + ox * ox + oy * oy) - w ^ 2); [rewrite U; ring | rewrite G; unfold w; ring]. }
+  { rewrite G. unfold w. ring [(last_squared _ _ _ U)]. }
   assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; sum_of_squares). assert (- a <= w <= a) by (clear - A D; split; nra).
   split; [exact D | unfold w in *; split; lra].
 Qed.
@@ -22,9 +24,7 @@ Proof.
 Qed.
 Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz N M O.
-  transitivity ((mz * mz + mx * mx + my * my) * (nz * nz + nx * nx + ny * ny) * (oz * oz + ox * ox + oy * oy) + (mz * oz + mx * ox + my * oy) * 2 * (nz * oz + nx * ox + ny * oy) * (mz * nz + mx * nx + my * ny)
-    - (mz * mz + mx * mx + my * my) * (nz * oz + nx * ox + ny * oy) ^ 2 - (nz * nz + nx * nx + ny * ny) * (mz * oz + mx * ox + my * oy) ^ 2 - (oz * oz + ox * ox + oy * oy) * (mz * nz + mx * nx + my * ny) ^ 2); [ring | rewrite N, M, O; ring].
+  red. intros mx my mz nx ny nz ox oy oz N M O. ring [(last_squared _ _ _ N) (last_squared _ _ _ M) (last_squared _ _ _ O)].
 Qed.
 Theorem specular_lipschitz__twice : Statements.specular_lipschitz__twice.
 Proof.
@@ -44,10 +44,7 @@ Proof.
 Qed.
 Theorem specular_lipschitz__mirror : Statements.specular_lipschitz__mirror.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. set (a := nz * oz + nx * ox + ny * oy). set (b := mz * oz + mx * ox + my * oy).
-  split; [|split; [|split; unfold a, b; ring]].
-  - transitivity (4 * (b ^ 2 * (mz * mz + mx * mx + my * my) + a ^ 2 * (nz * nz + nx * nx + ny * ny) - 2 * (mz * nz + mx * nx + my * ny) * b * a)); [ring | rewrite N, M; ring].
-  - transitivity ((nz * nz + nx * nx + ny * ny) + (mz * mz + mx * mx + my * my) - 2 * (mz * nz + mx * nx + my * ny)); [ring | rewrite N, M; ring].
+  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. repeat split; ring [(last_squared _ _ _ N) (last_squared _ _ _ M)].
 Qed.
 Theorem squared_highlight__base : Statements.squared_highlight__base.
 Proof.
@@ -116,13 +113,14 @@ Definition phong_base (n : vector) : R :=
 Definition omega : vector := scaled (/ magnitude (difference L P)) (difference L P).
 End models.
 
-Ltac square_of_difference := match goal with |- context [(?a - ?b) ^ 2 + (?c - ?d) ^ 2 + (?e - ?f) ^ 2] =>
-  replace ((a - b) ^ 2 + (c - d) ^ 2 + (e - f) ^ 2) with ((a + -1 * b) * (a + -1 * b) + (c + -1 * d) * (c + -1 * d) + (e + -1 * f) * (e + -1 * f)) by ring end.
+Lemma difference_is (x y z px py pz : R) : difference (x, y, z) (px, py, pz) = (x - px, y - py, z - pz).
+Proof. unfold difference, vector_sum, scaled. f_equal; [f_equal|]; ring. Qed.
+Lemma dot_itself (x y z : R) : dot (x, y, z) (x, y, z) = x ^ 2 + y ^ 2 + z ^ 2.
+Proof. unfold dot. ring. Qed.
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
   destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
-  unfold mu, omega; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference. ring.
+  unfold mu, omega, magnitude; light_direction.lines. rewrite difference_is, dot_itself. reflexivity.
 Qed.
 Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
@@ -136,11 +134,8 @@ Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
   blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
 Proof.
   cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold blinn_base, omega; blinn.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference.
-  set (s := / sqrt _). replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
-  set (a := s * _ + vx). set (b := s * _ + vy). set (c := s * _ + vz). replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
-  destruct (Rlt_dec 0 (sqrt (a * a + b * b + c * c))); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold Rdiv. ring.
+  unfold blinn_base, omega, magnitude; blinn.lines. rewrite difference_is, dot_itself. unfold vector_sum, scaled. rewrite dot_itself.
+  destruct (Rlt_dec _ _); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold dot, Rdiv. ring.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
@@ -154,8 +149,7 @@ Qed.
 Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
 Proof.
   rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold phong_base, mu, omega; phong.lines; light_direction.lines; unfold difference, magnitude, dot, scaled, vector_sum.
-  square_of_difference. f_equal. ring.
+  unfold phong_base, mu, omega, magnitude; phong.lines; light_direction.lines. rewrite difference_is, dot_itself. unfold dot, scaled. f_equal. ring.
 Qed.
 
 Ltac expand_dots :=
@@ -167,69 +161,43 @@ Ltac expand_dots :=
       | |- context [dot ?a (scaled ?t ?b)] => rewrite (dot_comm a (scaled t b))
       end ].
 
-(* Bessel's inequality for two orthogonal vectors. *)
-Lemma bessel (s d w : vector) : dot s d = 0 -> magnitude w = 1 ->
-  dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2 <= dot s s * dot d d.
+(* w, mirrored at the unit vector n: at two of them it differs by at most twice their difference. *)
+Definition reflected (w n : vector) : vector := difference (scaled (2 * dot n w) n) w.
+Lemma reflected_product (w n v : vector) : dot (reflected w n) v = 2 * dot n w * dot n v - dot w v.
+Proof. unfold reflected. expand_dots. ring. Qed.
+Lemma reflected_apart (n m w : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 ->
+  magnitude (difference (reflected w n) (reflected w m)) <= 2 * magnitude (difference n m).
 Proof.
-  intros O W. assert (W2 : dot w w = 1) by (rewrite <- length_squared, W; ring).
-  generalize (dot_nonneg s) (dot_nonneg d) (cauchy_schwarz s w) (cauchy_schwarz d w). intros PS PD CS CD. rewrite W in CS, CD.
-  set (k := difference (scaled (dot s s * dot d d) w) (vector_sum (scaled (dot d d * dot s w) s) (scaled (dot s s * dot d w) d))).
-  assert (E : dot k k = dot s s * dot d d * (dot s s * dot d d - (dot d d * dot s w ^ 2 + dot s s * dot d w ^ 2))).
-  { unfold k. expand_dots. rewrite ?(dot_comm w s), ?(dot_comm w d), ?(dot_comm d s), ?O, W2. ring. }
-  generalize (dot_nonneg k). rewrite E. intro K.
-  destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
-  - assert (0 < dot s s * dot d d) by nra. nra.
-  - assert (magnitude d = 0) by (unfold magnitude; rewrite <- PD; apply sqrt_0). assert (dot d w = 0) by nra. rewrite <- PD. nra.
-  - assert (magnitude s = 0) by (unfold magnitude; rewrite <- PS; apply sqrt_0). assert (dot s w = 0) by nra. rewrite <- PS. nra.
-Qed.
-
-(* Mirroring w at the unit vectors n and m gives vectors whose product with v differs by at most 2 |n - m|. *)
-Lemma mirror_is_lipschitz (n m w v : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude v = 1 ->
-  Rabs ((2 * dot n w * dot n v - dot w v) - (2 * dot m w * dot m v - dot w v)) <= 2 * magnitude (difference n m).
-Proof.
-  intros Hn Hm Hw Hv. set (s := vector_sum n m). set (d := difference n m).
-  replace (2 * dot n w * dot n v - dot w v - (2 * dot m w * dot m v - dot w v)) with (dot s w * dot d v + dot d w * dot s v)
-    by (unfold s, d; expand_dots; ring).
-  assert (O : dot s d = 0) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
-  assert (Q : dot s s + dot d d = 4) by (unfold s, d; expand_dots; rewrite (dot_comm m n), <- !length_squared, Hn, Hm; ring).
-  generalize (bessel s d w O Hw) (bessel s d v O Hv) (length_squared d) (length_nonneg d) (dot_nonneg s) (dot_nonneg d).
-  set (A := dot s w). set (A' := dot s v). set (D := dot d w). set (D' := dot d v). intros B B' L L0 PS PD.
-  assert (X : (A * D' + D * A') ^ 2 <= dot s s * dot d d).
-  { destruct PS as [PS|PS]; [destruct PD as [PD|PD]|].
-    - apply Rmult_le_reg_r with (dot s s * dot d d); [nra|].
-      assert ((A * D' + D * A') ^ 2 * (dot s s * dot d d) <= (dot d d * A ^ 2 + dot s s * D ^ 2) * (dot s s * D' ^ 2 + dot d d * A' ^ 2)).
-      { generalize (pow2_ge_0 (dot d d * A * A' - dot s s * D * D')). nra. }
-      eapply Rle_trans; [eassumption|]. apply Rmult_le_compat; nra.
-    - rewrite <- PD in *. assert (D = 0) by nra. assert (D' = 0) by nra. subst D D'. rewrite H, H0. nra.
-    - rewrite <- PS in *. assert (A = 0) by nra. assert (A' = 0) by nra. subst A A'. rewrite H, H0. nra. }
-  assert (Y : (A * D' + D * A') ^ 2 <= (2 * magnitude d) ^ 2) by (rewrite Rpow_mult_distr, L; nra).
-  rewrite <- (pow2_abs (A * D' + D * A')) in Y. apply le_of_squares; [lra | exact Y].
+  assert (U : forall a, magnitude a = 1 -> dot a a = 1) by (intros a A; rewrite <- length_squared, A; ring). intros N M W. apply U in N, M, W. apply Rge_le.
+  apply (specular_lipschitz__twice (dot n w) (magnitude (difference n m)) (dot m w) (dot n m)); [apply Rle_ge, length_nonneg | | |]; rewrite ?length_squared.
+  - apply Rle_ge. destruct n as [[nx ny] nz], m as [[mx my] mz], w as [[wx wy] wz]. unfold dot in *.
+    eapply Rle_trans; [apply pow2_ge_0 | right; etransitivity; [apply (specular_lipschitz__gram mx my mz nx ny nz wx wy wz); lra | ring]].
+  - unfold reflected. expand_dots. rewrite (dot_comm w n), (dot_comm w m), (dot_comm m n), N, M, W. ring.
+  - expand_dots. rewrite (dot_comm m n), N, M. ring.
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
 Lemma phong_base_is_lipschitz (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
 Proof.
-  intros H Hn Hm Hv. rewrite !phong_base_is. eapply Rle_trans; [apply clamp_is_lipschitz|].
-  apply mirror_is_lipschitz; trivial. apply direction_is_unit, H.
+  intros H Hn Hm Hv. rewrite !phong_base_is, <- !reflected_product. eapply Rle_trans; [apply clamp_is_lipschitz|].
+  eapply Rle_trans; [apply dot_is_lipschitz, Hv | apply reflected_apart; trivial]. apply direction_is_unit, H.
 Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
 Lemma product_of_units (n w : vector) : magnitude n = 1 -> magnitude w = 1 -> -1 <= dot n w <= 1.
-Proof. intros normal_at W. destruct (cauchy_schwarz n w) as [A B]. rewrite normal_at, W in *. lra. Qed.
+Proof. intros N W. destruct (cauchy_schwarz n w) as [A B]. rewrite N, W in *. lra. Qed.
 Lemma blinn_base_in_unit (P L v n : vector) : magnitude n = 1 -> 0 <= blinn_base P L v n <= 1.
 Proof.
-  intro normal_at. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ normal_at (direction_is_unit _ H)).
+  intro N. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ N (direction_is_unit _ H)).
   unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 Lemma phong_base_in_unit (P L v n : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
 Proof.
-  intros H normal_at V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
-  set (r := difference (scaled (2 * dot n (omega P L)) n) (omega P L)).
-  assert (R : magnitude r = 1).
-  { apply length_of_unit. unfold r. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, normal_at, W. ring. }
-  replace (2 * dot n (omega P L) * dot n v - dot (omega P L) v) with (dot r v) by (unfold r; expand_dots; ring).
-  generalize (product_of_units r v R V). unfold Rmax. destruct (Rle_dec _ _); lra.
+  intros H N V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
+  assert (R : magnitude (reflected (omega P L) n) = 1).
+  { apply length_of_unit. unfold reflected. expand_dots. rewrite (dot_comm (omega P L) n), <- !length_squared, N, W. ring. }
+  generalize (product_of_units _ v R V). rewrite reflected_product. unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
 
 (* mu is Lipschitz with 1 in N', and the highlight base^p with p (Blinn) and 2p (Phong), for every whole p. *)
@@ -248,7 +216,7 @@ Theorem specular_lipschitz__highlight__point : exists P L v n : vector, 0 < magn
 Proof.
   exists (0, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0).
   assert (E : magnitude (1, 0, 0) = 1) by (apply length_of_unit; unfold dot; ring). split; [|split; exact E].
-  replace (difference (1, 0, 0) (0, 0, 0)) with ((1, 0, 0) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring). rewrite E. lra.
+  rewrite difference_is, !Rminus_0_r, E. lra.
 Qed.
 (* The error of a colour *)
 
@@ -301,12 +269,8 @@ Let s := / (magnitude d * dot k k).
 Lemma squared_is : 0 < dot k k -> mu_squared = dot n d * dot k k * s /\ base_squared = Rmax 0 (dot n k) ^ 2 * magnitude d * s.
 Proof.
   unfold s, k, d, mu_squared, base_squared. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  blinn_squared.lines; unfold difference, magnitude, dot, vector_sum, scaled.
-  replace (lx - px) with (lx + -1 * px) by ring. replace (ly - py) with (ly + -1 * py) by ring. replace (lz - pz) with (lz + -1 * pz) by ring.
-  generalize (lx + -1 * px) (ly + -1 * py) (lz + -1 * pz). intros a b c. replace (a ^ 2 + b ^ 2 + c ^ 2) with (a * a + b * b + c * c) by ring.
-  set (r := sqrt _). rewrite (Rplus_comm (r * vx)), (Rplus_comm (r * vy)), (Rplus_comm (r * vz)). set (kx := a + _). set (ky := b + _). set (kz := c + _).
-  replace (kx ^ 2 + ky ^ 2 + kz ^ 2) with (kx * kx + ky * ky + kz * kz) by ring. intro K.
-  destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold Rdiv. rewrite (Rmult_comm r). split; ring.
+  unfold magnitude; blinn_squared.lines. rewrite difference_is, dot_itself. set (r := sqrt _). unfold vector_sum, scaled. rewrite dot_itself, !(Rplus_comm (r * _)). intro K.
+  destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold dot, Rdiv. rewrite !Rinv_mult. split; ring.
 Qed.
 (* With d = L - P, k = d + |d| v and s = 1/(|d| k.k): mu = (N'.d)(k.k)s, and the square of Blinn's base is (N'.k)^2 |d| s where N'.k >= 0.
    The printed shortcut is the model. *)
@@ -328,8 +292,7 @@ Qed.
 End squared.
 Lemma above_is : omega (0, 0, 0) (0, 0, 1) = (0, 0, 1).
 Proof.
-  unfold omega. replace (difference (0, 0, 1) (0, 0, 0)) with ((0, 0, 1) : vector) by (unfold difference, vector_sum, scaled; f_equal; [f_equal|]; ring).
-  rewrite (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
+  unfold omega. rewrite difference_is, !Rminus_0_r, (length_of_unit (0, 0, 1)), Rinv_1 by (unfold dot; ring). unfold scaled. f_equal; [f_equal|]; ring.
 Qed.
 Lemma above_apart : magnitude (difference (0, 0, 1) (0, 0, 0)) = 1.
 Proof. apply length_of_unit. unfold dot, difference, vector_sum, scaled. ring. Qed.

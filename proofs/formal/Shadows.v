@@ -68,12 +68,9 @@ Qed.
 Lemma apart_axis x : 0 <= x -> sqrt (apart2 0 0 0 x 0 0) = x.
 Proof. intros X. apply sqrt_is; [exact X | unfold apart2; ring]. Qed.
 
-Lemma apart_behind x : 0 <= x -> sqrt (apart2 0 0 0 (- x) 0 0) = x.
-Proof. intros X. apply sqrt_is; [exact X | unfold apart2; ring]. Qed.
-
 Theorem occlusion_by_signs__iff__point : exists px py pz lx ly lz cx cy cz r : R, 0 < r /\
   r < sqrt (apart2 cx cy cz px py pz) /\ r < sqrt (apart2 cx cy cz lx ly lz).
-Proof. exists 2, 0, 0, (- (2)), 0, 0, 0, 0, 0, 1. rewrite apart_axis, apart_behind; lra. Qed.
+Proof. exists 2, 0, 0, 3, 0, 0, 0, 0, 0, 1. rewrite !apart_axis; lra. Qed.
 
 (* Not with d >= 0 alone. *)
 Theorem occlusion_by_signs__iff__false : ~ forall px py pz lx ly lz cx cy cz r : R, 0 < r ->
@@ -250,22 +247,6 @@ Proof. apply sqrt_pos. Qed.
 Lemma len_squared x y z : len x y z ^ 2 = x ^ 2 + y ^ 2 + z ^ 2.
 Proof. apply pow2_sqrt. squares. Qed.
 
-(* |X + w| >= |X| - |w|. *)
-Lemma len_apart ax ay az bx by_ bz : len ax ay az - len bx by_ bz <= len (ax + bx) (ay + by_) (az + bz).
-Proof.
-  pose proof (len_pos ax ay az) as A. pose proof (len_pos bx by_ bz) as B. pose proof (len_squared ax ay az) as A2.
-  pose proof (len_squared bx by_ bz) as B2. pose proof (len_squared (ax + bx) (ay + by_) (az + bz)) as C2.
-  pose proof (len_pos (ax + bx) (ay + by_) (az + bz)).
-  set (a := len ax ay az) in *. set (b := len bx by_ bz) in *. set (c := len (ax + bx) (ay + by_) (az + bz)) in *.
-  set (p := ax * bx + ay * by_ + az * bz).
-  assert (P : p ^ 2 <= (a * b) ^ 2).
-  { pose proof (pow2_ge_0 (ay * bz - az * by_)). pose proof (pow2_ge_0 (az * bx - ax * bz)).
-    pose proof (pow2_ge_0 (ax * by_ - ay * bx)). rewrite Rpow_mult_distr, A2, B2. unfold p. lra. }
-  assert (Q : - (a * b) <= p) by (assert (0 <= a * b) by (apply Rmult_le_pos; assumption); nra).
-  assert (E : c ^ 2 = a ^ 2 + b ^ 2 + 2 * p) by (rewrite C2, A2, B2; unfold p; ring).
-  destruct (Rle_lt_dec (a - b) c) as [L | L]; [exact L | exfalso]. assert (c ^ 2 < (a - b) ^ 2) by nra. lra.
-Qed.
-
 Theorem shadow_out_of_reach__within : Statements.shadow_out_of_reach__within.
 Proof. claim. Qed.
 Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
@@ -286,85 +267,21 @@ Proof. red. intros. assert (0 <= (1 - share) * (bend * (1 - share) - 2 * (bend +
 Theorem shadow_out_of_reach__bends_down : Statements.shadow_out_of_reach__bends_down.
 Proof. red. intros. assert (0 <= share * (1 - share) * - bend) by (repeat apply Rmult_le_pos; lra). lra. Qed.
 
-(* The segment from the light L to a point Q of the ball (centre C, radius s) passes at share t of the way within t s of
-   L + t (C - L). *)
-Lemma within_share (t lx ly lz bx by_ bz s qx qy qz : R) : 0 <= t ->
-  len (qx - bx) (qy - by_) (qz - bz) <= s ->
-  len (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
-    (lz + t * (qz - lz) - (lz + t * (bz - lz))) <= t * s.
-Proof.
-  intros T H. replace (len _ _ _) with (t * len (qx - bx) (qy - by_) (qz - bz)) by (
-    unfold len; rewrite <- (sqrt_pow2 t T) at 1; rewrite <- sqrt_mult_alt by (apply pow2_ge_0); f_equal; ring).
-  apply Rmult_le_compat_l; assumption.
-Qed.
-
 Lemma len_axis x : 0 <= x -> len x 0 0 = x.
 Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
 
-(* If |L - c + t (C - L)| > r + t s for all t in [0, 1], no such segment meets the ball of radius r about c. *)
-Lemma off_the_cone (lx ly lz cx cy cz r bx by_ bz s : R) :
-  (forall t, 0 <= t <= 1 -> r + t * s < len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz -
-    lz))) ->
-  forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
-  r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
+(* On [0, 1] the program's shortest is the least value of its quadratic: at an end or where it turns. *)
+Lemma least_of_quadratic (low slope bend t : R) : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else - slope / bend in
+  let at_ball := low + bend + 2 * slope in let at_turning := low + turning * (bend * turning + 2 * slope) in let at_an_end := if Rlt_dec at_ball low then at_ball else low in
+  (if Rlt_dec at_turning at_an_end then at_turning else at_an_end) <= low + t * (bend * t + 2 * slope).
 Proof.
-  intros H t qx qy qz T Q. specialize (H t T).
-  pose proof (within_share t lx ly lz bx by_ bz s qx qy qz ltac:(lra) Q) as W.
-  pose proof (len_apart (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
-    (lx + t * (qx - lx) - (lx + t * (bx - lx))) (ly + t * (qy - ly) - (ly + t * (by_ - ly)))
-    (lz + t * (qz - lz) - (lz + t * (bz - lz)))) as A.
-  replace (len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz)) with
-    (len (lx - cx + t * (bx - lx) + (lx + t * (qx - lx) - (lx + t * (bx - lx))))
-      (ly - cy + t * (by_ - ly) + (ly + t * (qy - ly) - (ly + t * (by_ - ly))))
-      (lz - cz + t * (bz - lz) + (lz + t * (qz - lz) - (lz + t * (bz - lz))))) by (f_equal; ring). lra.
-Qed.
-
-(* The squares' difference is a quadratic in t with the program's coefficients. *)
-Lemma clearance_quadratic (t lx ly lz cx cy cz r bx by_ bz s : R) :
-  len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz)) ^ 2 - (r + t * s) ^ 2 =
-  shadow_clearance.at_light lx ly lz cx cy cz r + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
-    + t * shadow_clearance.curvature lx ly lz bx by_ bz s).
-Proof.
-  rewrite len_squared. shadow_clearance.lines. ring.
-Qed.
-
-(* On [0, 1] the program's shortest is the least value of that quadratic: at an end or where it turns. *)
-Lemma clearance_least (lx ly lz cx cy cz r bx by_ bz s : R) :
-  let f t := shadow_clearance.at_light lx ly lz cx cy cz r
-    + t * (2 * shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s
-           + t * shadow_clearance.curvature lx ly lz bx by_ bz s) in
-  let least := shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s in
-  let turning := shadow_clearance.turning lx ly lz cx cy cz r bx by_ bz s in
-  (forall t, 0 <= t <= 1 -> least <= f t) /\ 0 <= turning <= 1 /\ (least = f 0 \/ least = f 1 \/ least = f turning).
-Proof.
-  intros f least turning.
-  assert (H0 : shadow_clearance.at_light lx ly lz cx cy cz r = f 0) by (unfold f; ring).
-  assert (H1 : shadow_clearance.at_ball lx ly lz cx cy cz r bx by_ bz s = f 1) by (unfold f, shadow_clearance.at_ball;
-    ring).
-  assert (H2 : shadow_clearance.at_turning lx ly lz cx cy cz r bx by_ bz s = f turning)
-    by (unfold f, shadow_clearance.at_turning; fold turning; ring).
-  assert (L : least <= f 0 /\ least <= f 1 /\ least <= f turning /\ (least = f 0 \/ least = f 1 \/ least = f turning)).
-  { unfold least, shadow_clearance.shortest, shadow_clearance.at_an_end. rewrite H0, H1, H2.
-    destruct (Rlt_dec (f 1) (f 0)); destruct Rlt_dec; repeat split; auto; lra. }
-  destruct L as (L0 & L1 & L2 & L). unfold turning, shadow_clearance.turning in L2 |- *.
-  set (h := shadow_clearance.half_slope lx ly lz cx cy cz r bx by_ bz s) in *.
-  set (k := shadow_clearance.curvature lx ly lz bx by_ bz s) in *. rewrite <- and_assoc. split; [| exact L].
-  assert (F : forall t, f t = f 0 + t * (2 * h + t * k)) by (intros; unfold f; ring).
-  assert (B : k <= 0 -> forall t, 0 <= t <= 1 -> least <= f t).
-  { intros K t T. rewrite F. rewrite (F 1) in L1. assert (0 <= (1 - t) * (f 0 - least)) by (apply Rmult_le_pos; lra).
-    assert (0 <= t * (f 0 + 1 * (2 * h + 1 * k) - least)) by (apply Rmult_le_pos; lra).
-    assert (0 <= t * (1 - t) * - k) by (repeat apply Rmult_le_pos; lra). lra. }
-  destruct (Rle_dec 0 h) as [P | P]; [| destruct (Rle_dec (k + h) 0) as [N | N]]; (split; [intros t T |]); try lra.
-  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite F.
-    assert (0 <= t * (2 * h + t * k)) by (apply Rmult_le_pos; nra). lra.
-  - destruct (Rle_lt_dec 0 k); [| apply B; lra]. rewrite (F 1) in L1. rewrite F.
-    assert (0 <= (1 - t) * - (2 * h + (1 + t) * k)) by (apply Rmult_le_pos; nra). lra.
-  - assert (K : 0 < k) by lra. eapply Rle_trans; [exact L2 |]. rewrite (F t), (F (- h / k)).
-    assert (0 <= (t * k + h) ^ 2 / k) by (apply Rle_mult_inv_pos; [apply pow2_ge_0 | exact K]).
-    replace (f 0 + t * (2 * h + t * k)) with (f 0 + - h / k * (2 * h + - h / k * k) + (t * k + h) ^ 2 / k)
-      by (field; lra). lra.
-  - assert (K : 0 < k) by lra. split; [apply Rle_mult_inv_pos; lra |].
-    apply (Rmult_le_reg_r k); [exact K |]. replace (- h / k * k) with (- h) by (field; lra). lra.
+  assert (L : forall x y, (if Rlt_dec x y then x else y) <= x /\ (if Rlt_dec x y then x else y) <= y) by (split; destruct Rlt_dec; lra). intros [T0 T1] turning at_ball at_turning at_an_end.
+  destruct (L at_ball low) as [M M']. fold at_an_end in M, M'. generalize (L at_turning at_an_end). set (least := if Rlt_dec at_turning _ then _ else _). intros [U V]. clearbody least at_an_end. destruct (Rle_lt_dec bend 0) as [N|P].
+  - generalize (shadow_out_of_reach__bends_down bend low t slope ltac:(lra) ltac:(lra) N). unfold at_ball in M. nra.
+  - revert U. unfold at_turning, turning. destruct (Rle_dec 0 slope) as [A|A]; [|destruct (Rle_dec (bend + slope) 0) as [B|B]].
+    + generalize (shadow_out_of_reach__turns_before bend low t slope ltac:(lra) P ltac:(lra)). lra.
+    + generalize (shadow_out_of_reach__turns_after bend low t slope ltac:(lra) P B). unfold at_ball in M. lra.
+    + generalize (shadow_out_of_reach__turns_between (- slope / bend) bend low t slope P ltac:(field; lra)). lra.
 Qed.
 
 (* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
@@ -373,18 +290,21 @@ Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 <
   forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
   r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
-  intros R S O C. apply off_the_cone. intros t T.
-  destruct (clearance_least lx ly lz cx cy cz r bx by_ bz s) as (L & _). specialize (L t T).
-  rewrite <- clearance_quadratic in L.
+  intros R S O C t qx qy qz T Q. set (n := len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
   assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
-  { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as Q.
+  { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as L.
     match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b));
       [apply Rinv_0_lt_compat; assumption | rewrite Rmult_0_l; exact C]] end.
     assert (0 < (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2) by nra.
     pose proof (pow2_ge_0 (bx - lx)). pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)).
     shadow_clearance.lines. lra. }
-  pose proof (len_pos (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
-  assert (0 <= t * s) by nra. set (n := len _ _ _) in *. nra.
+  assert (D : r + t * s < n).
+  { assert (0 <= n) by apply len_pos. assert (0 <= t * s) by nra. assert (0 < n ^ 2 - (r + t * s) ^ 2); [|nra].
+    eapply Rlt_le_trans; [exact P|]. eapply Rle_trans; [exact (least_of_quadratic _ _ _ t T)|]. unfold n. rewrite len_squared. shadow_clearance.lines. lra. }
+  pose proof (len_pos (qx - bx) (qy - by_) (qz - bz)).
+  epose proof (shadow_out_of_reach__cone (t * (qx - bx)) (t * (qy - by_)) (t * (qz - bz)) (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
+    r n _ (t * s) (t * len (qx - bx) (qy - by_) (qz - bz)) R) as E. destruct E as (_ & _ & _ & _ & _ & _ & _ & E); try nra; try reflexivity; try (unfold n; rewrite ?Rpow_mult_distr, len_squared; ring).
+  rewrite <- (sqrt_pow2 r) by lra. apply sqrt_lt_1_alt. split; [apply pow2_ge_0 | lra].
 Qed.
 
 Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ bz s : R, 0 < r /\ 0 < s /\
