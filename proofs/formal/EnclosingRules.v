@@ -18,16 +18,16 @@ Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
 (* How large a sum is; what a size says, both ways. *)
 Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
 Ltac both_ways H := apply Rabs_le_between in H.
-Lemma least_is_power : 1 / 2 ^ 1007 = bpow radix2 (-1007).
-Proof. rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+Lemma power_of_two (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
+Proof. rewrite bpow_opp, bpow_powerRZ, <- pow_powerRZ. apply Rmult_1_l. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
-Proof. rewrite least_is_power. apply generic_format_bpow. easy. Qed.
+Proof. rewrite power_of_two. apply generic_format_bpow. easy. Qed.
 Lemma underflow_in_least : 0 < underflow /\ underflow * 2 ^ 67 <= 1 / 2 ^ 1007.
 Proof.
-  split; [apply bpow_gt_0|]. rewrite least_is_power. unfold underflow. replace (2 ^ 67) with (bpow radix2 67) by (simpl; lra). rewrite <- bpow_plus. apply Rle_refl.
+  split; [apply bpow_gt_0|]. rewrite power_of_two. unfold underflow. replace (2 ^ 67) with (bpow radix2 67) by (simpl; lra). rewrite <- bpow_plus. apply Rle_refl.
 Qed.
 Lemma underflow_is_small : underflow <= 1 / 2 ^ 200.
-Proof. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy. Qed.
+Proof. rewrite power_of_two. apply bpow_le. easy. Qed.
 
 Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
 Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
