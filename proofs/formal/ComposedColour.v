@@ -16,7 +16,7 @@ Lemma error_anywhere (L w e : R) : 0 <= L -> 0 < e -> e + w <= 1 -> error_bound 
 Proof.
   intros P E W. apply Rplus_le_compat_r, Rplus_le_compat_l. apply Rmult_le_compat_r; [unfold kappa; lra|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, E|]. apply Rmult_le_compat_l; lra.
 Qed.
-(* The colour of sine by the float64 difference, and that of its exact slopes: they are apart by what the step and the wave numbers say, and delta, what the roundings of the frame and of the gradient cost N + beta g. *)
+(* The colour of sine by the float64 difference, and that of its exact slopes: apart by what the step and the wave numbers say, and by delta, what the roundings of the frame and of the gradient cost N + beta g. *)
 Theorem colour_accuracy__of_the_difference (theta phi u v k_u k_v epsilon nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :
   let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) in let d2 := (lz - pz) * (lz - pz) + (lx - px) * (lx - px) + (ly - py) * (ly - py) in
   let h_u := central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon in let h_v := central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon in

@@ -108,7 +108,7 @@ Proof.
   intros I V. destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
   destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P, M.
   refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => eq_refl)) _ Ap Am (quotient_in_u _ _ _ _ _ _) (sine_height_near _ _ _ _ Cp V) (sine_height_near _ _ _ _ Cm V) _);
-    try apply rounded_is_float64; [lra.. | truncation T (gradient_sine.h_u u v k_u k_v) epsilon].
+    try apply rounded_is_float64; [lra..| truncation T (gradient_sine.h_u u v k_u k_v) epsilon].
 Qed.
 (* In v of any height h whose computed values are near it: sine and rings. *)
 Lemma difference_in_v (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k_v k epsilon slope : R) : sampled_in_v k v epsilon -> steep h L ->
