@@ -15,9 +15,9 @@ Definition underflow : R := bpow radix2 (-1074).
 Definition ROUNDING : R := 1048577 / 9444732965739290427392.
 Definition SLACK : R := 562949953421313 / 562949953421312.
 Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
-(* How large a sum is; what a size says, both ways. *)
+(* How large a sum is. *)
+Ltac sizes := repeat match goal with H : Rabs _ <= _ |- _ => both_ways H end; try apply Rabs_le; in_units.
 Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
-Ltac both_ways H := apply Rabs_le_between in H.
 Lemma power_of_two (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
 Proof. rewrite bpow_opp, bpow_powerRZ, <- pow_powerRZ. apply Rmult_1_l. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
@@ -29,8 +29,6 @@ Qed.
 Lemma underflow_is_small : underflow <= 1 / 2 ^ 200.
 Proof. rewrite power_of_two. apply bpow_le. easy. Qed.
 
-Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
-Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
 Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
 Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.
 Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
@@ -81,7 +79,7 @@ Proof.
   assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *.
   counts e (ex + ey). counts c (e + Rabs t). split; [is_float64 | split; [assumption|]].
   apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
-  replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. sizes_add. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). in_units.
+  assert (T := Rabs_pos t). sizes.
 Qed.
 
 Lemma bound_of (s e : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> s * (e / 2 ^ 53) * (1 + 4 * unit53) <= ROUNDING * e * (1 - 4 * unit53) /\ s * (e / 2 ^ 53) - 2 * underflow <= rounded (ROUNDING * e).
@@ -109,7 +107,7 @@ Proof.
   assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
   counts o (Rabs t + least). counts c (m + o). split; [is_float64 | split; [assumption|]].
   apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
-  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. sizes_add. lra.
+  sizes.
 Qed.
 
 Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).
@@ -144,13 +142,12 @@ Proof.
   set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. assert (O : Rabs (r - sqrt x) <= (1 + 4 * unit53) * unit53 * r).
   { destruct (Rle_lt_or_eq_dec 0 x ltac:(lra)) as [Xp|Xz]; [apply (own_rounding_of_root x X Xp)|]. unfold r. rewrite <- Xz, sqrt_0, rounded_0, Rminus_0_r, Rabs_R0. lra. }
   destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
-  assert (N : Rabs (r - sqrt x') <= Rabs (r - sqrt x) + Rabs (sqrt x - sqrt x')) by (replace (r - sqrt x') with ((r - sqrt x) + (sqrt x - sqrt x')) by ring; apply Rabs_triang).
   destruct Rlt_dec as [L|_].
   - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
     destruct (own_rounding_of_root x X Xp) as (B & Br & A & _). fold r in Br, A. assert (Q0 : 0 < sqrt x) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact B]). assert (Rp : 0 < r) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact Br]).
     assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). counts k (e / r). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); in_units|].
-    assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|lra].
+    assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|sizes].
     apply Rmult_le_reg_r with (sqrt x); [exact Q0|]. eapply Rle_trans; [exact M1|]. eapply Rle_trans; [exact D|]. replace (_ * sqrt x) with (s * ((e / r * ((1 + unit53) * sqrt x)) / 2 ^ 53)) by (field; lra).
     apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. replace e with (e / r * r) at 1 by (field; lra). apply Rmult_le_compat_l; [exact K0|]. both_ways A. lra.
   - destruct root_of_one as [Kp Kc]. set (K := sqrt (1 / 2 ^ 53) * 2 ^ 53) in *. set (w := 398065740123893 / 4194304) in *.
@@ -163,7 +160,7 @@ Proof.
         assert (G2 : sqrt e * (1 - unit53) * w <= rounded (sqrt e) * w) by (apply Rmult_le_compat_r; lra). assert (G3 : sqrt e * 1 <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
         clearbody k w K. in_units. }
       in_units.
-    + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|lra]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
+    + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|sizes]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
       replace (s * (e / 2 ^ 53)) with (s * (e * (1 / 2 ^ 53))) by field. rewrite sqrt_mult, sqrt_mult by lra. replace (sqrt e * K / 2 ^ 53) with (sqrt e * sqrt (1 / 2 ^ 53)) by (unfold K; field).
       apply Rmult_le_compat_r; [apply Rmult_le_pos; apply sqrt_pos|]. rewrite <- (sqrt_square s) at 2 by lra. apply sqrt_le_1_alt. nra.
 Qed.
@@ -236,7 +233,7 @@ Proof.
     apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; in_units|].
     assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | in_units]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
     assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
-    { intros v w w' e V W L. replace (v - w') with ((v - w) + (w - w')) by ring. sizes_add. clearbody t. lra. }
+    { intros v w w' e V W L. clearbody t. sizes. }
     assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos; [in_units | exact T]).
     destruct (Rlt_dec a b), (Rlt_dec a' b'); [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try assumption; try apply Zr; try lra.
     rewrite Rabs_minus_sym. exact Ty.
@@ -294,8 +291,7 @@ Proof.
     eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }
   rewrite F, rounded_abs. apply whole_rule with x x' (Znearest (fun n => negb (Z.even n)) x - Znearest (fun n => negb (Z.even n)) x')%Z; try assumption; [symmetry; apply minus_IZR | |].
   - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. both_ways H. both_ways H'. apply Rabs_le. lra.
-  - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. rewrite (Rabs_left1 (Rabs _ - 1 / 2)) in N by lra. generalize (Rabs_triang (x' - x) (x - IZR (Znearest (fun n => negb (Z.even n)) x))).
-    rewrite (Rabs_minus_sym x' x). replace (x' - x + _) with (x' - IZR (Znearest (fun n => negb (Z.even n)) x)) by ring. lra.
+  - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. revert N H. unfold Rabs. repeat destruct Rcase_abs; lra.
 Qed.
 
 (* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)

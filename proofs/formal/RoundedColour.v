@@ -10,9 +10,6 @@ Open Scope R_scope.
 
 Lemma within_length (x L : R) : 0 <= L -> x * x <= L * L -> Rabs x <= L.
 Proof. intros P S. apply less_of_squares; [exact P | unfold Rabs; destruct Rcase_abs; lra]. Qed.
-Lemma over_length (x e L : R) : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
-Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact X. Qed.
-Ltac sizes := repeat match goal with H : Rabs _ <= _ |- _ => both_ways H end; try apply Rabs_le; in_units.
 (* What is rounded at the scale S, far above what underflows, is S times what is rounded at the scale 1. *)
 Lemma at_scale (S x X : R) : 1 / 2 ^ 600 <= S -> Rabs x <= X -> exists y, rounded (S * x) = S * y /\ Rabs (y - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.

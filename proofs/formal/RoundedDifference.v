@@ -8,8 +8,6 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 Open Scope R_scope.
 
 Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
-Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
-Proof. unfold unit_roundoff. simpl. lra. Qed.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
   destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
@@ -26,13 +24,13 @@ Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= 
 Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
 Proof.
   intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
-  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). apply Rabs_le_between in B. apply Rabs_le_between in B2. split.
+  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways B. both_ways B2. split.
   - apply Rabs_le. unfold kappa. split; nra.
   - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
     assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
 Qed.
 Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intros A B. destruct (rounded_difference a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
+Proof. intros A B. exact (rounded_sum a (- b) A (generic_format_opp _ _ _ B)). Qed.
 Lemma quotient_in_u (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a - b) / (2 * e)) e.
 Proof.
   intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
@@ -51,10 +49,8 @@ Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
 Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
-  intros W E. assert (M : float64 (- e)) by (apply generic_format_opp, E). split.
-  - replace (e + w) with (w - - e) by ring. destruct (difference_near w (- e) W M) as (d & D & ->).
-    replace (_ - _) with ((w + e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; lra.
-  - destruct (difference_near w e W E) as (d & D & ->). replace (_ - _) with ((w - e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat; try lra. apply Rabs_pos.
+  intros W E B. destruct (rounded_sum e w E W) as (d & D & ->). destruct (difference_near w e W E) as (c & C & ->). split; [replace (_ - _) with ((w + e) * d) by ring | replace (_ - _) with ((w - e) * c) by ring];
+    rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat; try apply Rabs_pos; lra.
 Qed.
 Definition steep (h : R -> R) (L : R) : Prop := exists h1, (forall x, is_derive h x (h1 x)) /\ forall x, Rabs (h1 x) <= L.
 Lemma sine_is_steep (h : R -> R) (a k : R) : 0 < k -> Rabs a <= 1 -> (forall x, h x = sin (PI * (k * x)) * a) -> steep h (PI * k).
@@ -192,7 +188,7 @@ Lemma wrapped_near (y : R) : Rabs y <= 2 -> let m := rounded (rounded y - whole_
 Proof.
   intros Y m. exists (Zfloor (rounded y)). assert (A := Zfloor_lb (rounded y)). assert (B := Zfloor_ub (rounded y)). assert (E2 := rounded_error y 2 Y).
   assert (E := rounded_error (rounded y - whole_below (rounded y)) 1 ltac:(unfold whole_below; apply Rabs_le; lra)). fold m in E. unfold whole_below in E.
-  apply Rabs_le_between in E. apply Rabs_le_between in E2. apply Rabs_le. lra.
+  both_ways E. both_ways E2. apply Rabs_le. lra.
 Qed.
 Lemma whole_turn (k n : Z) (w v k_v : R) : height_sine.h (w + IZR n) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
 Proof.
@@ -220,7 +216,7 @@ Lemma clamped_arguments (v e : R) : float64 v -> float64 e -> 0 <= v < e -> e + 
   central_any_float64.v_plus v e = rounded (e + v) /\ central_any_float64.v_minus v e = 0 /\ central_any_float64.span_v v e = rounded (e + v).
 Proof.
   intros V E B W. assert (P := proj1 (up_to_1 _) W). assert (M : rounded (v - e) < 0).
-  { destruct (difference_near v e V E) as (d & D & ->). apply Rabs_le_between in D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
+  { destruct (difference_near v e V E) as (d & D & ->). both_ways D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
   central_any_float64.lines. rewrite Rmin_right, Rmax_left by lra. repeat split.
   destruct (both _ _) as [[_ N]|_]; [replace (e - v) with (- (v - e)) in N by ring; rewrite rounded_opp in N; lra|]. rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
@@ -235,9 +231,9 @@ Lemma difference_when_clamped (height : R -> R -> R -> R -> R) (h : R -> R) (L u
 Proof.
   intros (V & E & K & B & W & C) (h1 & D & S) N. destruct (clamped_arguments v e V E B W) as (P & M & Z). destruct (N _ C) as [A' Fa]. destruct (N _ (zero_carried _ _ C)) as [B' Fb].
   unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, Z. set (a := height _ (rounded _) _ _) in *. set (b := height _ 0 _ _) in *. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
-  destruct (difference_near e (- v) E ltac:(apply generic_format_opp, V)) as (d3 & D3 & R3). replace (e - - v) with w in R3 by (unfold w; ring).
+  destruct (rounded_sum e v E V) as (d3 & D3 & R3). fold w in R3.
   assert (W0 : 0 < w) by (unfold w; lra). assert (A : Rabs (rounded w - w) <= w / 2 ^ 53) by (rewrite R3; replace (w * (1 + d3) - w) with (w * d3) by ring; rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat_l; lra).
-  rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). apply Rabs_le_between in D1. apply Rabs_le_between in D2. apply Rabs_le_between in D3.
+  rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). both_ways D1. both_ways D2. both_ways D3.
   replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <= kappa_clamped).
   { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H'); try lra. unfold t. field. lra. }
   assert (X := roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A' B').

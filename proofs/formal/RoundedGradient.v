@@ -17,7 +17,7 @@ Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
 Proof.
   generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). intro H.
-  apply Rabs_le_between in H. apply Rabs_le. lra.
+  both_ways H. apply Rabs_le. lra.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
@@ -43,7 +43,7 @@ Proof.
   - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs p <= 2 ^ 51).
     { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
       apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
-    generalize (near_quarters p). fold q. intro H. apply Rabs_le_between in H. apply Rabs_le_between in S. apply Rabs_def1; simpl; lra.
+    generalize (near_quarters p). fold q. intro H. both_ways H. both_ways S. apply Rabs_def1; simpl; lra.
 Qed.
 Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
 Proof.
@@ -64,8 +64,7 @@ Proof.
   { apply kept. destruct digits_of_quarters as (m & k & E & S & K). destruct (Z_le_gt_dec 2 k) as [T|T].
     - assert (W4 : q = (m * 2 ^ (k - 2) * 4)%Z).
       { rewrite E. replace k with (k - 2 + 2)%Z at 1 by ring. rewrite Z.pow_add_r by lia. change (2 ^ 2)%Z with 4%Z. ring. }
-      rewrite W4, Z.div_mul by easy. rewrite mult_IZR, (IZR_Zpower radix2) by lia.
-      replace (4 * _) with (IZR m * bpow radix2 (k - 2 + 2)) by (rewrite bpow_plus; change (bpow radix2 2) with 4; ring). apply whole_is_float64; [exact S | lia].
+      replace (4 * IZR (q / 4)) with (1 * IZR q) by (rewrite W4, Z.div_mul, mult_IZR by easy; ring). rewrite <- (part_of_quarters 1 0) by easy. apply rounded_is_float64.
     - replace (4 * IZR (q / 4)) with (IZR (q / 4) * bpow radix2 2) by (change (bpow radix2 2) with 4; ring). apply whole_is_float64; [|easy].
       assert (k = 0 \/ k = 1)%Z as [-> | ->] by lia; simpl in E; lia. }
   rewrite W. replace (IZR q - 4 * IZR (q / 4)) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
@@ -97,13 +96,9 @@ Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * 
   cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof.
   intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
-  assert (X : PI * (w + IZR q / 2) = PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 1; rewrite plus_IZR, !mult_IZR; field).
-  rewrite X. set (t := PI * w + IZR (2 * (q / 4)) * PI) in *.
-  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K.
-  - rewrite Rmult_0_l, Rplus_0_r. auto.
-  - replace (t + 1 * (PI / 2)) with (PI / 2 + t) by ring. rewrite <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S. auto.
-  - replace (t + 2 * (PI / 2)) with (t + PI) by field. rewrite neg_sin, neg_cos, S, C. auto.
-  - replace (t + 3 * (PI / 2)) with (PI / 2 + t + PI) by field. rewrite neg_sin, neg_cos, <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S, Ropp_involutive. auto.
+  replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR; field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
+  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K;
+    [rewrite Rmult_0_l, sin_0, cos_0 | rewrite Rmult_1_l, sin_PI2, cos_PI2 | replace (2 * (PI / 2)) with PI by field; rewrite sin_PI, cos_PI | rewrite sin_3PI2, cos_3PI2]; split; ring.
 Qed.
 
 Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
@@ -121,9 +116,11 @@ Proof.
     change (half_turn_polynomials.z r) with z. clearbody zh z. eapply Rle_trans; [find_error | interval]. }
   assert (X : 2 <= half_turn_polynomials.sine_tail r + c).
   { unfold c, half_turn_polynomials.sine_tail. change (half_turn_polynomials.z r) with z. clearbody z. interval. }
-  apply Rabs_le_between in E. lra.
+  both_ways E. lra.
 Qed.
 
+Lemma same_sign (x y : R) : (0 < x -> 0 < y) -> (x < 0 -> y < 0) -> (x = 0 -> y = 0) -> sign y = sign x.
+Proof. intros P N Z. destruct (Rtotal_order x 0) as [L|[L|L]]; [rewrite !sign_eq_m1 | rewrite Z, L | rewrite !sign_eq_1]; auto. Qed.
 Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 (* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
@@ -187,34 +184,22 @@ Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
 Proof.
-  destruct remainder_near as [-> _]. replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
-  set (x := p - IZR (quarters p) / 2). assert (X : float64 x) by exact (remainder_is_float64 _ product_is_float64).
-  assert (Y : float64 e) by apply rounded_is_float64. assert (Z : float64 0) by apply generic_format_0.
-  assert (N : x + e <> 0 -> rounded (x + e) <> 0) by exact (round_plus_neq_0 radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x e X Y).
-  destruct (Rtotal_order (x + e) 0) as [S|[S|S]].
-  - assert (rounded (x + e) <= 0) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_m1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
-  - rewrite S, rounded_0. reflexivity.
-  - assert (0 <= rounded (x + e)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
+  destruct remainder_near as [-> _]. assert (N : w <> 0 -> rounded w <> 0).
+  { replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring). apply round_plus_neq_0; try typeclasses eauto; [apply remainder_is_float64, product_is_float64 | apply rounded_is_float64]. }
+  apply same_sign; intro S; [assert (Q := not_negative_rounded w ltac:(lra)) | assert (Q := not_negative_rounded (- w) ltac:(lra)); rewrite rounded_opp in Q | rewrite S; apply rounded_0]; apply Rnot_le_lt; intro; apply N; lra.
 Qed.
 Lemma sign_of_sine : sign s = sign (sin (PI * w)).
 Proof.
-  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. apply Rabs_le_between in W.
-  assert (T := sine_factor r R). assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64).
-  assert (G : sign s = sign r).
-  { unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656)) in *.
-    destruct (Rtotal_order r 0) as [S|[S|S]].
-    - assert (rounded (r * t) <= r) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_m1; lra.
-    - rewrite S, Rmult_0_l, rounded_0. reflexivity.
-    - assert (r <= rounded (r * t)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_1; lra. }
-  rewrite G, sign_of_remainder. destruct (Rtotal_order w 0) as [S|[S|S]].
-  - rewrite !sign_eq_m1; [reflexivity | | exact S]. assert (0 < sin (PI * - w)) by (apply sin_gt_0; generalize PI_RGT_0; nra).
-    replace (PI * w) with (- (PI * - w)) by ring. rewrite sin_neg. lra.
-  - rewrite S, Rmult_0_r, sin_0. reflexivity.
-  - rewrite !sign_eq_1; [reflexivity | | exact S]. apply sin_gt_0; generalize PI_RGT_0; nra.
+  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. both_ways W. assert (T := sine_factor r R). assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64). transitivity (sign r).
+  - unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656)) in *. apply same_sign; intro S.
+    + apply Rlt_le_trans with r; [exact S | apply round_ge_generic; [typeclasses eauto..| exact F | nra]].
+    + apply Rle_lt_trans with r; [apply round_le_generic; [typeclasses eauto..| exact F | nra] | exact S].
+    + rewrite S, Rmult_0_l. apply rounded_0.
+  - rewrite sign_of_remainder. symmetry. apply same_sign; intro S; [apply sin_gt_0 | apply sin_lt_0_var | rewrite S, Rmult_0_r; apply sin_0]; generalize PI_RGT_0; nra.
 Qed.
 Lemma sign_of_cosine : sign c = sign (cos (PI * w)).
 Proof.
-  destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. apply Rabs_le_between in C. apply Rabs_le_between in W.
+  destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. both_ways C. both_ways W.
   assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
 Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
@@ -250,28 +235,13 @@ Proof.
   intros U V. destruct (factors_near _ _ U) as (? & ? & _). destruct (factors_near _ _ V) as (? & ? & _).
   split; apply slope_near; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
 Qed.
-Lemma times_sign (x y s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
+Lemma times_sign (x s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
 Proof.
-  intro F. assert (S : forall y, sign y = -1 \/ sign y = 0 \/ sign y = 1).
-  { intro z. destruct (Rtotal_order z 0) as [Z|[Z|Z]]; [left; apply sign_eq_m1, Z | right; left; rewrite Z; apply sign_0 | right; right; apply sign_eq_1, Z]. }
-  assert (K : forall z, z = -1 \/ z = 0 \/ z = 1 -> rounded z = z /\ rounded (x * z) = x * z).
-  { intros z [-> | [-> | ->]]; split; apply kept.
-    - replace (-1) with (IZR (-1) * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
-    - replace (x * -1) with (- x) by ring. apply generic_format_opp, F.
-    - apply generic_format_0.
-    - rewrite Rmult_0_r. apply generic_format_0.
-    - replace 1 with (IZR 1 * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
-    - rewrite Rmult_1_r. exact F. }
-  rewrite sign_mult. assert (M : sign s * sign t = -1 \/ sign s * sign t = 0 \/ sign s * sign t = 1).
-  { destruct (S s) as [-> | [-> | ->]], (S t) as [-> | [-> | ->]]; lra. }
-  destruct (K _ M) as [-> ->]. reflexivity.
+  intro F. rewrite <- sign_mult. assert (O := rounded_opp 1 : rounded (-1) = - rounded 1). unfold sign. destruct total_order_T as [[|]|]; rewrite ?O, ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
+  replace (x * - (1)) with (- x) by ring. rewrite rounded_opp, (kept x F). ring.
 Qed.
 Lemma beside_a_sign (x y m s : R) : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
-Proof.
-  intros D M. replace (x * sign s - y * sign s) with ((x - y) * sign s) by ring. rewrite Rabs_mult. assert (Rabs (sign s) <= 1).
-  { destruct (Rtotal_order s 0) as [Z|[Z|Z]]; [rewrite sign_eq_m1 by exact Z | rewrite Z, sign_0 | rewrite sign_eq_1 by exact Z]; apply Rabs_le; lra. }
-  generalize (Rabs_pos (x - y)) (Rabs_pos (sign s)). nra.
-Qed.
+Proof. intros D M. both_ways D. unfold sign. destruct total_order_T as [[|]|]; apply Rabs_le; lra. Qed.
 Lemma not_negative (k : R) : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof. assert (1 <= Rmax 1 (Rabs k)) by apply Rmax_l. generalize PI_RGT_0. nra. Qed.
 Lemma slopes_of_ridges (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
