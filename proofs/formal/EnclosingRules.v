@@ -287,8 +287,7 @@ Theorem enclosing_rules__nearest : Statements.enclosing_rules__nearest.
 Proof.
   red. intros s x e x' S1 S2 X E P D U. enclosed_nearest_float64.lines. fold ROUNDING. assert (H := nearest_half x).
   assert (F : rounded (x - rint x) = x - rint x).
-  { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
-    eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }
+  { apply kept. generalize (what_is_left_is_float64 x 1 X one_is_float64). unfold Rdiv. rewrite Rinv_1, !Rmult_1_r. trivial. }
   rewrite F, rounded_abs. apply whole_rule with x x' (Znearest (fun n => negb (Z.even n)) x - Znearest (fun n => negb (Z.even n)) x')%Z; try assumption; [symmetry; apply minus_IZR | |].
   - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. both_ways H. both_ways H'. apply Rabs_le. lra.
   - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. revert N H. unfold Rabs. repeat destruct Rcase_abs; lra.

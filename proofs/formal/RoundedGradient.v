@@ -21,9 +21,7 @@ Proof.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
-  intro F. assert (N := near_quarters p). change (IZR (quarters p) / 2) with (IZR (quarters p) * bpow radix2 (-1)) in *. apply part_is_float64; [exact F | easy | | change (bpow radix2 (-1)) with (/ 2) in *; lra].
-  destruct (Rlt_le_dec (Rabs p) (1/4)) as [S|S]; [|lra]. replace (quarters p) with 0%Z; [rewrite Rmult_0_l, Rminus_0_r; apply Rle_refl|].
-  symmetry. apply Znearest_imp. apply Rabs_def2 in S. apply Rabs_def1; simpl; lra.
+  intro F. generalize (what_is_left_is_float64 p (/ 2) F (generic_format_bpow radix2 (FLT_exp (-1074) 53) (-1) ltac:(easy))). replace (p / / 2) with (2 * p) by field. trivial.
 Qed.
 
 Section reduction.
@@ -32,23 +30,10 @@ Hypothesis F : float64 p.
 Let q := quarters p.
 Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
 Proof. unfold sine_of_half_turns_float64.quarters. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
-(* However large p is: the quarters have no more digits than it has. *)
-Lemma digits_of_quarters : exists m k : Z, q = (m * 2 ^ k)%Z /\ (Z.abs m < 2 ^ 53)%Z /\ (0 <= k)%Z.
-Proof.
-  assert (D := F). apply FLT_format_generic in D; [|easy]. destruct D as [[m x] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  destruct (Z_le_gt_dec (-1) x) as [P|N].
-  - exists m, (x + 1)%Z. split; [|split; [exact M | lia]]. unfold q, quarters.
-    replace (2 * p) with (IZR (m * 2 ^ (x + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
-    apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))).
-  - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs p <= 2 ^ 51).
-    { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
-      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
-    generalize (near_quarters p). fold q. intro H. both_ways H. both_ways S. apply Rabs_def1; simpl; lra.
-Qed.
 Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
 Proof.
-  intros -> J. destruct digits_of_quarters as (m & k & -> & M & K). apply kept. rewrite mult_IZR, (IZR_Zpower radix2) by exact K.
-  replace (bpow radix2 j * _) with (IZR m * bpow radix2 (k + j)) by (rewrite bpow_plus; ring). apply whole_is_float64; lia.
+  intros -> J. apply kept. rewrite Rmult_comm. destruct (Z.eq_dec q 0) as [Z|N]; [rewrite Z, Rmult_0_l; apply generic_format_0|]. apply mult_bpow_exact_FLT; [exact (whole_part_is_float64 _ _ (valid_rnd_N _) (twice_float64 _ F))|].
+  assert (1 <= mag radix2 (IZR q))%Z by (apply mag_ge_bpow; rewrite <- abs_IZR; apply (IZR_le 1); lia). lia.
 Qed.
 Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p - IZR q / 2 + e).
 Proof.
@@ -58,16 +43,10 @@ Qed.
 Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
 Proof.
   unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy. fold q.
-  assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (W : rounded (4 * IZR (q / 4)) = 4 * IZR (q / 4)).
-  { apply kept. destruct digits_of_quarters as (m & k & E & S & K). destruct (Z_le_gt_dec 2 k) as [T|T].
-    - assert (W4 : q = (m * 2 ^ (k - 2) * 4)%Z).
-      { rewrite E. replace k with (k - 2 + 2)%Z at 1 by ring. rewrite Z.pow_add_r by lia. change (2 ^ 2)%Z with 4%Z. ring. }
-      replace (4 * IZR (q / 4)) with (1 * IZR q) by (rewrite W4, Z.div_mul, mult_IZR by easy; ring). rewrite <- (part_of_quarters 1 0) by easy. apply rounded_is_float64.
-    - replace (4 * IZR (q / 4)) with (IZR (q / 4) * bpow radix2 2) by (change (bpow radix2 2) with 4; ring). apply whole_is_float64; [|easy].
-      assert (k = 0 \/ k = 1)%Z as [-> | ->] by lia; simpl in E; lia. }
-  rewrite W. replace (IZR q - 4 * IZR (q / 4)) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
+  assert (W : float64 (IZR (Zfloor (1 / 4 * IZR q)))) by (apply whole_part_is_float64; [typeclasses eauto | rewrite <- (part_of_quarters _ (-2)) by (simpl; lra || lia); apply rounded_is_float64]).
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  rewrite Rmult_comm, (kept (_ * 4)) by (apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 _ 2); [exact W | easy]).
+  replace (IZR q - IZR (q / 4) * 4) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
   apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
 Qed.
 (* What the sine and the cosine return, by the quadrant. *)
@@ -85,11 +64,7 @@ End reduction.
 
 Lemma turn (r : R) (n : Z) : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
 Proof.
-  destruct (Z_le_gt_dec 0 n) as [P|N].
-  - replace (IZR (2 * n) * PI) with (2 * INR (Z.to_nat n) * PI) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite mult_IZR; ring).
-    split; [apply sin_period | apply cos_period].
-  - split; [rewrite <- (sin_period _ (Z.to_nat (- n))) | rewrite <- (cos_period _ (Z.to_nat (- n)))];
-      f_equal; rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite opp_IZR, mult_IZR; ring.
+  assert (Z : sin (IZR n * PI) = 0) by (apply sin_eq_0_1; exists n; reflexivity). rewrite mult_IZR, Rmult_assoc, sin_plus, cos_plus, sin_2a, cos_2a_sin, Z. split; ring.
 Qed.
 Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
   sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Relative Plus_error Mult_error Pff2Flocq.
+From Flocq Require Import Core Relative Plus_error Mult_error Div_sqrt_error Pff2Flocq.
 From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped RoundedHalfTurns.
 From Formal Require Statements.
 Open Scope R_scope.
@@ -131,21 +131,11 @@ Lemma one_is_float64 : float64 1.
 Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0). easy. Qed.
 Lemma kept (x : R) : float64 x -> rounded x = x.
 Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
-(* What is left of a float64 by multiples of a power of two, and is no larger than it, nor than that power, is exact. *)
-Lemma part_is_float64 (x : R) (q k : Z) : float64 x -> (-1074 <= k)%Z -> Rabs (x - IZR q * bpow radix2 k) <= Rabs x -> Rabs (x - IZR q * bpow radix2 k) <= bpow radix2 k ->
-  float64 (x - IZR q * bpow radix2 k).
-Proof.
-  intros F K S T. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  assert (W : forall n j : Z, (-1074 <= j)%Z -> x - IZR q * bpow radix2 k = IZR n * bpow radix2 j -> Rabs (x - IZR q * bpow radix2 k) < bpow radix2 53 * bpow radix2 j -> float64 (x - IZR q * bpow radix2 k)).
-  { intros n j J X B. rewrite X in *. apply whole_is_float64; [|exact J]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ j)) in B by apply bpow_ge_0.
-    apply Rmult_lt_reg_r in B; [|apply bpow_gt_0]. rewrite <- abs_IZR in B. apply lt_IZR, B. }
-  destruct (Z_le_gt_dec k e) as [N|N].
-  - apply (W (m * 2 ^ (e - k) - q)%Z k K); [|generalize (bpow_gt_0 radix2 k); simpl (bpow radix2 53); lra].
-    rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, Rmult_assoc, <- bpow_plus, E. do 4 f_equal. lia.
-  - apply (W (m - q * 2 ^ (k - e))%Z e L).
-    + rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, Rmult_assoc, <- bpow_plus, E. do 4 f_equal. lia.
-    + eapply Rle_lt_trans; [exact S|]. rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ e)) by apply bpow_ge_0. apply Rmult_lt_compat_r; [apply bpow_gt_0|]. rewrite <- abs_IZR. apply IZR_lt, M.
-Qed.
+(* A float64's whole part is one, by any rule; and what is left of it by the nearest multiple of another. *)
+Lemma whole_part_is_float64 (part : R -> Z) (x : R) : Valid_rnd part -> float64 x -> float64 (IZR (part x)).
+Proof. intros V F. rewrite <- round_FIX_IZR. apply generic_round_generic; [typeclasses eauto..| exact F]. Qed.
+Lemma what_is_left_is_float64 (x y : R) : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
+Proof. apply format_REM_N; typeclasses eauto. Qed.
 Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b + two_product_float64.product_error a b = a * b.
 Proof.
   intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ _ F F).
