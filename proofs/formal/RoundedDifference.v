@@ -196,6 +196,8 @@ Proof.
 Qed.
 Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w)) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
 Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
+Lemma central_around (k : Z) (u v k_v e : R) : 0 < e -> central_sine.h_u u v (IZR (2 * k)) k_v e = (height_sine.h (e + u) v (IZR (2 * k)) k_v - height_sine.h (u - e) v (IZR (2 * k)) k_v) / (2 * e).
+Proof. intro E. rewrite <- (whole_turn_less k (e + u)), <- (whole_turn_less k (u - e)). unfold height_sine.h. central_sine.lines. field. lra. Qed.
 Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
@@ -204,10 +206,7 @@ Proof.
   assert (K' : 0 < k_u) by (apply IZR_lt; lia). rewrite <- (Rplus_0_l (arguments_part _ _ _)).
   refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K' (sine_at_most_1 _) (fun _ => eq_refl)) E P M (quotient_in_u _ _ _ (rounded_is_float64 _) (rounded_is_float64 _) E) _ _ _).
   1, 2: unfold k_u; rewrite whole_turn; apply sine_height_near; assumption.
-  right. rewrite <- Rabs_R0. f_equal. unfold central_sine.h_u.
-  change (central_sine.h_u_plus u v k_u k_v epsilon) with (height_sine.h (epsilon + u - IZR (Int_part (epsilon + u))) v (IZR (2 * k)) k_v).
-    change (central_sine.h_u_minus u v k_u k_v epsilon) with (height_sine.h (u - epsilon - IZR (Int_part (u - epsilon))) v (IZR (2 * k)) k_v).
-    rewrite !whole_turn_less. fold k_u. field. lra.
+  unfold k_u. rewrite central_around by lra. apply no_error.
 Qed.
 
 (* At the pole v - epsilon is clamped to 0: two roundings, and that of the span; what the clamp itself costs is truncation. *)
@@ -279,10 +278,9 @@ Qed.
 Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
   central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
 Proof.
-  assert (F : float64 (bpow radix2 (-1))) by (apply power_float64; easy). assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). intros w e.
-  split; [apply (binades__dies_in_u height w w k_u k_v e (-1)) | apply (binades__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
-    try (split; [right; reflexivity || apply bpow_gt_0 | apply bpow_lt; easy]); try (intros _; right; reflexivity); try (split; [apply bpow_gt_0 | apply bpow_lt; easy]).
-  apply (bpow_le radix2 (-1) 0). easy.
+  cbv zeta. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := arguments_in_v (bpow radix2 (-1)) _ E). unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+  destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [S T]. rewrite S, T in *. destruct P as (-> & -> & _); try lra.
+  rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
 Qed.
 Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
 Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
@@ -351,7 +349,6 @@ Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) 
 Proof.
   intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
     ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
-  set (u := bpow radix2 (-1)). set (e := bpow radix2 (-55)). unfold central_sine.h_u. change (central_sine.h_u_plus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (e + u - IZR (Int_part (e + u))) u (IZR (2 * 100)) (201 / 2)).
-  change (central_sine.h_u_minus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (u - e - IZR (Int_part (u - e))) u (IZR (2 * 100)) (201 / 2)). rewrite !whole_turn_less.
-  unfold u, e, height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
+  rewrite central_around by apply bpow_gt_0.
+  unfold height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
 Qed.

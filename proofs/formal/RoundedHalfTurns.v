@@ -76,6 +76,13 @@ Proof.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
   eapply Rle_trans; [find_error | interval].
 Qed.
+Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P := half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
+  Rabs (f - P) <= 45/10 / 2 ^ 53 /\ 28/10 <= P <= 315/100.
+Proof.
+  intros f P. destruct z_is as [z0 Ez]. unfold f, P.
+  unfold half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z.
+  clearbody zh z. split; [eapply Rle_trans; [find_error | interval] | split; interval].
+Qed.
 Lemma sine_rounded : Rabs (half_turn_polynomials_float64.sine_near r - half_turn_polynomials.sine_near r) <= 207 / 100 / 2 ^ 53.
 Proof.
   destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail.

@@ -117,10 +117,7 @@ Proof.
 Qed.
 
 Lemma float64_is_whole (x : R) : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
-Proof.
-  intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] -> _ E]. cbn [Fnum Fexp] in *. exists (m * radix2 ^ (e + 1074))%Z.
-  unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, IZR_Zpower by lia. rewrite Rmult_assoc, <- bpow_plus. do 2 f_equal. lia.
-Qed.
+Proof. intro F. apply generic_format_FIX_FLT, FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. rewrite <- E. reflexivity. Qed.
 Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
 Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
 Lemma rounded_is_float64 (x : R) : float64 (rounded x).
