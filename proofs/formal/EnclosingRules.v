@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Relative Plus_error Mult_error.
+From Flocq Require Import Core Relative Plus_error Mult_error Div_sqrt_error.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding.
 From Formal Require Statements.
@@ -15,22 +15,20 @@ Definition underflow : R := bpow radix2 (-1074).
 Definition ROUNDING : R := 1048577 / 9444732965739290427392.
 Definition SLACK : R := 562949953421313 / 562949953421312.
 Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
-(* How large a sum is; what a size says, both ways. *)
+(* How large a sum is. *)
+Ltac sizes := repeat match goal with H : Rabs _ <= _ |- _ => both_ways H end; try apply Rabs_le; in_units.
 Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
-Ltac both_ways H := apply Rabs_le_between in H.
-Lemma least_is_power : 1 / 2 ^ 1007 = bpow radix2 (-1007).
-Proof. rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+Lemma power_of_two (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
+Proof. rewrite bpow_opp, bpow_powerRZ, <- pow_powerRZ. apply Rmult_1_l. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
-Proof. rewrite least_is_power. apply generic_format_bpow. easy. Qed.
+Proof. rewrite power_of_two. apply generic_format_bpow. easy. Qed.
 Lemma underflow_in_least : 0 < underflow /\ underflow * 2 ^ 67 <= 1 / 2 ^ 1007.
 Proof.
-  split; [apply bpow_gt_0|]. rewrite least_is_power. unfold underflow. replace (2 ^ 67) with (bpow radix2 67) by (simpl; lra). rewrite <- bpow_plus. apply Rle_refl.
+  split; [apply bpow_gt_0|]. rewrite power_of_two. unfold underflow. replace (2 ^ 67) with (bpow radix2 67) by (simpl; lra). rewrite <- bpow_plus. apply Rle_refl.
 Qed.
 Lemma underflow_is_small : underflow <= 1 / 2 ^ 200.
-Proof. replace (1 / 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra). apply bpow_le. easy. Qed.
+Proof. rewrite power_of_two. apply bpow_le. easy. Qed.
 
-Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
-Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
 Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
 Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.
 Lemma own_rounding (x : R) : Rabs (rounded x - x) <= (1 + 4 * unit53) * unit53 * Rabs (rounded x) + underflow.
@@ -81,7 +79,7 @@ Proof.
   assert (O := own_rounding_of_sum x y X Y). set (t := rounded (x + y)) in *.
   counts e (ex + ey). counts c (e + Rabs t). split; [is_float64 | split; [assumption|]].
   apply enough with (ex + ey) (Rabs t) 0; try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
-  replace (t - (x' + y')) with ((t - (x + y)) + ((x - x') + (y - y'))) by ring. sizes_add. generalize (Rabs_triang (x - x') (y - y')) (Rabs_pos t). in_units.
+  assert (T := Rabs_pos t). sizes.
 Qed.
 
 Lemma bound_of (s e : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> s * (e / 2 ^ 53) * (1 + 4 * unit53) <= ROUNDING * e * (1 - 4 * unit53) /\ s * (e / 2 ^ 53) - 2 * underflow <= rounded (ROUNDING * e).
@@ -109,7 +107,7 @@ Proof.
   assert (O := own_rounding (x * y)). set (t := rounded (x * y)) in *. destruct underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *. assert (F : float64 least) by exact least_is_float64. clearbody least.
   counts o (Rabs t + least). counts c (m + o). split; [is_float64 | split; [assumption|]].
   apply enough with (m * (1 + 4 * unit53)) (Rabs t) (2 ^ 10 * underflow); try lra; [apply Rabs_pos | generalize (Rabs_pos t); in_units|].
-  replace (t - x' * y') with ((t - x * y) + (x * y - x' * y')) by ring. sizes_add. lra.
+  sizes.
 Qed.
 
 Lemma root_moved (a b : R) : 0 <= a -> 0 <= b -> Rabs (sqrt a - sqrt b) * sqrt a <= Rabs (a - b) /\ Rabs (sqrt a - sqrt b) <= sqrt (Rabs (a - b)).
@@ -119,43 +117,36 @@ Proof.
   assert (T := Rabs_pos (sqrt a - sqrt b)). split; [nra|]. apply Rsqr_incr_0_var; [|apply sqrt_pos]. unfold Rsqr at 2. rewrite sqrt_sqrt by apply Rabs_pos. rewrite R. apply Rmult_le_compat_l; [exact T|].
   unfold Rabs. destruct Rcase_abs; lra.
 Qed.
-Lemma own_rounding_of_root (x : R) : float64 x -> 0 < x -> bpow radix2 (-537) <= sqrt x /\ bpow radix2 (-537) <= rounded (sqrt x) /\ Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x /\ Rabs (rounded (sqrt x) - sqrt x) <= (1 + 4 * unit53) * unit53 * rounded (sqrt x).
+Lemma own_rounding_of_root (x : R) : float64 x -> Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x /\ Rabs (rounded (sqrt x) - sqrt x) <= (1 + 4 * unit53) * unit53 * rounded (sqrt x).
 Proof.
-  intros F P. destruct (float64_is_whole x F) as [m E]. assert (M : 1 <= IZR m) by (apply IZR_le; assert (0 < m)%Z; [|lia]; apply lt_IZR; generalize (bpow_gt_0 radix2 (-1074)); nra).
-  assert (L : bpow radix2 (-537) <= sqrt x).
-  { rewrite <- (sqrt_pow2 (bpow radix2 (-537))) by apply bpow_ge_0. apply sqrt_le_1_alt. rewrite E. replace (bpow radix2 (-537) ^ 2) with (bpow radix2 (-1074)) by (rewrite <- Rsqr_pow2; unfold Rsqr; rewrite <- bpow_plus; reflexivity).
-    generalize (bpow_gt_0 radix2 (-1074)). nra. }
-  assert (K : bpow radix2 (-537) <= rounded (sqrt x)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_bpow; easy | exact L]).
-  destruct (standard_model (sqrt x)) as (d & D & R); [rewrite Rabs_pos_eq by apply sqrt_pos; eapply Rle_trans; [apply bpow_le | exact L]; easy|].
-  assert (D' : Rabs d <= unit53) by (eapply Rle_trans; [exact D | unfold unit_roundoff, unit53; simpl; lra]). assert (S := sqrt_pos x).
-  assert (A : Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x) by (rewrite R; replace (_ - _) with (sqrt x * d) by ring; rewrite Rabs_mult, (Rabs_pos_eq (sqrt x)) by exact S; rewrite Rmult_comm; apply Rmult_le_compat_r; assumption).
-  split; [exact L | split; [exact K | split; [exact A|]]]. eapply Rle_trans; [exact A|]. both_ways A. in_units.
+  intro F. destruct (sqrt_error_N_FLT_ex radix2 53 (fun n => negb (Z.even n)) ltac:(easy) (-1074) ltac:(easy) x F) as (d & D & E). assert (S := sqrt_pos x). assert (A : Rabs (rounded (sqrt x) - sqrt x) <= unit53 * sqrt x).
+  { assert (G : rounded (sqrt x) = sqrt x * (1 + d)) by exact E. rewrite G. replace (_ - _) with (d * sqrt x) by ring. rewrite Rabs_mult, (Rabs_pos_eq (sqrt x)) by exact S. apply Rmult_le_compat_r; [exact S|].
+    eapply Rle_trans; [exact D|]. unfold u_ro, unit53. simpl. interval with (i_prec 200). }
+  split; [exact A|]. eapply Rle_trans; [exact A|]. both_ways A. in_units.
 Qed.
 Lemma root_of_one : let K := sqrt (1 / 2 ^ 53) * 2 ^ 53 in 0 < K /\ K * (1 + 1 / 2 ^ 26) <= 398065740123893 / 4194304.
 Proof. split; interval with (i_prec 100). Qed.
-Lemma not_near_zero (x : R) : bpow radix2 (-537) <= x -> underflow <= x / 2 ^ 200.
+Lemma not_near_zero (x : R) : float64 x -> 0 < x -> underflow <= sqrt x / 2 ^ 200.
 Proof.
-  intro L. unfold underflow. replace (-1074)%Z with (-537 + -537)%Z by easy. rewrite bpow_plus. assert (B : bpow radix2 (-537) <= / 2 ^ 200) by (replace (/ 2 ^ 200) with (bpow radix2 (-200)) by (simpl; lra); apply bpow_le; easy).
-  apply Rmult_le_compat; try apply bpow_ge_0; assumption.
+  intros F P. assert (L : underflow <= x) by (apply (generic_format_ge_bpow radix2 (FLT_exp (-1074) 53)); [intro; apply Z.le_max_r | exact P | exact F]). destruct underflow_in_least as [T S].
+  assert (underflow * (underflow * 2 ^ 400) <= underflow * 1) by (apply Rmult_le_compat_l; lra). assert (underflow * 2 ^ 200 <= sqrt x); [|lra]. apply less_of_squares; [apply sqrt_pos | rewrite sqrt_sqrt; lra].
 Qed.
 Theorem enclosing_rules__root : Statements.enclosing_rules__root.
 Proof.
   red. intros s x e x' S1 S2 X E P D X0 X0'. enclosed_root_float64.lines. destruct underflow_in_least as [T _].
-  set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. assert (O : Rabs (r - sqrt x) <= (1 + 4 * unit53) * unit53 * r).
-  { destruct (Rle_lt_or_eq_dec 0 x ltac:(lra)) as [Xp|Xz]; [apply (own_rounding_of_root x X Xp)|]. unfold r. rewrite <- Xz, sqrt_0, rounded_0, Rminus_0_r, Rabs_R0. lra. }
+  set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. destruct (own_rounding_of_root x X) as [A O]. fold r in A, O.
   destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
-  assert (N : Rabs (r - sqrt x') <= Rabs (r - sqrt x) + Rabs (sqrt x - sqrt x')) by (replace (r - sqrt x') with ((r - sqrt x) + (sqrt x - sqrt x')) by ring; apply Rabs_triang).
   destruct Rlt_dec as [L|_].
   - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
-    destruct (own_rounding_of_root x X Xp) as (B & Br & A & _). fold r in Br, A. assert (Q0 : 0 < sqrt x) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact B]). assert (Rp : 0 < r) by (eapply Rlt_le_trans; [apply (bpow_gt_0 radix2) | exact Br]).
+    assert (Q0 : 0 < sqrt x) by apply sqrt_lt_R0, Xp. assert (Rp : 0 < r) by (clear O; sizes).
     assert (K0 : 0 <= e / r) by (apply Rmult_le_pos; [assumption | left; apply Rinv_0_lt_compat, Rp]). counts k (e / r). counts c (k + r). split; [is_float64 | split; [assumption|]].
-    apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero r Br); in_units|].
-    assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|lra].
+    apply enough with (e / r * (1 + unit53)) r 0; try lra; [generalize (not_near_zero x X Xp); both_ways A; in_units|].
+    assert (V : Rabs (sqrt x - sqrt x') <= s * (e / r * (1 + unit53) / 2 ^ 53)); [|sizes].
     apply Rmult_le_reg_r with (sqrt x); [exact Q0|]. eapply Rle_trans; [exact M1|]. eapply Rle_trans; [exact D|]. replace (_ * sqrt x) with (s * ((e / r * ((1 + unit53) * sqrt x)) / 2 ^ 53)) by (field; lra).
     apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. replace e with (e / r * r) at 1 by (field; lra). apply Rmult_le_compat_l; [exact K0|]. both_ways A. lra.
   - destruct root_of_one as [Kp Kc]. set (K := sqrt (1 / 2 ^ 53) * 2 ^ 53) in *. set (w := 398065740123893 / 4194304) in *.
     assert (W : 0 <= sqrt e) by apply sqrt_pos. assert (Q : sqrt e * (1 - unit53) <= rounded (sqrt e) /\ underflow * 2 ^ 200 <= sqrt e \/ sqrt e = 0).
-    { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E Ep) as (B & _ & A & _). both_ways A. generalize (not_near_zero _ B). lra. }
+    { destruct (Rle_lt_or_eq_dec 0 e P) as [Ep|Ez]; [left | right; rewrite <- Ez; apply sqrt_0]. destruct (own_rounding_of_root e E) as [C _]. both_ways C. generalize (not_near_zero e E Ep). lra. }
     assert (Wp : 1 <= w) by (unfold w; lra). counts k (rounded (sqrt e) * w). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (sqrt e * K) r 0; try lra.
     + assert (Z : sqrt e * K <= (1 + unit53) * k).
@@ -163,7 +154,7 @@ Proof.
         assert (G2 : sqrt e * (1 - unit53) * w <= rounded (sqrt e) * w) by (apply Rmult_le_compat_r; lra). assert (G3 : sqrt e * 1 <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
         clearbody k w K. in_units. }
       in_units.
-    + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|lra]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
+    + assert (V : Rabs (sqrt x - sqrt x') <= s * (sqrt e * K / 2 ^ 53)); [|sizes]. eapply Rle_trans; [exact M2|]. eapply Rle_trans; [apply sqrt_le_1_alt; exact D|].
       replace (s * (e / 2 ^ 53)) with (s * (e * (1 / 2 ^ 53))) by field. rewrite sqrt_mult, sqrt_mult by lra. replace (sqrt e * K / 2 ^ 53) with (sqrt e * sqrt (1 / 2 ^ 53)) by (unfold K; field).
       apply Rmult_le_compat_r; [apply Rmult_le_pos; apply sqrt_pos|]. rewrite <- (sqrt_square s) at 2 by lra. apply sqrt_le_1_alt. nra.
 Qed.
@@ -171,19 +162,16 @@ Qed.
 Theorem enclosing_rules__quotient : Statements.enclosing_rules__quotient.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy U G. enclosed_quotient_float64.lines. fold ROUNDING.
-  destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
+  destruct underflow_in_least as [T L]. assert (Ts := underflow_is_small). assert (Tl : underflow * (2 ^ 960 * 2) <= 1 / 2 ^ 100) by lra. assert (F := least_is_float64). set (least := 1 / 2 ^ 1007) in *. clearbody least.
   destruct (bound_of s ey S1 S2 Py) as [_ B]. assert (Oz := own_rounding (ROUNDING * ey)). counts z (ROUNDING * ey). rewrite (Rabs_pos_eq z) in Oz by assumption. both_ways Oz. assert (N : / 2 ^ 59 - 4 * underflow <= Rabs y - z) by in_units.
   assert (Ol := own_rounding_of_sum (Rabs y) (- z) ltac:(is_float64) ltac:(apply generic_format_opp; is_float64)). change (Rabs y + - z) with (Rabs y - z) in Ol.
   assert (L0 := not_negative_rounded (Rabs y - z) ltac:(lra)). set (l := rounded (Rabs y - z)) in *. assert (Fl : float64 l) by is_float64. rewrite (Rabs_pos_eq l) in Ol by exact L0. both_ways Ol.
-  assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; in_units). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; assert (0 < 2 ^ 960) by (apply pow_lt; lra); in_units).
-  assert (Sy : l * (1 - 2 * unit53) <= Rabs y').
-  { generalize (Rabs_triang_inv y y'). clearbody l z. in_units. }
+  assert (Ll : / 2 ^ 60 <= l) by (clearbody l z; in_units). assert (Lu : l <= 2 ^ 960 * 2) by (clearbody l z; in_units).
+  assert (Sy : l * (1 - 2 * unit53) <= Rabs y') by (generalize (Rabs_triang_inv y y'); clearbody l z; in_units).
   destruct (Rlt_dec 0 l) as [Lp|]; [|lra]. set (J := 1 / l). assert (Jl : J * l = 1) by (unfold J; field; lra). assert (Jp : 0 < J) by (unfold J, Rdiv; rewrite Rmult_1_l; apply Rinv_0_lt_compat, Lp).
   assert (Ju : J <= 2 ^ 60) by (apply Rmult_le_reg_r with l; [exact Lp | rewrite Jl; lra]).
   assert (Jt : underflow <= J / 2 ^ 100).
-  { apply Rmult_le_reg_r with l; [exact Lp|]. replace (J / 2 ^ 100 * l) with (J * l / 2 ^ 100) by field. rewrite Jl. apply Rle_trans with (underflow * (2 ^ 960 * 2)); [apply Rmult_le_compat_l; lra|].
-    replace (2 ^ 960 * 2) with (bpow radix2 961) by (change (bpow radix2 961) with (IZR (Z.pow_pos 2 961)); rewrite pow_IZR, <- mult_IZR; apply f_equal; reflexivity).
-    unfold underflow. rewrite <- bpow_plus. simpl. lra. }
+  { apply Rmult_le_reg_r with l; [exact Lp|]. replace (J / 2 ^ 100 * l) with (J * l / 2 ^ 100) by field. rewrite Jl. eapply Rle_trans; [apply Rmult_le_compat_l; [lra | exact Lu] | exact Tl]. }
   counts i J.
   assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *; nra).
   assert (O := own_rounding (x / y)). set (t := rounded (x / y)) in *. assert (T0 := Rabs_pos t). assert (Ht : Rabs (x / y) <= Rabs t + ((1 + 4 * unit53) * unit53 * Rabs t + underflow)) by (generalize (Rabs_triang_inv (x / y) t); rewrite (Rabs_minus_sym (x / y) t); lra).
@@ -236,7 +224,7 @@ Proof.
     apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; in_units|].
     assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | in_units]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra). assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
     assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
-    { intros v w w' e V W L. replace (v - w') with ((v - w) + (w - w')) by ring. sizes_add. clearbody t. lra. }
+    { intros v w w' e V W L. clearbody t. sizes. }
     assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos; [in_units | exact T]).
     destruct (Rlt_dec a b), (Rlt_dec a' b'); [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try assumption; try apply Zr; try lra.
     rewrite Rabs_minus_sym. exact Ty.
@@ -290,12 +278,10 @@ Theorem enclosing_rules__nearest : Statements.enclosing_rules__nearest.
 Proof.
   red. intros s x e x' S1 S2 X E P D U. enclosed_nearest_float64.lines. fold ROUNDING. assert (H := nearest_half x).
   assert (F : rounded (x - rint x) = x - rint x).
-  { apply kept. rewrite <- (Rmult_1_r (rint x)). change 1 with (bpow radix2 0). apply part_is_float64; [exact X | easy | |]; change (bpow radix2 0) with 1; fold (rint x); rewrite Rmult_1_r; [|lra].
-    eapply Rle_trans; [apply (nearest_is_nearest x 0)|]. rewrite Rminus_0_r. apply Rle_refl. }
+  { apply kept. generalize (what_is_left_is_float64 x 1 X one_is_float64). unfold Rdiv. rewrite Rinv_1, !Rmult_1_r. trivial. }
   rewrite F, rounded_abs. apply whole_rule with x x' (Znearest (fun n => negb (Z.even n)) x - Znearest (fun n => negb (Z.even n)) x')%Z; try assumption; [symmetry; apply minus_IZR | |].
   - generalize (nearest_half x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros H' A B. both_ways H. both_ways H'. apply Rabs_le. lra.
-  - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. rewrite (Rabs_left1 (Rabs _ - 1 / 2)) in N by lra. generalize (Rabs_triang (x' - x) (x - IZR (Znearest (fun n => negb (Z.even n)) x))).
-    rewrite (Rabs_minus_sym x' x). replace (x' - x + _) with (x' - IZR (Znearest (fun n => negb (Z.even n)) x)) by ring. lra.
+  - intros [->|N]; [reflexivity|]. unfold rint in *. f_equal. symmetry. apply Znearest_imp. revert N H. unfold Rabs. repeat destruct Rcase_abs; lra.
 Qed.
 
 (* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)

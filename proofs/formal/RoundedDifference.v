@@ -8,8 +8,6 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 Open Scope R_scope.
 
 Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
-Lemma unit_roundoff_is : unit_roundoff = / 2 ^ 53.
-Proof. unfold unit_roundoff. simpl. lra. Qed.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
   destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
@@ -26,13 +24,13 @@ Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= 
 Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
 Proof.
   intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
-  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). apply Rabs_le_between in B. apply Rabs_le_between in B2. split.
+  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways B. both_ways B2. split.
   - apply Rabs_le. unfold kappa. split; nra.
   - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
     assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
 Qed.
 Lemma difference_near (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intros A B. destruct (rounded_difference a b A B) as (d & D & E). exists d. rewrite <- unit_roundoff_is. auto. Qed.
+Proof. intros A B. exact (rounded_sum a (- b) A (generic_format_opp _ _ _ B)). Qed.
 Lemma quotient_in_u (a b e : R) : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a - b) / (2 * e)) e.
 Proof.
   intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _ _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
@@ -51,16 +49,21 @@ Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
 Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
-  intros W E. assert (M : float64 (- e)) by (apply generic_format_opp, E). split.
-  - replace (e + w) with (w - - e) by ring. destruct (difference_near w (- e) W M) as (d & D & ->).
-    replace (_ - _) with ((w + e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_l; lra.
-  - destruct (difference_near w e W E) as (d & D & ->). replace (_ - _) with ((w - e) * d) by ring. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat; try lra. apply Rabs_pos.
+  intros W E B. destruct (rounded_sum e w E W) as (d & D & ->). destruct (difference_near w e W E) as (c & C & ->). split; [replace (_ - _) with ((w + e) * d) by ring | replace (_ - _) with ((w - e) * c) by ring];
+    rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat; try apply Rabs_pos; lra.
 Qed.
-Lemma three_parts (h h1 : R -> R) (L w e p m alpha a b q slope truncation : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> 0 < e <= 1 ->
+Definition steep (h : R -> R) (L : R) : Prop := exists h1, (forall x, is_derive h x (h1 x)) /\ forall x, Rabs (h1 x) <= L.
+Lemma sine_is_steep (h : R -> R) (a k : R) : 0 < k -> Rabs a <= 1 -> (forall x, h x = sin (PI * (k * x)) * a) -> steep h (PI * k).
+Proof.
+  intros K A E. exists (fun x => PI * k * (cos (PI * (k * x)) * a)). split; intro x.
+  - apply is_derive_ext with (fun x => sin (PI * (k * x)) * a); [intro; symmetry; apply E | auto_derive; trivial; ring].
+  - apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | exact A].
+Qed.
+Lemma three_parts (h : R -> R) (L w e p m alpha a b q slope truncation : R) : steep h L -> 0 < e <= 1 ->
   Rabs (p - (e + w)) <= alpha -> Rabs (m - (w - e)) <= alpha -> within_two_roundings q ((a - b) / (2 * e)) e -> Rabs (a - h p) <= 76/10 / 2 ^ 53 -> Rabs (b - h m) <= 76/10 / 2 ^ 53 ->
   Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
-  intros D S B P M (t & K & Q) A' B' T.
+  intros (h1 & D & S) B P M (t & K & Q) A' B' T.
   generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
   assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
   replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
@@ -95,33 +98,30 @@ Ltac unfold_slopes := unfold height_sine.h, height_rings.h; gradient_sine.lines;
 Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
   repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
   destruct H as [H H']; unfold Rdiv in *; revert H H'; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply Rabs_le; split; lra.
-Ltac derived := intro; cbv beta; auto_derive; trivial; ring.
 Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
-  intros I V. destruct (arguments_in_u _ _ _ I) as [P' M']. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
-  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v))))
-    (PI * k_u) u epsilon (rounded (epsilon + u)) (rounded (u - epsilon)) ((u + epsilon) / 2 ^ 53) (height_sine_float64.h (rounded (epsilon + u)) v k_u k_v) (height_sine_float64.h (rounded (u - epsilon)) v k_u k_v)); try assumption; try lra.
-  - unfold height_sine.h. derived.
-  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
-  - unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P', M'. apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
-  - apply sine_height_near; assumption.
-  - apply sine_height_near; assumption.
-  - truncation T (gradient_sine.h_u u v k_u k_v) epsilon.
+  intros I V. destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
+  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P, M.
+  refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => eq_refl)) _ Ap Am (quotient_in_u _ _ _ _ _ _) (sine_height_near _ _ _ _ Cp V) (sine_height_near _ _ _ _ Cm V) _);
+    try apply rounded_is_float64; [lra..| truncation T (gradient_sine.h_u u v k_u k_v) epsilon].
+Qed.
+(* In v of any height h whose computed values are near it: sine and rings. *)
+Lemma difference_in_v (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k_v k epsilon slope : R) : sampled_in_v k v epsilon -> steep h L ->
+  (forall w, carried k w -> Rabs (height u w k_u k_v - h w) <= 76/10 / 2 ^ 53 /\ float64 (height u w k_u k_v)) -> Rabs ((h (epsilon + v) - h (v - epsilon)) / (2 * epsilon) - slope) <= epsilon ^ 2 / 6 * L ^ 3 ->
+  Rabs (central_any_float64.h_v height u v k_u k_v epsilon - slope) <= error_bound L v epsilon.
+Proof.
+  intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon E (proj1 (up_to_1 _) W) M) as (P' & M' & S'). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
+  unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S'. destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
+  refine (three_parts h L v epsilon _ _ _ _ _ _ _ _ S _ Ap Am (quotient_in_v _ _ _ Fp Fm _) Np Nm T); lra.
 Qed.
 Lemma sine_in_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
 Proof.
-  intros I U. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K).
-  destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
-  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_sine.h u w k_u k_v) (fun w => PI * k_v * (cos (PI * (k_v * w)) * sin (PI * (k_u * u))))
-    (PI * k_v) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_sine_float64.h u (rounded (epsilon + v)) k_u k_v) (height_sine_float64.h u (rounded (v - epsilon)) k_u k_v)); try assumption; try lra.
-  - unfold height_sine.h. derived.
-  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
-  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [apply rounded_is_float64 | apply rounded_is_float64 | lra].
-  - exact (sine_height_near _ _ _ _ U Cp).
-  - exact (sine_height_near _ _ _ _ U Cm).
-  - truncation T (gradient_sine.h_v u v k_u k_v) epsilon.
+  intros I U. apply (difference_in_v _ (fun w => height_sine.h u w k_u k_v) _ _ _ _ _ k_v); [exact I | | |]; destruct I as (_ & _ & K & B & W & _).
+  - exact (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => Rmult_comm _ _)).
+  - intros w C. split; [exact (sine_height_near _ _ _ _ U C) | apply rounded_is_float64].
+  - assert (T := truncation_bound__sine_in_v epsilon k_u k_v u v ltac:(lra) ltac:(lra) ltac:(lra) K). truncation T (gradient_sine.h_v u v k_u k_v) epsilon.
 Qed.
 Lemma sine_is_float64 (a b : R) : carried a b -> float64 (sine_of_half_turns_float64.sine (two_product_float64.product a b) (two_product_float64.product_error a b)).
 Proof.
@@ -135,30 +135,17 @@ Qed.
 Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
-  intros F I. destruct I as (V & E & K & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-  destruct (arguments_in_v v epsilon E P M) as (P' & M' & S).
-  assert (N := rings_height_near k_v F).
-  destruct (N _ Cp) as [Np Fp]. destruct (N _ Cm) as [Nm Fm].
-  destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am]. unfold error_bound. apply (three_parts (fun w => height_rings.h w k_v) (fun w => PI * (2 * k_v) * (cos (PI * (2 * k_v * w)) * 1))
-    (PI * (2 * k_v)) v epsilon (rounded (epsilon + v)) (rounded (v - epsilon)) ((v + epsilon) / 2 ^ 53) (height_rings_float64.h (rounded (epsilon + v)) k_v) (height_rings_float64.h (rounded (v - epsilon)) k_v)); try assumption; try lra.
-  - unfold height_rings.h. derived.
-  - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra].
-  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S. apply quotient_in_v; [exact Fp | exact Fm | lra].
-  - truncation T (gradient_rings.h_v v k_v) epsilon.
+  intros F I. apply (difference_in_v _ (fun w => height_rings.h w k_v) _ _ _ _ _ (2 * k_v)); [exact I | | exact (rings_height_near k_v F) |]; destruct I as (_ & _ & K & B & W & _).
+  - apply (sine_is_steep _ 1); [exact K | rewrite Rabs_R1; lra | intro; symmetry; apply Rmult_1_r].
+  - assert (T := truncation_bound__rings epsilon k_v v ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). truncation T (gradient_rings.h_v v k_v) epsilon.
 Qed.
 
 (* Ridges between creases: its heights are sine's, or their opposites, as float64 computes them, too: the side of a crease is never wrong. *)
 Lemma same_side (s x y x' y' : R) : s = 1 \/ s = -1 -> sign x' = sign x -> sign y' = sign y -> 0 <= s * (x * y) -> Rabs (rounded (x' * y')) = s * rounded (x' * y').
 Proof.
   intros S X Y H. assert (Q : 0 <= s * (x' * y')).
-  { assert (Z : sign (x' * y') = sign (x * y)) by (rewrite !sign_mult, X, Y; reflexivity). set (p := x' * y') in *. set (q := x * y) in *. clearbody p q.
-    destruct S as [-> | ->]; [destruct (Rle_lt_dec 0 p) as [L|L]; [lra|] | destruct (Rle_lt_dec p 0) as [L|L]; [lra|]].
-    - rewrite (sign_eq_m1 p L) in Z. destruct (Rle_lt_or_eq_dec 0 q ltac:(lra)) as [G|G]; [rewrite (sign_eq_1 q G) in Z | rewrite <- G, sign_0 in Z]; lra.
-    - rewrite (sign_eq_1 p L) in Z. destruct (Rle_lt_or_eq_dec q 0 ltac:(lra)) as [G|G]; [rewrite (sign_eq_m1 q G) in Z | rewrite G, sign_0 in Z]; lra. }
-  assert (R : 0 <= s * rounded (x' * y')).
-  { replace (s * rounded (x' * y')) with (rounded (s * (x' * y'))) by (destruct S as [-> | ->]; [rewrite !Rmult_1_l; reflexivity | replace (-1 * (x' * y')) with (- (x' * y')) by ring; rewrite rounded_opp; ring]).
-    apply round_ge_generic; [typeclasses eauto | typeclasses eauto | apply generic_format_0 | exact Q]. }
-  destruct S as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra.
+  { apply Rnot_lt_le. intro N. apply sign_eq_m1 in N. rewrite !sign_mult, X, Y, <- !sign_mult in N. generalize (sign_ge_0 _ H). lra. }
+  destruct S as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; try ring; rewrite <- rounded_0; (apply round_le; [typeclasses eauto..| lra]).
 Qed.
 Lemma ridges_height (s u v k_u k_v : R) : s = 1 \/ s = -1 -> carried k_u u -> carried k_v v -> 0 <= s * height_sine.h u v k_u k_v -> height_ridges_float64.h u v k_u k_v = s * height_sine_float64.h u v k_u k_v.
 Proof.
@@ -201,7 +188,7 @@ Lemma wrapped_near (y : R) : Rabs y <= 2 -> let m := rounded (rounded y - whole_
 Proof.
   intros Y m. exists (Zfloor (rounded y)). assert (A := Zfloor_lb (rounded y)). assert (B := Zfloor_ub (rounded y)). assert (E2 := rounded_error y 2 Y).
   assert (E := rounded_error (rounded y - whole_below (rounded y)) 1 ltac:(unfold whole_below; apply Rabs_le; lra)). fold m in E. unfold whole_below in E.
-  apply Rabs_le_between in E. apply Rabs_le_between in E2. apply Rabs_le. lra.
+  both_ways E. both_ways E2. apply Rabs_le. lra.
 Qed.
 Lemma whole_turn (k n : Z) (w v k_v : R) : height_sine.h (w + IZR n) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
 Proof.
@@ -209,23 +196,17 @@ Proof.
 Qed.
 Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w)) v (IZR (2 * k)) k_v = height_sine.h w v (IZR (2 * k)) k_v.
 Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
+Lemma central_around (k : Z) (u v k_v e : R) : 0 < e -> central_sine.h_u u v (IZR (2 * k)) k_v e = (height_sine.h (e + u) v (IZR (2 * k)) k_v - height_sine.h (u - e) v (IZR (2 * k)) k_v) / (2 * e).
+Proof. intro E. rewrite <- (whole_turn_less k (e + u)), <- (whole_turn_less k (u - e)). unfold height_sine.h. central_sine.lines. field. lra. Qed.
 Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
 Proof.
   intros K U E k_u Cp Cm V. destruct (wrapped_near (epsilon + u)) as [n P]; [apply Rabs_le; lra|]. destruct (wrapped_near (u - epsilon)) as [m M]; [apply Rabs_le; lra|].
-  rewrite <- (Rplus_0_l (arguments_part _ _ _)). apply (three_parts (fun w => height_sine.h w v k_u k_v) (fun w => PI * k_u * (cos (PI * (k_u * w)) * sin (PI * (k_v * v)))) (PI * k_u) u epsilon
-    (central_any_float64.u_plus u epsilon + IZR n) (central_any_float64.u_minus u epsilon + IZR m) (4 / 2 ^ 53)
-    (height_sine_float64.h (central_any_float64.u_plus u epsilon) v k_u k_v) (height_sine_float64.h (central_any_float64.u_minus u epsilon) v k_u k_v)); try assumption.
-  - unfold height_sine.h. derived.
-  - intro x. apply at_most; [assert (0 < k_u) by (apply IZR_lt; lia); generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1].
-  - apply quotient_in_u; [apply rounded_is_float64 | apply rounded_is_float64 | exact E].
-  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
-  - unfold k_u. rewrite whole_turn. apply sine_height_near; assumption.
-  - right. rewrite <- Rabs_R0. f_equal. unfold central_sine.h_u.
-    change (central_sine.h_u_plus u v k_u k_v epsilon) with (height_sine.h (epsilon + u - IZR (Int_part (epsilon + u))) v (IZR (2 * k)) k_v).
-    change (central_sine.h_u_minus u v k_u k_v epsilon) with (height_sine.h (u - epsilon - IZR (Int_part (u - epsilon))) v (IZR (2 * k)) k_v).
-    rewrite !whole_turn_less. fold k_u. field. lra.
+  assert (K' : 0 < k_u) by (apply IZR_lt; lia). rewrite <- (Rplus_0_l (arguments_part _ _ _)).
+  refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K' (sine_at_most_1 _) (fun _ => eq_refl)) E P M (quotient_in_u _ _ _ (rounded_is_float64 _) (rounded_is_float64 _) E) _ _ _).
+  1, 2: unfold k_u; rewrite whole_turn; apply sine_height_near; assumption.
+  unfold k_u. rewrite central_around by lra. apply no_error.
 Qed.
 
 (* At the pole v - epsilon is clamped to 0: two roundings, and that of the span; what the clamp itself costs is truncation. *)
@@ -234,30 +215,31 @@ Lemma clamped_arguments (v e : R) : float64 v -> float64 e -> 0 <= v < e -> e + 
   central_any_float64.v_plus v e = rounded (e + v) /\ central_any_float64.v_minus v e = 0 /\ central_any_float64.span_v v e = rounded (e + v).
 Proof.
   intros V E B W. assert (P := proj1 (up_to_1 _) W). assert (M : rounded (v - e) < 0).
-  { destruct (difference_near v e V E) as (d & D & ->). apply Rabs_le_between in D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
+  { destruct (difference_near v e V E) as (d & D & ->). both_ways D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
   central_any_float64.lines. rewrite Rmin_right, Rmax_left by lra. repeat split.
   destruct (both _ _) as [[_ N]|_]; [replace (e - v) with (- (v - e)) in N by ring; rewrite rounded_opp in N; lra|]. rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
 Definition clamped_bound (L w : R) : R := (16 / w + 2 * L) / 2 ^ 53 * (1 + kappa_clamped) + L * kappa_clamped.
-Lemma clamped_parts (h h1 : R -> R) (L v e a b : R) : (forall x, is_derive h x (h1 x)) -> (forall x, Rabs (h1 x) <= L) -> float64 v -> float64 e -> 0 <= v < e -> e + v <= 1 -> float64 a -> float64 b ->
-  Rabs (a - h (rounded (e + v))) <= 76/10 / 2 ^ 53 -> Rabs (b - h 0) <= 76/10 / 2 ^ 53 -> Rabs (rounded (rounded (a - b) / rounded (e + v)) - (h (e + v) - h 0) / (e + v)) <= clamped_bound L (e + v).
-Proof.
-  intros D S V E B W Fa Fb A' B'. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
-  destruct (difference_near e (- v) E ltac:(apply generic_format_opp, V)) as (d3 & D3 & R3). replace (e - - v) with w in R3 by (unfold w; ring).
-  assert (W0 : 0 < w) by (unfold w; lra). assert (A : Rabs (rounded w - w) <= w / 2 ^ 53) by (rewrite R3; replace (w * (1 + d3) - w) with (w * d3) by ring; rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat_l; lra).
-  rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). apply Rabs_le_between in D1. apply Rabs_le_between in D2. apply Rabs_le_between in D3.
-  replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <= kappa_clamped).
-  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H'); try lra. unfold t. field. lra. }
-  assert (N := roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A' B').
-  assert (Y' : Rabs ((a - b) / w * t + y - (a - b) / w * t) <= / 2 ^ 100) by (replace (_ - _) with y by ring; exact Y). eapply Rle_trans; [exact (through _ _ _ _ _ Y' N)|].
-  assert (I : 1 <= / w) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). assert (Q : 0 <= kappa_clamped) by (eapply Rle_trans; [apply Rabs_pos | exact T]).
-  replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). assert (0 <= / w * kappa_clamped) by (apply Rmult_le_pos; lra). unfold clamped_bound, Rdiv in *. nra.
-Qed.
 Definition clamped_in_v (k v e : R) : Prop := float64 v /\ float64 e /\ 0 < k /\ 0 <= v < e /\ e + v <= 1 /\ carried k (rounded (e + v)).
 Lemma zero_carried (k w : R) : carried k w -> carried k 0.
 Proof. intro C. refine (conj (proj1 C) (conj (generic_format_0 _ _) _)). rewrite Rmult_0_r, Rabs_R0. split; [left; reflexivity | lra]. Qed.
 Lemma exact_when_clamped (v e : R) : 0 <= v < e -> e + v <= 1 -> Rmin 1 (e + v) = e + v /\ Rmax (v - e) 0 = 0 /\ forall f g : R, (if both (Rle_dec (e + v) 1) (Rle_dec (e - v) 0) then f else g) = g.
 Proof. intros B W. rewrite Rmin_right, Rmax_right by lra. repeat split. intros f g. destruct (both _ _) as [[_ F]|_]; [lra | reflexivity]. Qed.
+Lemma difference_when_clamped (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k_v k e : R) : clamped_in_v k v e -> steep h L -> (forall w, carried k w -> Rabs (height u w k_u k_v - h w) <= 76/10 / 2 ^ 53 /\ float64 (height u w k_u k_v)) ->
+  Rabs (central_any_float64.h_v height u v k_u k_v e - (h (e + v) - h 0) / (e + v)) <= clamped_bound L (e + v).
+Proof.
+  intros (V & E & K & B & W & C) (h1 & D & S) N. destruct (clamped_arguments v e V E B W) as (P & M & Z). destruct (N _ C) as [A' Fa]. destruct (N _ (zero_carried _ _ C)) as [B' Fb].
+  unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, Z. set (a := height _ (rounded _) _ _) in *. set (b := height _ 0 _ _) in *. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
+  destruct (rounded_sum e v E V) as (d3 & D3 & R3). fold w in R3.
+  assert (W0 : 0 < w) by (unfold w; lra). assert (A : Rabs (rounded w - w) <= w / 2 ^ 53) by (rewrite R3; replace (w * (1 + d3) - w) with (w * d3) by ring; rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat_l; lra).
+  rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). both_ways D1. both_ways D2. both_ways D3.
+  replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <= kappa_clamped).
+  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H'); try lra. unfold t. field. lra. }
+  assert (X := roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A' B').
+  assert (Y' : Rabs ((a - b) / w * t + y - (a - b) / w * t) <= / 2 ^ 100) by (replace (_ - _) with y by ring; exact Y). eapply Rle_trans; [exact (through _ _ _ _ _ Y' X)|].
+  assert (I : 1 <= / w) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). assert (Q : 0 <= kappa_clamped) by (eapply Rle_trans; [apply Rabs_pos | exact T]).
+  replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). assert (0 <= / w * kappa_clamped) by (apply Rmult_le_pos; lra). unfold clamped_bound, Rdiv in *. nra.
+Qed.
 (* In one, of sine, ridges and rings, which have twice the wave number: s is the sign of sine's heights at both ends of the span, and at the rounded one. *)
 Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v) /\
@@ -265,19 +247,12 @@ Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_i
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - central_ridges.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)) /\
   forall k, float64 k -> 2 * k = k_v -> Rabs (central_any_float64.h_v (fun _ v _ k => height_rings_float64.h v k) u v k_u k epsilon - central_rings.h_v v k epsilon) <= clamped_bound (PI * k_v) (epsilon + v).
 Proof.
-  intros (V & E & K & B & W & C) U. assert (Z := zero_carried _ _ C). destruct (clamped_arguments v epsilon V E B W) as (P & M & S). destruct (exact_when_clamped v epsilon B W) as (P' & M' & S').
+  intros I U. assert (D := I). destruct D as (V & E & K & B & W & C). destruct (clamped_arguments v epsilon V E B W) as (P & M & _). destruct (exact_when_clamped v epsilon B W) as (P' & M' & S'). assert (Z := zero_carried _ _ C).
   assert (N : Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)).
-  { unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus; central_sine.lines. rewrite P, M, S, P', M', S', Rminus_0_r.
-    refine (clamped_parts (fun x => height_sine.h u x k_u k_v) (fun x => PI * k_v * (cos (PI * (k_v * x)) * sin (PI * (k_u * u)))) _ v epsilon _ _ _ _ V E B W
-      (rounded_is_float64 _) (rounded_is_float64 _) (sine_height_near _ _ _ _ U C) (sine_height_near _ _ _ _ U Z)).
-    - unfold height_sine.h. derived.
-    - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | apply sine_at_most_1]. }
+  { central_sine.lines. rewrite P', M', S', Rminus_0_r. refine (difference_when_clamped _ (fun x => height_sine.h u x k_u k_v) _ _ _ _ _ _ _ I (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => Rmult_comm _ _)) _).
+    intros w C'. split; [exact (sine_height_near _ _ _ _ U C') | apply rounded_is_float64]. }
   split; [exact N|]. split.
-  2: { intros k F <-. assert (R := rings_height_near k F).
-    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus; central_rings.lines. rewrite P, M, S, P', M', S', Rminus_0_r.
-    refine (clamped_parts (fun x => height_rings.h x k) (fun x => PI * (2 * k) * (cos (PI * (2 * k * x)) * 1)) _ v epsilon _ _ _ _ V E B W (proj2 (R _ C)) (proj2 (R _ Z)) (proj1 (R _ C)) (proj1 (R _ Z))).
-    - unfold height_rings.h. derived.
-    - intro x. apply at_most; [generalize PI_RGT_0; nra | apply cosine_at_most_1 | rewrite Rabs_R1; lra]. }
+  2: { intros k F <-. central_rings.lines. rewrite P', M', S', Rminus_0_r. refine (difference_when_clamped _ (fun x => height_rings.h x k) _ _ _ _ _ _ _ I (sine_is_steep _ 1 _ K _ _) (rings_height_near k F)); [rewrite Rabs_R1; lra | intro; symmetry; apply Rmult_1_r]. }
   intros s G H H'. assert (H0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _ _ _ _ _ G _ _ N).
   - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, !(ridges_height s) by (assumption || lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).
   - central_ridges.lines; central_sine.lines.
@@ -303,10 +278,9 @@ Qed.
 Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
   central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
 Proof.
-  assert (F : float64 (bpow radix2 (-1))) by (apply power_float64; easy). assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). intros w e.
-  split; [apply (binades__dies_in_u height w w k_u k_v e (-1)) | apply (binades__dies_in_v height w w k_u k_v e (-1))]; try assumption; try easy;
-    try (split; [right; reflexivity || apply bpow_gt_0 | apply bpow_lt; easy]); try (intros _; right; reflexivity); try (split; [apply bpow_gt_0 | apply bpow_lt; easy]).
-  apply (bpow_le radix2 (-1) 0). easy.
+  cbv zeta. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := arguments_in_v (bpow radix2 (-1)) _ E). unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+  destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [S T]. rewrite S, T in *. destruct P as (-> & -> & _); try lra.
+  rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
 Qed.
 Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
 Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
@@ -375,7 +349,6 @@ Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) 
 Proof.
   intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
     ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
-  set (u := bpow radix2 (-1)). set (e := bpow radix2 (-55)). unfold central_sine.h_u. change (central_sine.h_u_plus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (e + u - IZR (Int_part (e + u))) u (IZR (2 * 100)) (201 / 2)).
-  change (central_sine.h_u_minus u u (IZR (2 * 100)) (201 / 2) e) with (height_sine.h (u - e - IZR (Int_part (u - e))) u (IZR (2 * 100)) (201 / 2)). rewrite !whole_turn_less.
-  unfold u, e, height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
+  rewrite central_around by apply bpow_gt_0.
+  unfold height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
 Qed.

@@ -42,7 +42,7 @@ Proof. exists (1/2), 1%Z. split; [apply half_is_float64 | lra]. Qed.
 Theorem elementary_functions__half_turns__false : ~ forall x, float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin x) <= 5/2 * (1 / 2 ^ 53).
 Proof.
   intro H. generalize (H _ half_is_float64) (proj1 (elementary_functions__half_turns _ half_is_float64)). intros X Y.
-  apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (sin (1/2) < sin (PI * (1/2)) - 6 * (1 / 2 ^ 53)) by interval. lra.
+  both_ways X. both_ways Y. assert (sin (1/2) < sin (PI * (1/2)) - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
 Theorem elementary_functions__quarters__false : ~ forall (x : R) (m : Z), float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = cos (PI * x).
 Proof.

@@ -17,13 +17,11 @@ Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
 Proof.
   generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). intro H.
-  apply Rabs_le_between in H. apply Rabs_le. lra.
+  both_ways H. apply Rabs_le. lra.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
-  intro F. assert (N := near_quarters p). change (IZR (quarters p) / 2) with (IZR (quarters p) * bpow radix2 (-1)) in *. apply part_is_float64; [exact F | easy | | change (bpow radix2 (-1)) with (/ 2) in *; lra].
-  destruct (Rlt_le_dec (Rabs p) (1/4)) as [S|S]; [|lra]. replace (quarters p) with 0%Z; [rewrite Rmult_0_l, Rminus_0_r; apply Rle_refl|].
-  symmetry. apply Znearest_imp. apply Rabs_def2 in S. apply Rabs_def1; simpl; lra.
+  intro F. generalize (what_is_left_is_float64 p (/ 2) F (generic_format_bpow radix2 (FLT_exp (-1074) 53) (-1) ltac:(easy))). replace (p / / 2) with (2 * p) by field. trivial.
 Qed.
 
 Section reduction.
@@ -32,23 +30,10 @@ Hypothesis F : float64 p.
 Let q := quarters p.
 Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
 Proof. unfold sine_of_half_turns_float64.quarters. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
-(* However large p is: the quarters have no more digits than it has. *)
-Lemma digits_of_quarters : exists m k : Z, q = (m * 2 ^ k)%Z /\ (Z.abs m < 2 ^ 53)%Z /\ (0 <= k)%Z.
-Proof.
-  assert (D := F). apply FLT_format_generic in D; [|easy]. destruct D as [[m x] E M _]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  destruct (Z_le_gt_dec (-1) x) as [P|N].
-  - exists m, (x + 1)%Z. split; [|split; [exact M | lia]]. unfold q, quarters.
-    replace (2 * p) with (IZR (m * 2 ^ (x + 1))) by (rewrite mult_IZR, (IZR_Zpower radix2) by lia; rewrite E, bpow_plus; simpl; lra).
-    apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n)))).
-  - exists q, 0%Z. split; [ring|]. split; [|easy]. apply lt_IZR. rewrite abs_IZR. assert (S : Rabs p <= 2 ^ 51).
-    { rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (bpow radix2 53 * bpow radix2 (-2)); [|simpl; lra].
-      apply Rmult_le_compat; [apply Rabs_pos | apply bpow_ge_0 | | apply bpow_le; lia]. rewrite <- abs_IZR. apply IZR_le, Z.lt_le_incl, M. }
-    generalize (near_quarters p). fold q. intro H. apply Rabs_le_between in H. apply Rabs_le_between in S. apply Rabs_def1; simpl; lra.
-Qed.
 Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
 Proof.
-  intros -> J. destruct digits_of_quarters as (m & k & -> & M & K). apply kept. rewrite mult_IZR, (IZR_Zpower radix2) by exact K.
-  replace (bpow radix2 j * _) with (IZR m * bpow radix2 (k + j)) by (rewrite bpow_plus; ring). apply whole_is_float64; lia.
+  intros -> J. apply kept. rewrite Rmult_comm. destruct (Z.eq_dec q 0) as [Z|N]; [rewrite Z, Rmult_0_l; apply generic_format_0|]. apply mult_bpow_exact_FLT; [exact (whole_part_is_float64 _ _ (valid_rnd_N _) (twice_float64 _ F))|].
+  assert (1 <= mag radix2 (IZR q))%Z by (apply mag_ge_bpow; rewrite <- abs_IZR; apply (IZR_le 1); lia). lia.
 Qed.
 Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p - IZR q / 2 + e).
 Proof.
@@ -58,17 +43,10 @@ Qed.
 Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
 Proof.
   unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) by (simpl; field). rewrite Zfloor_div by easy. fold q.
-  assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
-  assert (W : rounded (4 * IZR (q / 4)) = 4 * IZR (q / 4)).
-  { apply kept. destruct digits_of_quarters as (m & k & E & S & K). destruct (Z_le_gt_dec 2 k) as [T|T].
-    - assert (W4 : q = (m * 2 ^ (k - 2) * 4)%Z).
-      { rewrite E. replace k with (k - 2 + 2)%Z at 1 by ring. rewrite Z.pow_add_r by lia. change (2 ^ 2)%Z with 4%Z. ring. }
-      rewrite W4, Z.div_mul by easy. rewrite mult_IZR, (IZR_Zpower radix2) by lia.
-      replace (4 * _) with (IZR m * bpow radix2 (k - 2 + 2)) by (rewrite bpow_plus; change (bpow radix2 2) with 4; ring). apply whole_is_float64; [exact S | lia].
-    - replace (4 * IZR (q / 4)) with (IZR (q / 4) * bpow radix2 2) by (change (bpow radix2 2) with 4; ring). apply whole_is_float64; [|easy].
-      assert (k = 0 \/ k = 1)%Z as [-> | ->] by lia; simpl in E; lia. }
-  rewrite W. replace (IZR q - 4 * IZR (q / 4)) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
+  assert (W : float64 (IZR (Zfloor (1 / 4 * IZR q)))) by (apply whole_part_is_float64; [typeclasses eauto | rewrite <- (part_of_quarters _ (-2)) by (simpl; lra || lia); apply rounded_is_float64]).
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  rewrite Rmult_comm, (kept (_ * 4)) by (apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 _ 2); [exact W | easy]).
+  replace (IZR q - IZR (q / 4) * 4) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
   apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
 Qed.
 (* What the sine and the cosine return, by the quadrant. *)
@@ -86,24 +64,16 @@ End reduction.
 
 Lemma turn (r : R) (n : Z) : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
 Proof.
-  destruct (Z_le_gt_dec 0 n) as [P|N].
-  - replace (IZR (2 * n) * PI) with (2 * INR (Z.to_nat n) * PI) by (rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite mult_IZR; ring).
-    split; [apply sin_period | apply cos_period].
-  - split; [rewrite <- (sin_period _ (Z.to_nat (- n))) | rewrite <- (cos_period _ (Z.to_nat (- n)))];
-      f_equal; rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite opp_IZR, mult_IZR; ring.
+  assert (Z : sin (IZR n * PI) = 0) by (apply sin_eq_0_1; exists n; reflexivity). rewrite mult_IZR, Rmult_assoc, sin_plus, cos_plus, sin_2a, cos_2a_sin, Z. split; ring.
 Qed.
 Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
   sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
   cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof.
   intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
-  assert (X : PI * (w + IZR q / 2) = PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 1; rewrite plus_IZR, !mult_IZR; field).
-  rewrite X. set (t := PI * w + IZR (2 * (q / 4)) * PI) in *.
-  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K.
-  - rewrite Rmult_0_l, Rplus_0_r. auto.
-  - replace (t + 1 * (PI / 2)) with (PI / 2 + t) by ring. rewrite <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S. auto.
-  - replace (t + 2 * (PI / 2)) with (t + PI) by field. rewrite neg_sin, neg_cos, S, C. auto.
-  - replace (t + 3 * (PI / 2)) with (PI / 2 + t + PI) by field. rewrite neg_sin, neg_cos, <- cos_sin, C. replace (PI / 2 + t) with (PI / 2 - - t) by ring. rewrite cos_shift, sin_neg, S, Ropp_involutive. auto.
+  replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR; field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
+  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K;
+    [rewrite Rmult_0_l, sin_0, cos_0 | rewrite Rmult_1_l, sin_PI2, cos_PI2 | replace (2 * (PI / 2)) with PI by field; rewrite sin_PI, cos_PI | rewrite sin_3PI2, cos_3PI2]; split; ring.
 Qed.
 
 Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
@@ -113,17 +83,8 @@ Proof.
   apply (round_N_pt radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) PI). exact F.
 Qed.
 
-Lemma sine_factor (r : R) : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> 1 <= rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656).
-Proof.
-  intro B. destruct (z_is r B) as [z0 Ez]. set (c := 884279719003555 / 281474976710656). set (z := r ^ 2) in *. set (zh := rounded (r * r)) in *.
-  assert (E : Rabs (rounded (half_turn_polynomials_float64.sine_tail r + c) - (half_turn_polynomials.sine_tail r + c)) <= 1/100).
-  { unfold c, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh.
-    change (half_turn_polynomials.z r) with z. clearbody zh z. eapply Rle_trans; [find_error | interval]. }
-  assert (X : 2 <= half_turn_polynomials.sine_tail r + c).
-  { unfold c, half_turn_polynomials.sine_tail. change (half_turn_polynomials.z r) with z. clearbody z. interval. }
-  apply Rabs_le_between in E. lra.
-Qed.
-
+Lemma same_sign (x y : R) : (0 < x -> 0 < y) -> (x < 0 -> y < 0) -> (x = 0 -> y = 0) -> sign y = sign x.
+Proof. intros P N Z. destruct (Rtotal_order x 0) as [L|[L|L]]; [rewrite !sign_eq_m1 | rewrite Z, L | rewrite !sign_eq_1]; auto. Qed.
 Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 (* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
@@ -134,6 +95,8 @@ Proof.
   intros S C N. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
+Lemma half_turns_apart (f g : R -> R) (x y : R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <= PI * Rabs (x - y).
+Proof. intros D G. rewrite <- (Rabs_pos_eq PI) at 3 by (generalize PI_RGT_0; lra). rewrite <- Rabs_mult, Rmult_minus_distr_l, <- Rmult_1_l. exact (moved_by_at_most f g 1 _ _ D G). Qed.
 Section product.
 Variables a b : R.
 Hypothesis A : float64 a.
@@ -169,8 +132,7 @@ Proof.
 Qed.
 Lemma turned (f g : R -> R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
 Proof.
-  intros D G. eapply Rle_trans; [exact (moved_by_at_most f g 1 _ _ D G)|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
-  apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l; [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
+  intros D G. eapply Rle_trans; [exact (half_turns_apart f g r w D G)|]. apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l; [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
 Qed.
 Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
 Proof.
@@ -187,34 +149,22 @@ Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
 Proof.
-  destruct remainder_near as [-> _]. replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
-  set (x := p - IZR (quarters p) / 2). assert (X : float64 x) by exact (remainder_is_float64 _ product_is_float64).
-  assert (Y : float64 e) by apply rounded_is_float64. assert (Z : float64 0) by apply generic_format_0.
-  assert (N : x + e <> 0 -> rounded (x + e) <> 0) by exact (round_plus_neq_0 radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) x e X Y).
-  destruct (Rtotal_order (x + e) 0) as [S|[S|S]].
-  - assert (rounded (x + e) <= 0) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_m1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
-  - rewrite S, rounded_0. reflexivity.
-  - assert (0 <= rounded (x + e)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact Z | lra]). rewrite !sign_eq_1; [reflexivity | lra | specialize (N ltac:(lra)); lra].
+  destruct remainder_near as [-> _]. assert (N : w <> 0 -> rounded w <> 0).
+  { replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring). apply round_plus_neq_0; try typeclasses eauto; [apply remainder_is_float64, product_is_float64 | apply rounded_is_float64]. }
+  apply same_sign; intro S; [assert (Q := not_negative_rounded w ltac:(lra)) | assert (Q := not_negative_rounded (- w) ltac:(lra)); rewrite rounded_opp in Q | rewrite S; apply rounded_0]; apply Rnot_le_lt; intro; apply N; lra.
 Qed.
 Lemma sign_of_sine : sign s = sign (sin (PI * w)).
 Proof.
-  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. apply Rabs_le_between in W.
-  assert (T := sine_factor r R). assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64).
-  assert (G : sign s = sign r).
-  { unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656)) in *.
-    destruct (Rtotal_order r 0) as [S|[S|S]].
-    - assert (rounded (r * t) <= r) by (apply round_le_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_m1; lra.
-    - rewrite S, Rmult_0_l, rounded_0. reflexivity.
-    - assert (r <= rounded (r * t)) by (apply round_ge_generic; [typeclasses eauto | typeclasses eauto | exact F | nra]). rewrite !sign_eq_1; lra. }
-  rewrite G, sign_of_remainder. destruct (Rtotal_order w 0) as [S|[S|S]].
-  - rewrite !sign_eq_m1; [reflexivity | | exact S]. assert (0 < sin (PI * - w)) by (apply sin_gt_0; generalize PI_RGT_0; nra).
-    replace (PI * w) with (- (PI * - w)) by ring. rewrite sin_neg. lra.
-  - rewrite S, Rmult_0_r, sin_0. reflexivity.
-  - rewrite !sign_eq_1; [reflexivity | | exact S]. apply sin_gt_0; generalize PI_RGT_0; nra.
+  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. both_ways W. destruct (factor_rounded r R) as [T P]. both_ways T. assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64). transitivity (sign r).
+  - unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + _)) in *. assert (1 <= t) by lra. apply same_sign; intro S.
+    + apply Rlt_le_trans with r; [exact S | apply round_ge_generic; [typeclasses eauto..| exact F | nra]].
+    + apply Rle_lt_trans with r; [apply round_le_generic; [typeclasses eauto..| exact F | nra] | exact S].
+    + rewrite S, Rmult_0_l. apply rounded_0.
+  - rewrite sign_of_remainder. symmetry. apply same_sign; intro S; [apply sin_gt_0 | apply sin_lt_0_var | rewrite S, Rmult_0_r; apply sin_0]; generalize PI_RGT_0; nra.
 Qed.
 Lemma sign_of_cosine : sign c = sign (cos (PI * w)).
 Proof.
-  destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. apply Rabs_le_between in C. apply Rabs_le_between in W.
+  destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. both_ways C. both_ways W.
   assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
 Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
@@ -231,17 +181,23 @@ Lemma factors_near (a b : R) : carried a b ->
   sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
 
+(* PI, or twice it, times a cosine and a wave number. *)
+Lemma two_factors (j k c ch K : R) : j = 1 \/ j = 2 -> Rabs c <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> 1 <= K -> Rabs (j * k) <= K ->
+  Rabs (j * PI * c * k) <= 3141593/1000000 * K /\ Rabs (rounded (rounded (j * rounded PI * ch) * k) - j * PI * c * k) <= 178/10 / 2 ^ 53 * K.
+Proof.
+  intros J C E K1 B. assert (P : Rabs PI <= 3141593/1000000) by interval. rewrite Rabs_mult in B. replace (j * PI * c * k) with (PI * c * (j * k)) at 1 by ring. rewrite !Rabs_mult.
+  split; [apply Rle_trans with (3141593/1000000 * 1 * K); [repeat apply Rmult_le_compat; try (apply Rmult_le_pos); try apply Rabs_pos; assumption | lra]|].
+  assert (Q : Rabs (j * PI) <= j * (3141593/1000000)) by (rewrite Rabs_mult, (Rabs_pos_eq j) by lra; apply Rmult_le_compat_l; lra).
+  assert (E0 : Rabs (j * rounded PI - j * PI) <= j * (111/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq j) by lra; apply Rmult_le_compat_l; [lra | exact rounded_pi]).
+  assert (B1 : Rabs (j * PI * c) <= j * (3141593/1000000) * 1) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
+  assert (Bk : Rabs k <= K / j) by (destruct J as [-> | ->]; [rewrite Rabs_R1 in B | rewrite (Rabs_pos_eq 2) in B by lra]; lra).
+  eapply Rle_trans; [exact (times_error _ _ _ _ _ _ _ _ B1 Bk (times_error _ _ _ _ _ _ _ _ Q C E0 E) (no_error k))|]. destruct J as [-> | ->]; lra.
+Qed.
 Lemma slope_near (k c s ch sh : R) : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 ->
   Rabs (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof.
-  intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
-  assert (P : Rabs PI <= 3141593/1000000) by interval.
-  generalize (times_error _ _ _ _ _ _ _ _ P C rounded_pi Ec). intro E1.
-  assert (B1 : Rabs (PI * c) <= 3141593/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
-  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
-  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. eapply Rle_trans; [exact E3|].
-  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  intros C S Ec Es. destruct (two_factors 1 k c ch (Rmax 1 (Rabs k))) as [B E]; try assumption; [left; reflexivity | apply Rmax_l | rewrite Rmult_1_l; apply Rmax_r|]. rewrite !Rmult_1_l in B. rewrite !Rmult_1_l in E.
+  eapply Rle_trans; [exact (times_error _ _ _ _ _ _ _ _ B S E Es)|]. generalize (Rmax_l 1 (Rabs k)). set (K := Rmax _ _). intro. assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
 Lemma slopes_of_sine (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
   Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
@@ -250,28 +206,13 @@ Proof.
   intros U V. destruct (factors_near _ _ U) as (? & ? & _). destruct (factors_near _ _ V) as (? & ? & _).
   split; apply slope_near; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
 Qed.
-Lemma times_sign (x y s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
+Lemma times_sign (x s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
 Proof.
-  intro F. assert (S : forall y, sign y = -1 \/ sign y = 0 \/ sign y = 1).
-  { intro z. destruct (Rtotal_order z 0) as [Z|[Z|Z]]; [left; apply sign_eq_m1, Z | right; left; rewrite Z; apply sign_0 | right; right; apply sign_eq_1, Z]. }
-  assert (K : forall z, z = -1 \/ z = 0 \/ z = 1 -> rounded z = z /\ rounded (x * z) = x * z).
-  { intros z [-> | [-> | ->]]; split; apply kept.
-    - replace (-1) with (IZR (-1) * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
-    - replace (x * -1) with (- x) by ring. apply generic_format_opp, F.
-    - apply generic_format_0.
-    - rewrite Rmult_0_r. apply generic_format_0.
-    - replace 1 with (IZR 1 * bpow radix2 0) by (simpl; ring). apply whole_is_float64; easy.
-    - rewrite Rmult_1_r. exact F. }
-  rewrite sign_mult. assert (M : sign s * sign t = -1 \/ sign s * sign t = 0 \/ sign s * sign t = 1).
-  { destruct (S s) as [-> | [-> | ->]], (S t) as [-> | [-> | ->]]; lra. }
-  destruct (K _ M) as [-> ->]. reflexivity.
+  intro F. rewrite <- sign_mult. assert (O := rounded_opp 1 : rounded (-1) = - rounded 1). unfold sign. destruct total_order_T as [[|]|]; rewrite ?O, ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
+  replace (x * - (1)) with (- x) by ring. rewrite rounded_opp, (kept x F). ring.
 Qed.
 Lemma beside_a_sign (x y m s : R) : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
-Proof.
-  intros D M. replace (x * sign s - y * sign s) with ((x - y) * sign s) by ring. rewrite Rabs_mult. assert (Rabs (sign s) <= 1).
-  { destruct (Rtotal_order s 0) as [Z|[Z|Z]]; [rewrite sign_eq_m1 by exact Z | rewrite Z, sign_0 | rewrite sign_eq_1 by exact Z]; apply Rabs_le; lra. }
-  generalize (Rabs_pos (x - y)) (Rabs_pos (sign s)). nra.
-Qed.
+Proof. intros D M. both_ways D. unfold sign. destruct total_order_T as [[|]|]; apply Rabs_le; lra. Qed.
 Lemma not_negative (k : R) : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof. assert (1 <= Rmax 1 (Rabs k)) by apply Rmax_l. generalize PI_RGT_0. nra. Qed.
 Lemma slopes_of_ridges (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
@@ -290,15 +231,8 @@ Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
 Proof.
   intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
   rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
-  set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
-  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
-  gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
-  assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
-  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
-  generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
-  assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
-  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  destruct (two_factors 2 k_v (cos (PI * (2 * k_v * v))) ch (Rmax 1 (Rabs (2 * k_v)))) as [_ E]; [right; reflexivity | apply Rabs_le, COS_bound | exact C | apply Rmax_l | apply Rmax_r|].
+  gradient_rings.lines. eapply Rle_trans; [exact E|]. generalize (Rmax_l 1 (Rabs (2 * k_v))). set (K := Rmax _ _). intro. assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)

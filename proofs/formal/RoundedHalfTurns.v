@@ -7,6 +7,8 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns.
 Open Scope R_scope.
 
+(* What a size says, both ways. *)
+Ltac both_ways H := apply Rabs_le_between in H.
 Lemma through (a b c x y : R) : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
 Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
 Lemma size (a ah A e : R) : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
@@ -74,6 +76,13 @@ Proof.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
   eapply Rle_trans; [find_error | interval].
 Qed.
+Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P := half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
+  Rabs (f - P) <= 45/10 / 2 ^ 53 /\ 28/10 <= P <= 315/100.
+Proof.
+  intros f P. destruct z_is as [z0 Ez]. unfold f, P.
+  unfold half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z.
+  clearbody zh z. split; [eapply Rle_trans; [find_error | interval] | split; interval].
+Qed.
 Lemma sine_rounded : Rabs (half_turn_polynomials_float64.sine_near r - half_turn_polynomials.sine_near r) <= 207 / 100 / 2 ^ 53.
 Proof.
   destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail.
@@ -106,12 +115,12 @@ Proof. exists 0. lra. Qed.
 (* They are not so near 1 and 0. *)
 Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__cosine_float64 (1/4) ltac:(lra)). intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y.
+  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__cosine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
   assert (cos (PI * (1/4)) < 1/1 - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
 Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near r) <= 9/4 * (1 / 2 ^ 53).
 Proof.
-  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__sine_float64 (1/4) ltac:(lra)). intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y.
+  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__sine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
   assert (6 * (1 / 2 ^ 53) < sin (PI * (1/4))) by interval. lra.
 Qed.
 Theorem elementary_functions__zero_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> half_turn_polynomials_float64.sine_near r = 0.

@@ -19,18 +19,11 @@ Proof.
   - unfold g; half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
   - unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 100).
 Qed.
-Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P := half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
-  Rabs (f - P) <= 45/10 / 2 ^ 53 /\ 28/10 <= P <= 315/100.
-Proof.
-  intros f P. destruct (z_is r B) as [z0 Ez]. unfold f, P. set (c := 884279719003555 / 281474976710656). set (z := r ^ 2) in *. set (zh := rounded (r * r)) in *.
-  unfold half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z.
-  unfold c. clearbody zh z. split; [eapply Rle_trans; [find_error | interval] | split; interval].
-Qed.
 Lemma sine_near_relative : let s := Rabs (sin (PI * r)) in Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 18/5 * (1 / 2 ^ 53) * s + bpow radix2 (-1074) /\ 279/100 * Rabs r <= s.
 Proof.
-  assert (X := elementary_functions__sine_relative). destruct factor_rounded as [F P].
+  assert (X := elementary_functions__sine_relative). destruct (factor_rounded r B) as [F P].
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near in *. set (f := rounded (_ + _)) in *. set (w := half_turn_polynomials.sine_tail r + _) in *.
-  apply Rabs_le_between in F. destruct (rounding (r * f)) as (d & t & D & T & _ & ->). apply Rabs_le_between in D. set (s := sin (PI * r)) in *. assert (O := Rabs_pos r).
+  both_ways F. destruct (rounding (r * f)) as (d & t & D & T & _ & ->). both_ways D. set (s := sin (PI * r)) in *. assert (O := Rabs_pos r).
   assert (S : 279/100 * Rabs r <= Rabs s).
   { replace s with (r * w - (r * w - s)) by ring. generalize (Rabs_triang_inv (r * w) (r * w - s)). rewrite (Rabs_mult r w), (Rabs_pos_eq w) by lra. nra. }
   split; [|exact S]. apply Rle_trans with (9 / 2 ^ 53 * Rabs r + bpow radix2 (-1074)); [|lra].
@@ -64,12 +57,11 @@ Proof.
   assert (P := bpow_ge_0 radix2 (-1074)). apply in_each_quadrant; [| | apply opposites_near]; unfold near_relative.
   - destruct (sine_near_relative r R) as [S _]. destruct (sine_near_relative w Wn) as [_ Q].
     assert (D : Rabs (r - w) <= / 2 ^ 53 * Rabs w).
-    { replace w with (p - IZR (quarters p) / 2 + e) in * by (unfold w; rewrite <- (in_two a b A B U); unfold p, e; ring). rewrite E.
-      destruct (rounded_difference (p - IZR (quarters p) / 2) (- e)) as (d & Dd & X); [apply remainder_is_float64, product_is_float64 | apply generic_format_opp, rounded_is_float64|].
-      unfold Rminus at 1 in X. rewrite Ropp_involutive in X. rewrite X. unfold Rminus at 2. rewrite Ropp_involutive. set (y := p - _ + e). replace (y * (1 + d) - y) with (d * y) by ring. rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|].
-      eapply Rle_trans; [exact Dd | unfold unit_roundoff; simpl; lra]. }
+    { replace w with (p - IZR (quarters p) / 2 + e) in * by (unfold w; rewrite <- (in_two a b A B U); unfold p, e; ring). rewrite E. set (y := p - _ + e).
+      destruct (rounded_sum (p - IZR (quarters p) / 2) e) as (d & Dd & X); [apply remainder_is_float64, product_is_float64 | apply rounded_is_float64|]. fold y in X. rewrite X. replace (y * (1 + d) - y) with (d * y) by ring.
+      rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos | exact Dd]. }
     assert (M : Rabs (sin (PI * r) - sin (PI * w)) <= 1127/1000 / 2 ^ 53 * Rabs (sin (PI * w))).
-    { eapply Rle_trans; [exact (moved_by_at_most sin cos 1 _ _ is_derive_sin (fun x => Rabs_le _ _ (COS_bound x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
+    { eapply Rle_trans; [exact (half_turns_apart sin cos r w is_derive_sin (fun x => Rabs_le _ _ (COS_bound x)))|].
       apply Rle_trans with (PI * (/ 2 ^ 53 * Rabs w)); [apply Rmult_le_compat_l; [generalize PI_RGT_0; lra | exact D]|]. assert (V := Rabs_pos w). set (v := Rabs w) in *. assert (PI <= 31416/10000) by interval. clearbody v. nra. }
     assert (G : Rabs (sin (PI * r)) <= (1 + 2 / 2 ^ 53) * Rabs (sin (PI * w))) by (generalize (Rabs_triang_inv (sin (PI * r)) (sin (PI * w))) (Rabs_pos (sin (PI * w))); lra).
     assert (V := Rabs_pos (sin (PI * w))). eapply Rle_trans; [exact (through _ _ _ _ _ S M) | lra].
@@ -88,7 +80,7 @@ Proof.
 Qed.
 Lemma not_near_both (c x : R) : c <= 5 -> near_relative c x 0 -> near_relative c x 1 -> False.
 Proof.
-  unfold near_relative. rewrite Rabs_R0, Rabs_R1. intros C X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y. generalize (bpow_le radix2 (-1074) (-2) ltac:(easy)). change (bpow radix2 (-2)) with (/ 4). lra.
+  unfold near_relative. rewrite Rabs_R0, Rabs_R1. intros C X Y. both_ways X. both_ways Y. generalize (bpow_le radix2 (-1074) (-2) ltac:(easy)). change (bpow radix2 (-2)) with (/ 4). lra.
 Qed.
 Theorem elementary_functions__half_turns_relative__false : ~ forall x, float64 x -> near_relative (18/5) (sine_of_half_turns_float64.sine x 0) (cos (PI * x)).
 Proof.

@@ -11,7 +11,7 @@ Open Scope R_scope.
 (* Between two neighbours, n s and (n + 1) s, there is none. *)
 Lemma none_between (x y d s : R) (n e : Z) : (-1074 <= e)%Z -> (2 ^ 52 <= n < 2 ^ 53)%Z -> bpow radix2 e = s -> float64 x -> Rabs (x - y) <= d -> IZR n * s + d < y < (IZR n + 1) * s - d -> False.
 Proof.
-  intros E N <- F D Y. apply Rabs_le_between in D. assert (P := bpow_gt_0 radix2 e). assert (L : IZR (2 ^ 52) <= IZR n) by (apply IZR_le; lia). assert (U : IZR n + 1 <= IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_le; lia).
+  intros E N <- F D Y. both_ways D. assert (P := bpow_gt_0 radix2 e). assert (L : IZR (2 ^ 52) <= IZR n) by (apply IZR_le; lia). assert (U : IZR n + 1 <= IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_le; lia).
   destruct (multiple_in_binade (e + 52) x) as (m & M & _); [lia | exact F | |].
   - replace (e + 52 + 1)%Z with (53 + e)%Z by ring. rewrite (Z.add_comm e), !bpow_plus. change (bpow radix2 52) with (IZR (2 ^ 52)). change (bpow radix2 53) with (IZR (2 ^ 53)). nra.
   - replace (e + 52 - 52)%Z with e in M by ring. assert (n < m < n + 1)%Z; [|lia]. split; apply lt_IZR; rewrite ?plus_IZR; apply Rmult_lt_reg_r with (bpow radix2 e); lra.

@@ -2,8 +2,8 @@
 
 From Coq Require Import Reals Lra Psatz Lia ZArith.
 From Coquelicot Require Import Coquelicot.
-From Flocq Require Import Core Relative Plus_error Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped.
+From Flocq Require Import Core Relative Plus_error Mult_error Div_sqrt_error Pff2Flocq.
+From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped RoundedHalfTurns.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -61,6 +61,8 @@ Proof.
   repeat split; try assumption; [lra | revert C | revert D]; apply (over_a_span (1 - unit)); lra.
 Qed.
 
+Lemma over_length (x e L : R) : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
+Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact X. Qed.
 Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
 Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
 (* So of any height with slopes of at most L: its samples off by at most eta, its arguments by at most alpha, and a factor in 1 +- kappa. *)
@@ -69,15 +71,13 @@ Theorem roundoff_bound__of_any_height (h h1 : R -> R) (L a b S kappa eta alpha a
   Rabs (a' - a) <= alpha -> Rabs (b' - b) <= alpha -> Rabs (h_a - h a') <= eta -> Rabs (h_b - h b') <= eta ->
   Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
 Proof.
-  intros D B P AB T A1 A2 H1 H2. assert (L0 : 0 <= L) by (eapply Rle_trans; [apply Rabs_pos | apply (B 0)]).
-  assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> - (alpha * L + eta) <= y - h x <= alpha * L + eta).
-  { intros x x' y X Y. apply Rabs_le_between. replace (y - h x) with (y - h x' + (h x' - h x)) by ring. eapply Rle_trans; [apply Rabs_triang|].
-    generalize (moved_by_at_most h h1 L x x' D B). nra. }
-  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M. apply Rabs_le_between in M. apply Rabs_le_between in T.
-  assert (Q : (h a - h b) / S * S = h a - h b) by (field; lra). set (mean := (h a - h b) / S) in *.
-  assert (M1 : L - mean >= 0) by (apply (over_a_span S _ (L * S - (h a - h b))); lra). assert (M2 : mean + L >= 0) by (apply (over_a_span S _ (L * S + (h a - h b))); lra).
-  destruct (of_two_heights alpha eta kappa t mean (h_a - h a) (h_b - h b) L S ((h_a - h_b) / S)) as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & X & Y); try lra; [unfold mean; field; lra|].
-  replace (2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa) with (kappa * L + (kappa + 1) * (2 * alpha * L + 2 * eta) / S) by (field; lra). apply Rabs_le. lra.
+  intros D B P AB T A1 A2 H1 H2. assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
+  { intros x x' y X Y. apply through with (h x'); [exact Y|]. eapply Rle_trans; [exact (moved_by_at_most h h1 L x x' D B)|]. apply Rmult_le_compat_l; [eapply Rle_trans; [apply Rabs_pos | apply (B 0)] | exact X]. }
+  assert (E1 := E _ _ _ A1 H1). assert (E2 := E _ _ _ A2 H2). both_ways E1. both_ways E2. replace (_ - _) with ((h_a - h a - (h_b - h b)) / S * t + (h a - h b) / S * (t - 1)) by (field; lra).
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; try apply over_length; try assumption.
+  - replace (_ / S * S) with (2 * (eta + L * alpha)) by (field; lra). apply Rabs_le. lra.
+  - both_ways T. apply Rabs_le. lra.
+  - rewrite <- AB, <- (Rabs_pos_eq (a - b)) by lra. exact (moved_by_at_most h h1 L b a D B).
 Qed.
 Theorem roundoff_bound__of_any_height__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S ->
   Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
@@ -92,14 +92,13 @@ Qed.
 Lemma standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
 Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact H]. Qed.
 
-(* The difference of two float64 numbers needs no such condition. *)
-Lemma rounded_difference (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
+(* The sum and the difference of two float64 numbers need no such condition. *)
+Lemma rounded_sum (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a + b) = (a + b) * (1 + d).
 Proof.
-  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E).
-  exists d. split; [|exact E]. eapply Rle_trans; [exact D|]. change (u_ro radix2 53) with unit_roundoff.
-  assert (P : 0 < unit_roundoff) by (unfold unit_roundoff; generalize (bpow_gt_0 radix2 (-53 + 1)); lra).
-  apply Rmult_le_reg_r with (1 + unit_roundoff); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. nra.
+  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E). exists d. split; [|exact E]. eapply Rle_trans; [exact D | unfold u_ro; simpl; lra].
 Qed.
+Lemma rounded_difference (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
+Proof. intros A B. destruct (rounded_sum a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [unfold unit_roundoff; simpl; lra | exact E]. Qed.
 
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
 Theorem elementary_functions__two_product (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
@@ -118,10 +117,9 @@ Proof.
 Qed.
 
 Lemma float64_is_whole (x : R) : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
-Proof.
-  intro F. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] -> _ E]. cbn [Fnum Fexp] in *. exists (m * radix2 ^ (e + 1074))%Z.
-  unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, IZR_Zpower by lia. rewrite Rmult_assoc, <- bpow_plus. do 2 f_equal. lia.
-Qed.
+Proof. intro F. apply generic_format_FIX_FLT, FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. rewrite <- E. reflexivity. Qed.
+Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
+Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
 Lemma rounded_is_float64 (x : R) : float64 (rounded x).
 Proof. apply generic_format_round; typeclasses eauto. Qed.
 Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
@@ -130,21 +128,11 @@ Lemma one_is_float64 : float64 1.
 Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0). easy. Qed.
 Lemma kept (x : R) : float64 x -> rounded x = x.
 Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
-(* What is left of a float64 by multiples of a power of two, and is no larger than it, nor than that power, is exact. *)
-Lemma part_is_float64 (x : R) (q k : Z) : float64 x -> (-1074 <= k)%Z -> Rabs (x - IZR q * bpow radix2 k) <= Rabs x -> Rabs (x - IZR q * bpow radix2 k) <= bpow radix2 k ->
-  float64 (x - IZR q * bpow radix2 k).
-Proof.
-  intros F K S T. apply FLT_format_generic in F; [|easy]. destruct F as [[m e] E M L]. unfold F2R in E; cbn [Fnum Fexp] in *.
-  assert (W : forall n j : Z, (-1074 <= j)%Z -> x - IZR q * bpow radix2 k = IZR n * bpow radix2 j -> Rabs (x - IZR q * bpow radix2 k) < bpow radix2 53 * bpow radix2 j -> float64 (x - IZR q * bpow radix2 k)).
-  { intros n j J X B. rewrite X in *. apply whole_is_float64; [|exact J]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ j)) in B by apply bpow_ge_0.
-    apply Rmult_lt_reg_r in B; [|apply bpow_gt_0]. rewrite <- abs_IZR in B. apply lt_IZR, B. }
-  destruct (Z_le_gt_dec k e) as [N|N].
-  - apply (W (m * 2 ^ (e - k) - q)%Z k K); [|generalize (bpow_gt_0 radix2 k); simpl (bpow radix2 53); lra].
-    rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, Rmult_assoc, <- bpow_plus, E. do 4 f_equal. lia.
-  - apply (W (m - q * 2 ^ (k - e))%Z e L).
-    + rewrite minus_IZR, mult_IZR, (IZR_Zpower radix2) by lia. rewrite Rmult_minus_distr_r, Rmult_assoc, <- bpow_plus, E. do 4 f_equal. lia.
-    + eapply Rle_lt_trans; [exact S|]. rewrite E, Rabs_mult, (Rabs_pos_eq (bpow _ e)) by apply bpow_ge_0. apply Rmult_lt_compat_r; [apply bpow_gt_0|]. rewrite <- abs_IZR. apply IZR_lt, M.
-Qed.
+(* A float64's whole part is one, by any rule; and what is left of it by the nearest multiple of another. *)
+Lemma whole_part_is_float64 (part : R -> Z) (x : R) : Valid_rnd part -> float64 x -> float64 (IZR (part x)).
+Proof. intros V F. rewrite <- round_FIX_IZR. apply generic_round_generic; [typeclasses eauto..| exact F]. Qed.
+Lemma what_is_left_is_float64 (x y : R) : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
+Proof. apply format_REM_N; typeclasses eauto. Qed.
 Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b + two_product_float64.product_error a b = a * b.
 Proof.
   intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ _ F F).
