@@ -7,6 +7,15 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
 
+(* The arctangent rises, and moves by no more than what it is of. *)
+Lemma atan_rises (a b : R) : a <= b -> atan a <= atan b.
+Proof. intros [L | ->]; [left; apply atan_increasing, L | apply Rle_refl]. Qed.
+Lemma atan_moves (a b : R) : Rabs (atan b - atan a) <= Rabs (b - a).
+Proof.
+  rewrite <- (Rmult_1_l (Rabs (b - a))). apply (bounded_variation atan (fun t => / (1 + Rsqr t))). intros t _. split; [apply is_derive_atan|].
+  assert (Q := Rle_0_sqr t). rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra). rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
+Qed.
+
 (* The polynomial of a small ratio is within 2^-57 of the arctangent in half-turns. *)
 Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
 Proof.
@@ -155,17 +164,14 @@ Proof.
   assert (Rh : Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra). destruct Rh as [Rh Er].
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
   { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ Rh Er) | interval]. }
-  assert (D : Rabs (atan r - atan rho) <= 1 * Rabs (r - rho)).
-  { apply (moved_by_at_most atan (fun t => / (1 + Rsqr t)) 1); [apply is_derive_atan|]. intro t. assert (Q := Rle_0_sqr t).
-    rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra). rewrite <- Rinv_1 at 2. apply Rinv_le_contravar; lra. }
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
     assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | generalize (atan_bound (atan_sub t n)); lra]. }
   assert (B : 0 <= o <= 26/100).
   { unfold o. set (t := s / l) in *. split; [|interval]. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat, PI_RGT_0].
-    rewrite <- atan_0. destruct (proj1 T) as [G | <-]; [left; apply atan_increasing, G | apply Rle_refl]. }
+    rewrite <- atan_0. apply atan_rises, T. }
   assert (E3 : Rabs ((atan r - atan rho) / PI) <= 3184/10000 * Rabs (r - rho)).
-  { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | lra]. }
+  { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | apply atan_moves]. }
   assert (F : o = atan n / PI + atan r / PI - (atan r - atan rho) / PI) by (unfold o; rewrite Add; field; apply PI_neq0). set (g := (atan r - atan rho) / PI) in *.
   unfold angle_in_half_turns_float64.first_octant. fold v. destruct C as [(N0 & K0 & V0 & Wr & Wd)|(Wr & Wd & Z)].
   - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (apply Rabs_le_between in Wr; lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp, Wr, Wd.
@@ -179,8 +185,7 @@ Proof.
   - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (apply Rabs_le_between in Q; lra). assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m := angle_in_half_turns_float64.small_part y x) in *.
     assert (E : Rabs (v + m - o) <= 37/100 / 2 ^ 53) by (apply Rabs_le_between in E1; apply Rabs_le_between in E2; apply Rabs_le_between in E3; apply Rabs_le_between in A; apply Rabs_le; lra).
     assert (Ol : 962/10000 <= o).
-    { assert (W : 312/1000 <= s / l) by (apply Rmult_le_reg_r with l; [exact P | replace (s / l * l) with s by (field; lra); exact Z]). apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0|].
-      destruct W as [W | <-]; [left; apply atan_increasing, W | apply Rle_refl]. }
+    { assert (W : 312/1000 <= s / l) by (apply Rmult_le_reg_r with l; [exact P | replace (s / l * l) with s by (field; lra); exact Z]). apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0 | apply atan_rises, W]. }
     assert (E4 := one_rounding (v + m)). assert (E5 := Rabs_triang_inv (v + m) o). rewrite (Rabs_pos_eq o) in E5 by lra. assert (G := through _ _ _ _ _ E4 E). lra.
 Qed.
 (* The octant, of the exact angle and of the computed one. *)
