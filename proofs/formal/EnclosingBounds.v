@@ -21,10 +21,17 @@ Proof.
   apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
   clearbody b q. in_units.
 Qed.
+Lemma least_is_float64_too : float64 least.
+Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
 (* A function's own error: a part of the result, and what is lost where that vanishes. *)
 Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
 Proof.
   intros F P K. assert (T := proj1 underflow_in_least). cbv zeta. counts o (k * Rabs f). counts w (o + V). split; [is_float64 | split; [assumption | in_units]].
 Qed.
-Lemma least_is_float64_too : float64 least.
-Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
+(* So a result is within a count that is made of its own error, and of how far what it stands for is moved. *)
+Lemma moved_and_own (s k v f e t : R) : 1 <= s -> 5 / 2 ^ 53 <= k -> float64 v -> 0 <= v -> Rabs (f - e) <= 49 / 10 / 2 ^ 53 * Rabs e + 2 ^ 4 * underflow -> Rabs (e - t) <= v + 2 ^ 13 * underflow ->
+  let c := rounded (9007199254740992 * rounded (rounded (v + rounded (rounded (k * Rabs f) + least)) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (f - t) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S K F P N M. assert (T := proj1 underflow_in_least). destruct (own_error k least f) as (Fo & Po & Co); [exact least_is_float64_too | rewrite least_is; lra | lra|]. rewrite least_is in Co at 1.
+  apply made_a_count; try assumption. assert (Kf := Rmult_le_compat_r (Rabs f) _ _ (Rabs_pos f) K). generalize (Rabs_pos f) (Rabs_triang (f - e) (e - t)) (Rabs_triang_inv e f). rewrite (Rabs_minus_sym e f). replace (f - e + (e - t)) with (f - t) by ring. in_units.
+Qed.

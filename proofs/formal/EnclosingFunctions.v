@@ -28,15 +28,9 @@ Proof.
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
     apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h in *; in_units].
     apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. in_units. }
-  unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := wave (PI * (x * y))) in *.
-  assert (G : Rabs e <= Rabs computed_wave + Rabs (computed_wave - e)) by (generalize (Rabs_triang_inv e computed_wave); rewrite (Rabs_minus_sym e computed_wave); lra). assert (A := Rabs_pos computed_wave).
-  assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least computed_wave least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
-  apply made_a_count; [exact S1 | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | exact Fo | exact Po |].
-  set (own := rounded (rounded (_ * Rabs computed_wave) + least)) in *. apply Rle_trans with (Rabs (computed_wave - e) + Rabs (e - wave (PI * (x' * y'))) + 4 * underflow).
-  { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
-  assert (K : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
-  { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
-  set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. in_units.
+  apply moved_and_own with (wave (PI * (x * y))); [exact S1 | lra | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | |].
+  - eapply Rle_trans; [exact Near|]. generalize (Rabs_pos (wave (PI * (x * y)))). unfold underflow in *. lra.
+  - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
 Qed.
 End half_turns.
 Ltac of_half_turns f g := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
