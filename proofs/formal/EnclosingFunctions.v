@@ -28,7 +28,7 @@ Proof.
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
     apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h in *; in_units].
     apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. in_units. }
-  apply moved_and_own with (wave (PI * (x * y))); [exact S1 | lra | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | |].
+  apply moved_and_own with (wave (PI * (x * y))); [exact S1 | lra | destruct Rlt_dec; [is_float64 | exact two_is_float64] | destruct Rlt_dec; lra | |].
   - eapply Rle_trans; [exact Near|]. generalize (Rabs_pos (wave (PI * (x * y)))). unfold underflow in *. lra.
   - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
 Qed.
