@@ -15,9 +15,8 @@ Definition underflow : R := bpow radix2 (-1074).
 Definition ROUNDING : R := 1048577 / 9444732965739290427392.
 Definition SLACK : R := 562949953421313 / 562949953421312.
 Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
-(* How large a sum is; what a size says, both ways. *)
+(* How large a sum is. *)
 Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
-Ltac both_ways H := apply Rabs_le_between in H.
 Lemma least_is_power : 1 / 2 ^ 1007 = bpow radix2 (-1007).
 Proof. rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).

@@ -7,6 +7,8 @@ From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped.
 From Formal Require Statements.
 Open Scope R_scope.
 
+(* What a size says, both ways. *)
+Ltac both_ways H := apply Rabs_le_between in H.
 (* What is left of a difference of two heights, each off, over the span s, times a factor. *)
 Lemma of_two_heights (argument evaluation excess growth mean plus minus steepest s d : R) : s > 0 ->
   excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest + evaluation >= 0 ->
@@ -73,7 +75,7 @@ Proof.
   assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> - (alpha * L + eta) <= y - h x <= alpha * L + eta).
   { intros x x' y X Y. apply Rabs_le_between. replace (y - h x) with (y - h x' + (h x' - h x)) by ring. eapply Rle_trans; [apply Rabs_triang|].
     generalize (moved_by_at_most h h1 L x x' D B). nra. }
-  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M. apply Rabs_le_between in M. apply Rabs_le_between in T.
+  generalize (E _ _ _ A1 H1) (E _ _ _ A2 H2) (moved_by_at_most h h1 L b a D B). rewrite AB, (Rabs_pos_eq S) by lra. intros E1 E2 M. both_ways M. both_ways T.
   assert (Q : (h a - h b) / S * S = h a - h b) by (field; lra). set (mean := (h a - h b) / S) in *.
   assert (M1 : L - mean >= 0) by (apply (over_a_span S _ (L * S - (h a - h b))); lra). assert (M2 : mean + L >= 0) by (apply (over_a_span S _ (L * S + (h a - h b))); lra).
   destruct (of_two_heights alpha eta kappa t mean (h_a - h a) (h_b - h b) L S ((h_a - h_b) / S)) as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & X & Y); try lra; [unfold mean; field; lra|].
