@@ -48,8 +48,7 @@ Lemma scaled_float64 (x : R) (k e : Z) : float64 x -> bpow radix2 k <= Rabs x ->
 Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by ring; exact B). lia. Qed.
 Lemma multiple_of_power (x : R) (j : Z) : float64 x -> bpow radix2 (j + 52) <= Rabs x -> exists m : Z, x = IZR m * bpow radix2 j.
 Proof.
-  intros F B. unfold float64, generic_format, F2R in F. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F. assert (M : (j + 53 <= mag radix2 x)%Z) by (apply mag_ge_bpow; replace (j + 53 - 1)%Z with (j + 52)%Z by ring; exact B).
-  unfold cexp, FLT_exp in F. set (e := Z.max _ _) in F. assert (K : (j <= e)%Z) by (unfold e; lia). exists (m * 2 ^ (e - j))%Z. rewrite mult_IZR, (IZR_Zpower radix2), Rmult_assoc, <- bpow_plus by lia. etransitivity; [exact F|]. do 2 f_equal. lia.
+  intros F B. apply (generic_inclusion_ge radix2 (FLT_exp (-1074) 53) (FIX_exp j) (j + 52)) in F; [|intros; unfold FLT_exp, FIX_exp; lia | exact B]. apply FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. simpl in E. rewrite E. reflexivity.
 Qed.
 
 (* What the polynomial loses in float64. *)
@@ -149,12 +148,12 @@ Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_
 Proof.
   intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U := underflow_is_less).
   assert (T : 0 <= s / l <= 1) by (split; [apply Rle_div_r | apply Rle_div_l]; lra).
-  assert (Rh : Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra). destruct Rh as [Rh Er].
+  assert (Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) as [Rh Er] by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra).
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
   { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ Rh Er) | interval]. }
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
-    assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | generalize (atan_bound (atan_sub t n)); lra]. }
+    assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | apply atan_bound]. }
   assert (B : 0 <= o <= 26/100).
   { unfold o. set (t := s / l) in *. split; [|interval]. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat, PI_RGT_0].
     rewrite <- atan_0. apply atan_rises, T. }
