@@ -34,7 +34,6 @@ Proof.
   assert (M := atan_moves 0 (tan d)). rewrite atan_tan, atan_0, !Rminus_0_r in M by exact H. apply Rle_trans with (3184 / 10000 * Rabs d); [|lra].
   unfold d. rewrite Rabs_mult, (Rabs_pos_eq PI) by lra. assert (I : 1 <= 3184 / 10000 * PI) by interval. generalize (Rmult_le_compat_r _ _ _ (Rabs_pos (u - u')) I). lra.
 Qed.
-Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
 Theorem enclosing_rules__angle : Statements.enclosing_rules__angle.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy N. enclosed_angle_float64.lines. fold ROUNDING. fold SLACK. fold least. assert (T := proj1 underflow_in_least). assert (U := underflow_is_small).
