@@ -8,6 +8,10 @@ Open Scope R_scope.
 Definition least : R := 1 / 2 ^ 1060.
 Lemma least_is : least = 2 ^ 14 * underflow.
 Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
+(* An inequality, times what is not negative. *)
+Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
+Lemma two_is_float64 : float64 2.
+Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
 (* A bound becomes a count exactly. *)
 Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
 Proof.
@@ -21,10 +25,17 @@ Proof.
   apply Rle_trans with (1 * (1 + 1 / 2 ^ 49) * (9007199254740992 * b / 2 ^ 53)); [|repeat apply Rmult_le_compat_r; lra].
   clearbody b q. in_units.
 Qed.
+Lemma least_is_float64_too : float64 least.
+Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
 (* A function's own error: a part of the result, and what is lost where that vanishes. *)
 Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
 Proof.
   intros F P K. assert (T := proj1 underflow_in_least). cbv zeta. counts o (k * Rabs f). counts w (o + V). split; [is_float64 | split; [assumption | in_units]].
 Qed.
-Lemma least_is_float64_too : float64 least.
-Proof. rewrite least_is. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply generic_format_bpow. easy. Qed.
+(* So a result is within a count that is made of its own error, and of how far what it stands for is moved. *)
+Lemma moved_and_own (s k v f e t : R) : 1 <= s -> 5 / 2 ^ 53 <= k -> float64 v -> 0 <= v -> Rabs (f - e) <= 49 / 10 / 2 ^ 53 * Rabs e + 2 ^ 4 * underflow -> Rabs (e - t) <= v + 2 ^ 13 * underflow ->
+  let c := rounded (9007199254740992 * rounded (rounded (v + rounded (rounded (k * Rabs f) + least)) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (f - t) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S K F P N M. assert (T := proj1 underflow_in_least). destruct (own_error k least f) as (Fo & Po & Co); [exact least_is_float64_too | rewrite least_is; lra | lra|]. rewrite least_is in Co at 1.
+  apply made_a_count; try assumption. multiplied (Rabs f) K. generalize (Rabs_pos f) (Rabs_triang (f - e) (e - t)) (Rabs_triang_inv e f). rewrite (Rabs_minus_sym e f). replace (f - e + (e - t)) with (f - t) by ring. in_units.
+Qed.

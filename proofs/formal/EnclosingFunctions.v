@@ -28,15 +28,9 @@ Proof.
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
     apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h in *; in_units].
     apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. in_units. }
-  unfold near_relative in Near. change (bpow radix2 (-1074)) with underflow in Near. set (e := wave (PI * (x * y))) in *.
-  assert (G : Rabs e <= Rabs computed_wave + Rabs (computed_wave - e)) by (generalize (Rabs_triang_inv e computed_wave); rewrite (Rabs_minus_sym e computed_wave); lra). assert (A := Rabs_pos computed_wave).
-  assert (Lp : 0 <= least) by (rewrite least_is; lra). destruct (own_error (5674535530486825 / 10141204801825835211973625643008) least computed_wave least_is_float64_too Lp ltac:(lra)) as (Fo & Po & Co).
-  apply made_a_count; [exact S1 | destruct Rlt_dec; [is_float64 | apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy] | destruct Rlt_dec; lra | exact Fo | exact Po |].
-  set (own := rounded (rounded (_ * Rabs computed_wave) + least)) in *. apply Rle_trans with (Rabs (computed_wave - e) + Rabs (e - wave (PI * (x' * y'))) + 4 * underflow).
-  { apply Rplus_le_compat_r. replace (computed_wave - wave (PI * (x' * y'))) with ((computed_wave - e) + (e - wave (PI * (x' * y')))) by ring. apply Rabs_triang. }
-  assert (K : Rabs (e - wave (PI * (x' * y'))) <= (if Rlt_dec t 2 then t else 2) + 2 ^ 12 * underflow).
-  { destruct Rlt_dec; [exact D|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). fold e. intros. apply Rabs_le. lra. }
-  set (z := if Rlt_dec t 2 then t else 2) in *. assert (0 <= z) by (unfold z; destruct Rlt_dec; lra). rewrite least_is in Co. clearbody z own. in_units.
+  apply moved_and_own with (wave (PI * (x * y))); [exact S1 | lra | destruct Rlt_dec; [is_float64 | exact two_is_float64] | destruct Rlt_dec; lra | |].
+  - eapply Rle_trans; [exact Near|]. generalize (Rabs_pos (wave (PI * (x * y)))). unfold underflow in *. lra.
+  - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
 Qed.
 End half_turns.
 Ltac of_half_turns f g := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
@@ -46,18 +40,13 @@ Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
 Proof. of_half_turns cos (fun x => - sin x). exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
 
 (* A function that rises or falls lies between its values at the ends of what its argument can be. *)
-Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 x -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) ->
+Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) ->
   let reach := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK) in
   rounded (x - reach) - 32 * underflow <= x' <= rounded (x + reach) + 32 * underflow /\ 0 <= reach <= ROUNDING * e * (1 + 2 ^ 6 * unit53) + 2 ^ 7 * unit53 * Rabs x + 32 * underflow.
 Proof.
-  intros S1 S2 X E D. assert (T := proj1 underflow_in_least). destruct (bound_of s e S1 S2 E) as [_ B]. cbv zeta. assert (A := Rabs_pos x). 
-  assert (O1 := own_rounding (ROUNDING * e)). counts b (ROUNDING * e). assert (O2 := own_rounding (1 / 4503599627370496 * Rabs x)). counts h (1 / 4503599627370496 * Rabs x). assert (O3 := own_rounding (b + h)). counts q (b + h). assert (O4 := own_rounding (q * SLACK)). counts r (q * SLACK).
-  rewrite (Rabs_pos_eq b), (Rabs_pos_eq h), (Rabs_pos_eq q), (Rabs_pos_eq r) in * by assumption. both_ways O1. both_ways O2. both_ways O3. both_ways O4.
-  split; [|unfold ROUNDING, SLACK, unit53 in *; clearbody b h q r; lra].
-  assert (Fr : float64 r) by is_float64. assert (L := own_rounding_of_sum x (- r) X (generic_format_opp _ _ _ Fr)). assert (U := own_rounding_of_sum x r X Fr). change (x + - r) with (x - r) in L.
-  assert (Sl : Rabs (rounded (x - r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x - r)) (x - r)) (Rabs_triang x (- r)); rewrite Rabs_Ropp, (Rabs_pos_eq r) by assumption; change (x + - r) with (x - r); lra).
-  assert (Sh : Rabs (rounded (x + r)) * (1 - unit53) <= Rabs x + r) by (generalize (Rabs_triang_inv (rounded (x + r)) (x + r)) (Rabs_triang x r); rewrite (Rabs_pos_eq r) by assumption; lra).
-  both_ways L. both_ways U. both_ways D. set (l := rounded (x - r)) in *. set (u := rounded (x + r)) in *. clearbody b h q r l u. in_units.
+  intros S1 S2 E D. destruct (bound_of s e S1 S2 E) as [_ B]. assert (T := proj1 underflow_in_least). assert (A := Rabs_pos x). cbv zeta. counts b (ROUNDING * e). counts h (1 / 4503599627370496 * Rabs x). rounds q (b + h). counts r (q * SLACK).
+  assert (L := rounding_error (x - r)). assert (U := rounding_error (x + r)). assert (Sl := Rabs_triang x (- r)). assert (Sh := Rabs_triang x r). rewrite Rabs_Ropp in Sl. rewrite (Rabs_pos_eq r) in Sl, Sh by assumption. change (x + - r) with (x - r) in Sl.
+  both_ways L. both_ways U. both_ways D. clearbody b h q r. split; in_units.
 Qed.
 Lemma furthest_of (a b : R) : float64 a -> float64 b -> 0 <= a -> let first := if Rlt_dec 0 a then a else 0 in let furthest := if Rlt_dec first b then b else first in
   float64 furthest /\ a <= furthest /\ b <= furthest.
@@ -73,9 +62,7 @@ Proof.
   { intros e t E D. destruct (own_error k V e Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own e) in Fo, Po, Co. assert (O := own_rounding_of_sum e (- f) E (generic_format_opp _ _ _ F)). change (e + - f) with (e - f) in O. unfold away. set (d := rounded (e - f)) in *.
     counts a (Rabs d + own e). split; [is_float64 | split; [assumption|]].
     assert (M1 := Rabs_triang_inv (e - f) d). rewrite Rabs_minus_sym in O. assert (M2 := Rabs_triang (f - e) (e - t)). replace (f - e + (e - t)) with (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. assert (M3 := Rabs_triang_inv e f).
-    assert (Kd : k * Rabs (e - f) <= 16 * unit53 * Rabs (e - f)) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]). assert (Ke : k * Rabs e <= k * Rabs f + k * Rabs (e - f)) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
-    assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative.
-    set (kf := k * Rabs f) in *. set (ke := k * Rabs e) in *. set (ef := Rabs (e - f)) in *. clearbody kf ke ef a. in_units. }
+    multiplied (Rabs (e - f)) (proj2 K). multiplied k M3. assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative. in_units. }
   destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
   destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
   apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
@@ -106,7 +93,7 @@ Proof.
   red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 := one_is_float64).
   assert (Q := elementary_functions__two_product x 1 X F1). rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 : two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
   rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X), !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
-  destruct (reached s x e x' S1 S2 X P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
+  destruct (reached s x e x' S1 S2 P D) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
   assert (Top : rounded (x + reach) <= 709).
   { apply round_le_generic; [typeclasses eauto | typeclasses eauto | rewrite <- (Rmult_1_r 709); apply (whole_is_float64 709 0); easy|].
     assert (x + 2 ^ 7 * unit53 * Rabs x <= 7045/10) by (unfold Rabs, unit53; destruct Rcase_abs; lra). in_units. }

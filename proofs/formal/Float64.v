@@ -369,6 +369,15 @@ End program.
 Ltac lines := unfold cosine_error, cosine.
 End enclosed_cosine_float64.
 
+Module enclosed_angle_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition angle := angle_in_half_turns_float64.angle y x.
+Definition angle_error := rounded (9007199254740992 * (rounded ((if both (Rlt_dec x 0) (Rle_dec (Rabs y) (rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) * (562949953421313 / 562949953421312)))) then 2 else (rounded ((if both (Rlt_dec (rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1048577 / 9444732965739290427392) * x_error)))) (rounded ((1 / 2) * (rounded (sqrt (rounded ((rounded (x * x)) + (rounded (y * y))))))))) (Rlt_dec (rounded ((rounded ((rounded ((Rabs x) * (rounded ((1048577 / 9444732965739290427392) * y_error)))) + (rounded ((Rabs y) * (rounded ((1048577 / 9444732965739290427392) * x_error)))))) / (rounded ((rounded (sqrt (rounded ((rounded (x * x)) + (rounded (y * y)))))) * (rounded ((rounded (sqrt (rounded ((rounded (x * x)) + (rounded (y * y)))))) - (rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1048577 / 9444732965739290427392) * x_error)))))))))) (2242792614430507 / 9007199254740992)) then (rounded ((rounded ((rounded ((rounded ((rounded ((Rabs x) * (rounded ((1048577 / 9444732965739290427392) * y_error)))) + (rounded ((Rabs y) * (rounded ((1048577 / 9444732965739290427392) * x_error)))))) / (rounded ((rounded (sqrt (rounded ((rounded (x * x)) + (rounded (y * y)))))) * (rounded ((rounded (sqrt (rounded ((rounded (x * x)) + (rounded (y * y)))))) - (rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1048577 / 9444732965739290427392) * x_error)))))))))) * (731105545250889 / 2251799813685248))) * (562949953421313 / 562949953421312))) else 2) + (rounded ((rounded ((5 / 9007199254740992) * (Rabs (angle_in_half_turns_float64.angle y x)))) + (1 / 2 ^ 1060)))))) * (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold angle_error, angle.
+End enclosed_angle_float64.
+
 Module enclosed_exponential_float64.
 Section program.
 Variables x x_error : R.

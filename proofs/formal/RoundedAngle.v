@@ -7,6 +7,15 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
 
+(* The arctangent rises, and moves by no more than what it is of. *)
+Lemma atan_rises (a b : R) : a <= b -> atan a <= atan b.
+Proof. intros [L | ->]; [left; apply atan_increasing, L | apply Rle_refl]. Qed.
+Lemma atan_moves (a b : R) : Rabs (atan b - atan a) <= Rabs (b - a).
+Proof.
+  rewrite <- (Rmult_1_l (Rabs (b - a))). apply (bounded_variation atan (fun t => / (1 + Rsqr t))). intros t _. split; [apply is_derive_atan|].
+  assert (Q := Rle_0_sqr t). rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra). rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
+Qed.
+
 (* The polynomial of a small ratio is within 2^-57 of the arctangent in half-turns. *)
 Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
 Proof.
@@ -29,25 +38,18 @@ Qed.
 Lemma quotient_error (n d dn dd Q : R) : d <> 0 -> Rabs (n / d) <= Q -> Q <= 1 -> Rabs dn <= unit_roundoff -> Rabs dd <= unit_roundoff ->
   Rabs (rounded (n * (1 + dn) / (d * (1 + dd))) - n / d) <= 3001/1000 * Q / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intros D B Q1 N E. assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra). rewrite U in N, E. apply Rabs_le_between in N. apply Rabs_le_between in E.
+  intros D B Q1 N E. assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra). rewrite U in N, E. both_ways N. both_ways E.
   assert (P : 0 <= Q) by (eapply Rle_trans; [apply Rabs_pos | exact B]). set (q := n / d) in *.
   assert (M : Rabs (n * (1 + dn) / (d * (1 + dd)) - q) <= 20001/10000 / 2 ^ 53 * Q).
-  { replace (_ - q) with ((dn - dd) / (1 + dd) * q) by (unfold q; field; lra). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [|exact B].
-    unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ (1 + dd))) by (left; apply Rinv_0_lt_compat; lra). apply Rmult_le_reg_r with (1 + dd); [lra|].
-    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rabs_le. lra. }
+  { replace (_ - q) with (((1 + dn) / (1 + dd) - 1) * q) by (unfold q; field; lra). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [interval with (i_prec 120) | exact B]. }
   generalize (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B M)) M). intro T. eapply Rle_trans; [exact T|]. lra.
 Qed.
 Lemma scaled_float64 (x : R) (k e : Z) : float64 x -> bpow radix2 k <= Rabs x -> (-1022 - k <= e)%Z -> float64 (x * bpow radix2 e).
 Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by ring; exact B). lia. Qed.
 Lemma multiple_of_power (x : R) (j : Z) : float64 x -> bpow radix2 (j + 52) <= Rabs x -> exists m : Z, x = IZR m * bpow radix2 j.
 Proof.
-  intros F B. unfold float64, generic_format, F2R in F. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F. assert (M : (j + 53 <= mag radix2 x)%Z) by (apply mag_ge_bpow; replace (j + 53 - 1)%Z with (j + 52)%Z by ring; exact B).
-  unfold cexp, FLT_exp in F. set (e := Z.max _ _) in F. assert (K : (j <= e)%Z) by (unfold e; lia). exists (m * 2 ^ (e - j))%Z. rewrite mult_IZR, (IZR_Zpower radix2), Rmult_assoc, <- bpow_plus by lia. etransitivity; [exact F|]. do 2 f_equal. lia.
+  intros F B. apply (generic_inclusion_ge radix2 (FLT_exp (-1074) 53) (FIX_exp j) (j + 52)) in F; [|intros; unfold FLT_exp, FIX_exp; lia | exact B]. apply FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. simpl in E. rewrite E. reflexivity.
 Qed.
-Lemma half_of_float64 (x : R) : float64 x -> bpow radix2 (-1020) <= Rabs x -> float64 (1/2 * x).
-Proof. intros F B. replace (1/2 * x) with (x * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 x (-1020)); [exact F | exact B | easy]. Qed.
-Lemma sum_float64 (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a + b) = (a + b) * (1 + d).
-Proof. intros A B. destruct (rounded_difference a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [exact D|]. replace (a + b) with (a - - b) by ring. exact E. Qed.
 
 (* What the polynomial loses in float64. *)
 Lemma difference_error (a ah b bh S ea eb : R) : Rabs (a - b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah - bh) - (a - b)) <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
@@ -107,7 +109,7 @@ Proof.
   intro C. destruct sides as (_ & _ & _ & P). assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra).
   destruct (standard_model (c * l)) as (d & D & ->).
   - rewrite Rabs_pos_eq by nra. eapply Rle_trans; [|apply Rle_trans with (1/4 * l); [exact quarter_of_larger | nra]]. apply bpow_le. easy.
-  - rewrite U in D. apply Rabs_le_between in D. assert (0 < c * l) by nra. split; nra.
+  - rewrite U in D. both_ways D. assert (0 < c * l) by nra. split; nra.
 Qed.
 (* The ratio that stands for s/l, once the node n is taken off. *)
 Let n := angle_in_half_turns_float64.node y x.
@@ -120,13 +122,13 @@ Proof.
   destruct Rlt_dec as [_|W]; [|contradiction].
   assert (G := Rle_trans _ _ _ quarter_of_larger T).
   assert (F : forall z, float64 z -> bpow radix2 (-1020) <= z -> float64 (m * z)).
-  { intros z Z Zb. destruct M as [-> | ->]; [apply half_of_float64; [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs]] | rewrite Rmult_1_l; exact Z]. }
+  { intros z Z Zb. destruct M as [-> | ->]; [|rewrite Rmult_1_l; exact Z]. replace (1/2 * z) with (z * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 z (-1020)); [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs] | easy]. }
   assert (Fs := F s S G). assert (Fl := F l L (Rle_trans _ _ _ G (proj2 O))). rewrite (Rmult_comm l), (kept _ Fs), (kept _ Fl).
-  destruct (sum_float64 _ _ L Fs) as (dd & Dd & ->). destruct (rounded_difference _ _ S Fl) as (dn & Dn & ->).
+  replace (l + m * s) with (l - - (m * s)) in * by ring. destruct (rounded_difference _ _ L (generic_format_opp _ _ _ Fs)) as (dd & Dd & ->). destruct (rounded_difference _ _ S Fl) as (dn & Dn & ->).
   apply quotient_error; try assumption. destruct M as [-> | ->]; lra.
 Qed.
 Lemma between_rates (a b Q : R) : 0 < b -> - Q * b <= a <= Q * b -> Rabs (a / b) <= Q.
-Proof. intros P B. apply Rabs_le. split; apply Rmult_le_reg_r with b; try exact P; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. Qed.
+Proof. intros P B. apply Rabs_le. split; [apply Rle_div_r | apply Rle_div_l]; lra. Qed.
 Let v := angle_in_half_turns_float64.node_value y x.
 Let r := angle_in_half_turns_float64.ratio y x.
 Lemma by_node : 0 <= n <= 1 /\ 0 <= k <= 1 / 2 ^ 56 /\ 0 <= v <= 1/4 /\ Rabs (v + k - atan n / PI) <= 1 / 2 ^ 100 /\
@@ -136,70 +138,55 @@ Proof.
   assert (G := taken_off). unfold r, rho in *. assert (En : n = n) by reflexivity. unfold n at 2, angle_in_half_turns_float64.node in En.
   unfold k, v, angle_in_half_turns_float64.node_correction, angle_in_half_turns_float64.node_value.
   unfold angle_in_half_turns_float64.steep, angle_in_half_turns_float64.middle in *. fold l s in En |- *.
-  destruct (Rlt_dec (rounded (3/4 * l)) s) as [St|St]; [|destruct (Rlt_dec (rounded (5/16 * l)) s) as [Mi|Mi]]; repeat destruct Rlt_dec; try lra; rewrite En.
-  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra). split; [lra | split; [lra | split; [lra | split]]].
-    + rewrite atan_1. replace (_ - _) with 0 by (field; apply PI_neq0). rewrite Rabs_R0. interval.
-    + right. split; [lra | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G 1 (15/100)); try assumption; lra | lra].
-  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 182/1000) by (apply between_rates; lra). split; [lra | split; [lra | split; [lra | split]]]; [interval with (i_prec 150)|].
-    right. split; [exact R | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G (1/2) (182/1000)); try assumption; lra | lra].
-  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). rewrite Z. split; [lra | split; [lra | split; [lra | split]]].
-    + rewrite atan_0. replace (_ - _) with 0 by (field; apply PI_neq0). rewrite Rabs_R0. interval.
-    + left. split; [reflexivity | split; [reflexivity | split; [reflexivity | split; [apply between_rates; lra|]]]]. unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W]; [|contradiction].
+  destruct (Rlt_dec (rounded (3/4 * l)) s) as [St|St]; [|destruct (Rlt_dec (rounded (5/16 * l)) s) as [Mi|Mi]]; repeat destruct Rlt_dec; try lra; rewrite En; (split; [lra | split; [lra | split; [lra | split; [interval with (i_prec 150)|]]]]).
+  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra). right. split; [lra | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G 1 (15/100)); try assumption; lra | lra].
+  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 182/1000) by (apply between_rates; lra). right. split; [exact R | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G (1/2) (182/1000)); try assumption; lra | lra].
+  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). rewrite Z. left. do 3 (split; [reflexivity|]). split; [apply between_rates; lra|]. unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W]; [|contradiction].
       rewrite Rmult_0_l, Rmult_0_r, !rounded_0, Rplus_0_r, Rminus_0_r, (kept _ S), (kept _ L). apply one_rounding.
 Qed.
 Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_half_turns_float64.first_octant y x - o) in d <= 85/100 / 2 ^ 53 /\ d <= 49/10 / 2 ^ 53 * o + 8 * bpow radix2 (-1074) /\ 0 <= o <= 26/100.
 Proof.
   intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U := underflow_is_less).
-  assert (T : 0 <= s / l <= 1).
-  { split; apply Rmult_le_reg_r with l; try exact P; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. }
-  assert (Rh : Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra). destruct Rh as [Rh Er].
+  assert (T : 0 <= s / l <= 1) by (split; [apply Rle_div_r | apply Rle_div_l]; lra).
+  assert (Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) as [Rh Er] by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra).
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
   { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ Rh Er) | interval]. }
-  assert (D : Rabs (atan r - atan rho) <= 1 * Rabs (r - rho)).
-  { apply (moved_by_at_most atan (fun t => / (1 + Rsqr t)) 1); [apply is_derive_atan|]. intro t. assert (Q := Rle_0_sqr t).
-    rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra). rewrite <- Rinv_1 at 2. apply Rinv_le_contravar; lra. }
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
-    assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | generalize (atan_bound (atan_sub t n)); lra]. }
+    assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | apply atan_bound]. }
   assert (B : 0 <= o <= 26/100).
   { unfold o. set (t := s / l) in *. split; [|interval]. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat, PI_RGT_0].
-    rewrite <- atan_0. destruct (proj1 T) as [G | <-]; [left; apply atan_increasing, G | apply Rle_refl]. }
+    rewrite <- atan_0. apply atan_rises, T. }
   assert (E3 : Rabs ((atan r - atan rho) / PI) <= 3184/10000 * Rabs (r - rho)).
-  { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | lra]. }
+  { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | apply atan_moves]. }
   assert (F : o = atan n / PI + atan r / PI - (atan r - atan rho) / PI) by (unfold o; rewrite Add; field; apply PI_neq0). set (g := (atan r - atan rho) / PI) in *.
   unfold angle_in_half_turns_float64.first_octant. fold v. destruct C as [(N0 & K0 & V0 & Wr & Wd)|(Wr & Wd & Z)].
-  - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (apply Rabs_le_between in Wr; lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp, Wr, Wd.
+  - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (both_ways Wr; lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp, Wr, Wd.
     assert (E2 := factor_near y x Br). fold r in E2. assert (E4 := arctangent_relative r Br). destruct (factor_of_ratio r Br) as [Br' Fr]. rewrite Fr in E4. unfold angle_in_half_turns_float64.small_part. fold k r. set (f := rounded (_ + _)) in *. set (p := _ + _) in Br', E2, E4. set (p' := _ + _) in Bp, E0.
     rewrite V0, K0, !Rplus_0_l, !(kept _ (rounded_is_float64 _)). assert (E1 := one_rounding (r * f)). rewrite N0, atan_0 in F. unfold Rdiv at 1 in F. rewrite Rmult_0_l, Rplus_0_l in F.
     assert (M1 : Rabs (r * f - r * p) <= Rabs r * (38/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat_l; [apply Rabs_pos | exact E2]).
     assert (M2 : Rabs (r * p) <= Rabs r * (3184/10000)) by (rewrite Rabs_mult, (Rabs_pos_eq p) by lra; apply Rmult_le_compat_l; [apply Rabs_pos | lra]).
     assert (M3 : 307/1000 * (s / l) <= s / l * p') by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra). assert (M4 := Rabs_triang_inv (r * f) (r * p)). assert (M5 := Rabs_triang_inv r (s / l)). rewrite Q in Er, E3. rewrite (Rabs_pos_eq (s / l)) in * by lra.
-    set (a := s / l) in *. set (R := Rabs r) in *. set (q := rounded (r * f)) in *. set (e := Rabs (r * f)) in *. set (w := Rabs (r - a)) in *. assert (M6 : e <= R * (38/100 / 2 ^ 53) + R * (3184/10000)) by lra. apply Rabs_le_between in E0. apply Rabs_le_between in M1. apply Rabs_le_between in E1. apply Rabs_le_between in E3. apply Rabs_le_between in E4.
+    set (a := s / l) in *. set (R := Rabs r) in *. set (q := rounded (r * f)) in *. set (e := Rabs (r * f)) in *. set (w := Rabs (r - a)) in *. assert (M6 : e <= R * (38/100 / 2 ^ 53) + R * (3184/10000)) by lra. both_ways E0. both_ways M1. both_ways E1. both_ways E3. both_ways E4.
     assert (G : Rabs (q - o) <= 13/10 / 2 ^ 53 * a + 4 * bpow radix2 (-1074)) by (clearbody a R q e w g o p p'; apply Rabs_le; lra). clearbody a. lra.
-  - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (apply Rabs_le_between in Q; lra). assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m := angle_in_half_turns_float64.small_part y x) in *.
-    assert (E : Rabs (v + m - o) <= 37/100 / 2 ^ 53) by (apply Rabs_le_between in E1; apply Rabs_le_between in E2; apply Rabs_le_between in E3; apply Rabs_le_between in A; apply Rabs_le; lra).
+  - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (both_ways Q; lra). assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m := angle_in_half_turns_float64.small_part y x) in *.
+    assert (E : Rabs (v + m - o) <= 37/100 / 2 ^ 53) by (both_ways E1; both_ways E2; both_ways E3; both_ways A; apply Rabs_le; lra).
     assert (Ol : 962/10000 <= o).
-    { assert (W : 312/1000 <= s / l) by (apply Rmult_le_reg_r with l; [exact P | replace (s / l * l) with s by (field; lra); exact Z]). apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0|].
-      destruct W as [W | <-]; [left; apply atan_increasing, W | apply Rle_refl]. }
+    { apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0 | apply atan_rises; apply -> Rle_div_r; lra]. }
     assert (E4 := one_rounding (v + m)). assert (E5 := Rabs_triang_inv (v + m) o). rewrite (Rabs_pos_eq o) in E5 by lra. assert (G := through _ _ _ _ _ E4 E). lra.
 Qed.
 (* The octant, of the exact angle and of the computed one. *)
 Lemma octants : let o := atan (s / l) / PI in let q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o in let h := if Rlt_dec x 0 then 1 - q else q in atan2pi y x = if Rlt_dec y 0 then - h else h.
 Proof.
-  intros o q. assert (Q : q = if Req_EM_T x 0 then 1/2 else atan (Rabs y / Rabs x) / PI).
-  { destruct sides as (_ & _ & _ & P). assert (Px := Rabs_pos x). assert (Py := Rabs_pos y). unfold q, o, l, s, angle_in_half_turns_float64.larger, angle_in_half_turns_float64.smaller in *.
-    destruct (Req_EM_T x 0) as [Z|Z]; [|apply Rabs_pos_lt in Z]; destruct Rlt_dec as [W|W]; rewrite ?(Rmin_left _ _ (Rlt_le _ _ W)), ?(Rmax_right _ _ (Rlt_le _ _ W)).
-    - rewrite Z, Rabs_R0. unfold Rdiv. rewrite Rmult_0_l, atan_0. ring.
-    - exfalso. rewrite Z, Rabs_R0 in *. rewrite Rmax_left in P; lra.
-    - replace (Rabs y / Rabs x) with (/ (Rabs x / Rabs y)) by (field; lra). rewrite atan_inv by (apply Rdiv_lt_0_compat; lra). field. apply PI_neq0.
-    - rewrite Rmin_right, Rmax_left by lra. reflexivity. }
-  rewrite Q. clear q Q. unfold atan2pi, atan2. destruct (Req_EM_T x 0) as [Z|Z].
-  - destruct sides as (_ & _ & _ & P). unfold l, angle_in_half_turns_float64.larger in P. rewrite Z in *. rewrite Rabs_R0 in P. repeat destruct Rlt_dec; try lra; try (field; apply PI_neq0).
-    replace y with 0 in P by lra. rewrite Rabs_R0, Rmax_left in P; lra.
-  - assert (A : forall a b, atan (- a / b) = - atan (a / b)) by (intros a b; rewrite <- atan_opp; f_equal; unfold Rdiv; ring).
+  destruct sides as (_ & _ & _ & L). assert (Px := Rabs_pos x). assert (Py := Rabs_pos y). unfold l, s, angle_in_half_turns_float64.larger, angle_in_half_turns_float64.smaller in *. cbv zeta. unfold atan2pi, atan2. destruct (Req_EM_T x 0) as [Z|Z].
+  - rewrite Z, Rabs_R0, Rmax_right, Rmin_left in * by lra. unfold Rdiv. rewrite !Rmult_0_l, atan_0. revert L. unfold Rabs. destruct Rcase_abs; intro; repeat destruct Rlt_dec; try lra; field; apply PI_neq0.
+  - assert (Z' := Rabs_pos_lt x Z). assert (Q : atan (Rabs y / Rabs x) / PI = if Rlt_dec (Rabs x) (Rabs y) then 1/2 - atan (Rmin (Rabs x) (Rabs y) / Rmax (Rabs x) (Rabs y)) / PI else atan (Rmin (Rabs x) (Rabs y) / Rmax (Rabs x) (Rabs y)) / PI).
+    { destruct Rlt_dec; [rewrite Rmin_left, Rmax_right by lra | rewrite Rmin_right, Rmax_left by lra; reflexivity].
+      replace (Rabs y / Rabs x) with (/ (Rabs x / Rabs y)) by (field; lra). rewrite atan_inv by (apply Rdiv_lt_0_compat; lra). field. apply PI_neq0. }
+    rewrite <- Q.
+    assert (A : forall a b, atan (- a / b) = - atan (a / b)) by (intros a b; rewrite <- atan_opp; f_equal; unfold Rdiv; ring).
     assert (A' : forall a b, b <> 0 -> atan (a / - b) = - atan (a / b)) by (intros a b H; rewrite <- atan_opp; f_equal; field; lra).
-    repeat destruct Rlt_dec; try destruct Rle_dec; try lra; rewrite ?(Rabs_pos_eq x), ?(Rabs_pos_eq y), ?(Rabs_left x), ?(Rabs_left y) by lra;
-      rewrite ?A', ?A, ?Ropp_involutive by lra; field; apply PI_neq0.
+    unfold Rabs; destruct (Rcase_abs x); destruct (Rcase_abs y); repeat destruct Rlt_dec; try destruct Rle_dec; try lra; rewrite ?A', ?A, ?Ropp_involutive by lra; field; apply PI_neq0.
 Qed.
 Lemma angle_near : let d := Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) in d <= 5/2 * (1 / 2 ^ 53) /\ d <= 49/10 / 2 ^ 53 * Rabs (atan2pi y x) + 2 ^ 4 * bpow radix2 (-1074).
 Proof.
@@ -221,11 +208,7 @@ Proof. apply angle_near. Qed.
 (* of the origin it is 0. *)
 Theorem elementary_functions__origin : angle_in_half_turns_float64.angle 0 0 = 0.
 Proof.
-  assert (L : angle_in_half_turns_float64.larger 0 0 = 0) by (unfold angle_in_half_turns_float64.larger; rewrite Rabs_R0; apply Rmax_left; lra).
-  assert (S : angle_in_half_turns_float64.smaller 0 0 = 0) by (unfold angle_in_half_turns_float64.smaller; rewrite Rabs_R0; apply Rmin_left; lra).
-  unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant, angle_in_half_turns_float64.first_octant, angle_in_half_turns_float64.small_part,
-    angle_in_half_turns_float64.node_value, angle_in_half_turns_float64.node_correction, angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.steep, angle_in_half_turns_float64.middle.
-  rewrite L, S, !Rmult_0_r, rounded_0. repeat destruct Rlt_dec; try lra. rewrite Rmult_0_l, !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
+  angle_in_half_turns_float64.lines. rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra. rewrite (Rmult_0_l (rounded (_ + 5734161139222659 / 18014398509481984))), !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
 Qed.
 Theorem elementary_functions__arctangent__point : exists r : R, - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
 Proof. exists 0. lra. Qed.
@@ -246,7 +229,7 @@ Proof.
   { rewrite Rabs_left by lra. eapply Rle_trans; [|apply Rmax_l]. replace (- -1) with 1 by ring. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
   unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra. destruct Rle_dec; try lra. unfold Rdiv. rewrite Rmult_0_l, atan_0, Rmult_0_l, Rplus_0_l, Rinv_r by apply PI_neq0.
-  intros A B. apply Rabs_le_between in A. apply Rabs_le_between in B. lra.
+  intros A B. both_ways A. both_ways B. lra.
 Qed.
 Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.
 Proof.

@@ -7,6 +7,8 @@ From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped Ro
 From Formal Require Statements.
 Open Scope R_scope.
 
+(* What a size says, both ways. *)
+Ltac both_ways H := apply Rabs_le_between in H.
 (* What is left of a difference of two heights, each off, over the span s, times a factor. *)
 Lemma of_two_heights (argument evaluation excess growth mean plus minus steepest s d : R) : s > 0 ->
   excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest + evaluation >= 0 ->

@@ -801,6 +801,23 @@ Definition enclosing_rules__cosine : Prop :=
   0 <= enclosed_cosine_float64.cosine_error x x_error y y_error /\
   Rabs (enclosed_cosine_float64.cosine x y - (cos (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_cosine_float64.cosine_error x x_error y y_error / 2 ^ 53).
 
+Definition enclosing_rules__angle : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x ^ 2 + y ^ 2 >= / 1024 ->
+  float64 (enclosed_angle_float64.angle_error x x_error y y_error) /\
+  0 <= enclosed_angle_float64.angle_error x x_error y y_error /\
+  Rabs (enclosed_angle_float64.angle x y - (atan2pi y_exact x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_angle_float64.angle_error x x_error y y_error / 2 ^ 53).
+
 Definition enclosing_rules__exponential : Prop :=
   forall slack x x_error x_exact : R,
   1 <= slack ->

@@ -3,7 +3,7 @@
 from sympy import StrictLessThan, exp, floor, sqrt
 
 from proofs.engine.program import chain
-from proofs.formulas.half_turns import cospi, rint, sinpi
+from proofs.formulas.half_turns import atan2pi, cospi, rint, sinpi
 from proofs.formulas.symbols import real, where, x, y
 
 left, right = real("left right")
@@ -19,6 +19,7 @@ RULES = {
         ("enclosed_nearest", "nearest", rint(x)),
         ("enclosed_sine", "sine", sinpi(x * y)),
         ("enclosed_cosine", "cosine", cospi(x * y)),
+        ("enclosed_angle", "angle", atan2pi(y, x)),
         ("enclosed_exponential", "exponential", exp(x)),
         ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
     )

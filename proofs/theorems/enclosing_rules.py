@@ -19,14 +19,15 @@ theorem = Theorem(
     "The rules of the enclosing machine",
     r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
     By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
-    whole number nearest to $x$, of $\sin\pi xy$, $\cos\pi xy$, $e^x$ and of a selection by $x < y$ are within their
-    counts of the exact results, if the counts before are; each operation makes a count too small by $2^{-49}$ of it at
-    most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
+    whole number nearest to $x$, of $\sin\pi xy$, $\cos\pi xy$, $\operatorname{atan2}(y, x)/\pi$, $e^x$ and of a
+    selection by $x < y$ are within their counts of the exact results, if the counts before are; each operation makes a
+    count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
     hypotheses=(
         "nothing overflows; of a product, a sine and a whole number the counts are at most $2^{60}$",
         r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
         r"of a sine $|xy| \le 2^{21}$, of $e^x$ $x \le 704$ and a count of at most $2^{55}$; of both what is not 0 is "
         "above $10^{-285}$",
+        r"of an angle $x^2 + y^2 \ge 2^{-10}$",
     ),
     rounded=[
         Encloses(name, RULES[f"enclosed_{name}"], given)
@@ -40,11 +41,13 @@ theorem = Theorem(
             "selection": (),
             "sine": _in_two,
             "cosine": _in_two,
+            "angle": x**2 + y**2 >= Pow(2, -10),
             "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
         }.items()
     ],
     steps={
         "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
+        "an angle turns": r"by $\arctan|xy' - x'y|/(xx' + yy')$, over no cut",
         "a result's own rounding is at most one": r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
         "the count's own roundings": r"at most eight factors $1 - 2^{-53}$",
     },

@@ -152,6 +152,7 @@ NAMES = {
     "height": "height",
     "sinpi": "sine_of_half_turns_float64.sine",
     "cospi": "cosine_of_half_turns_float64.cosine",
+    "atan2pi": "angle_in_half_turns_float64.angle",
     "exp": "exponential_of_sum_float64.exponential",
 }
 """{what is called: Coq's function}, none of which is rounded but as it says itself"""
