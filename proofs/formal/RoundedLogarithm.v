@@ -8,7 +8,7 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 Open Scope R_scope.
 
 (* Twice the quotient and the series are within 13/1000 2^-53 of its logarithm, relative to the quotient. *)
-Lemma series_relative (q : R) : Rabs q <= 59/1000 -> Rabs (2 * q + logarithm_polynomial.log_tail q - (ln (1 + q) - ln (1 - q))) <= 13/1000 / 2 ^ 53 * Rabs q.
+Lemma series_relative (q : R) : Rabs q <= 589/10000 -> Rabs (2 * q + logarithm_polynomial.log_tail q - (ln (1 + q) - ln (1 - q))) <= 13/1000 / 2 ^ 53 * Rabs q.
 Proof.
   intro B. set (g := fun t => 2 * t + logarithm_polynomial.log_tail t - (ln (1 + t) - ln (1 - t))). change (Rabs (g q) <= 13/1000 / 2 ^ 53 * Rabs q). destruct (Rle_lt_dec (3/64) (Rabs q)) as [L|L].
   - apply Rle_trans with (13/1000 / 2 ^ 53 * (3/64)); [|lra]. apply Rabs_le_between in B. unfold g; logarithm_polynomial.lines.
@@ -20,23 +20,29 @@ Proof.
     + unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 120).
 Qed.
 
-Definition least_float64 : R := bpow radix2 (-1074).
-Lemma bounded_product (x y X Y : R) : Rabs x <= X -> Rabs y <= Y -> Rabs (x * y) <= X * Y.
-Proof. intros A B. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
-Lemma within_rounding (x X : R) : Rabs x <= X -> Rabs (rounded x - x) <= / 2 ^ 53 * X + least_float64.
-Proof. unfold least_float64. generalize (one_rounding x). lra. Qed.
-(* The part of 26 digits, which is split off by a multiplication. *)
-Lemma high_part (x : R) : float64 x -> let h := rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) in
-  generic_format radix2 (FLT_exp (-1074) 26) h /\ Rabs (h - x) <= / 2 ^ 26 * Rabs x + least_float64.
+(* A rounding to so many digits, relative to a number that is not negligible. *)
+Definition negligible : R := bpow radix2 (-900).
+Lemma relative (digits : Z) (b x y : R) : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb (Z.even n))) x ->
+  exists d t, Rabs d <= bpow radix2 (- digits) /\ Rabs t <= / 2 ^ 100 /\ y = x * (1 + d) + b * t.
 Proof.
-  intros F h. assert (H := Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl).
-  assert (C : bpow radix2 27 + 1 = 134217729) by (simpl; lra). rewrite C in H. change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H.
-  assert (E : h = round radix2 (FLT_exp (-1074) (53 - 27)) (Znearest (fun n => negb (Z.even n))) x).
-  { rewrite <- H. unfold h. rewrite (Rmult_comm x). f_equal. replace (x - rounded (134217729 * x)) with (- (rounded (134217729 * x) - x)) by ring. rewrite rounded_opp. ring. }
-  assert (P : Prec_gt_0 26) by easy. rewrite E. split; [apply generic_format_round; typeclasses eauto|].
-  destruct (error_N_FLT radix2 (-1074) (53 - 27) ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & _ & ->). replace (x * (1 + d) + t - x) with (d * x + t) by ring.
-  eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult. apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos|] | unfold least_float64; generalize (bpow_gt_0 radix2 (-1074)); lra].
-  eapply Rle_trans; [exact D | unfold u_ro; simpl; lra].
+  intros P B ->. assert (B0 := bpow_gt_0 radix2 (-900)). fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even n)) x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
+  - eapply Rle_trans; [exact D|]. unfold u_ro. rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
+  - apply Rmult_le_reg_r with b; [lra|]. rewrite <- (Rabs_pos_eq b) at 2 by lra. rewrite <- Rabs_mult. replace (t / b * b) with t by (field; lra). eapply Rle_trans; [exact T|].
+    apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+  - rewrite E. field. lra.
+Qed.
+(* A sum of two needs no such number. *)
+Lemma rounded_sum (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
+Proof.
+  intros F G B. destruct (sum_float64 f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [|exact B].
+  eapply Rle_trans; [exact U | unfold unit_roundoff; simpl; lra].
+Qed.
+(* The part of 26 digits, which is split off by a multiplication. *)
+Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26) (Znearest (fun n => negb (Z.even n))) x.
+Proof.
+  intro F. assert (H := Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl).
+  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H by (simpl; lra).
+  rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
 Qed.
 (* Its product with a number of 27 digits is exact. *)
 Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h = 0 \/ k = 0%Z \/ bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
@@ -90,6 +96,7 @@ Proof.
 Qed.
 End doublings.
 
+
 Section logarithm.
 Variable x : R.
 Let m := natural_logarithm_float64.mantissa x.
@@ -132,33 +139,38 @@ Proof.
   - rewrite A. destruct (Z.eq_dec (j - k * 2 ^ 45) 0) as [-> | Z]; [left; ring | right]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by lra.
     rewrite <- (Rmult_1_l (bpow radix2 (-53))) at 1. apply Rmult_le_compat_r; [lra|]. apply IZR_le. lia.
 Qed.
-Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-56) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * Rabs q + 3 * least_float64 /\ Rabs (e - (q - h)) <= 20 / 2 ^ 79 * Rabs q + 60 * least_float64 /\ Rabs q <= 589/10000.
+
+Let b := Rabs q + negligible.
+Let c := q / b.
+Lemma scale : Rabs q <= 589/10000 /\ 0 < negligible <= bpow radix2 (-100) /\ negligible <= b /\ 0 < b <= 59/1000 /\ q = c * b /\ Rabs c <= 1.
+Proof.
+  destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (unfold q; fold m d in Bq, Bd; rewrite Rabs_div, (Rabs_pos_eq (m + d)) by lra; apply Rle_div_l; lra).
+  assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). assert (q0 := Rabs_pos q). assert (b0 : negligible <= b) by (unfold b; lra).
+  split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c. rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
+Qed.
+Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * b /\ Rabs (e - (q - h)) <= 1 / 2 ^ 70 * b.
 Proof.
   destruct node_of_mantissa as (Bq & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct above_node_exact as [A A0]. destruct M as [Fm Bm]. fold m d in Bq, Bd, D.
   assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by (unfold S; lra).
-  assert (T0 : 0 <= least_float64 <= 1 / 2 ^ 100) by apply underflow_is_less. set (I := natural_logarithm_float64.inverse x).
-  assert (EI : Rabs (I - 1 / S) <= 203/100 / 2 ^ 53).
-  { unfold I, natural_logarithm_float64.inverse. fold m d. destruct (sum_float64 m d Fm Fd) as (t & B & ->). fold S. assert (X := quotient_error 1 S 0 t (672/1000) ltac:(lra)).
-    rewrite Rplus_0_r, Rmult_1_r in X. eapply Rle_trans; [apply X|lra]; [clear - BS; clearbody S; interval | lra | rewrite Rabs_R0; unfold unit_roundoff; simpl; lra | exact B]. }
-  assert (ES : Rabs (S * I - 1) <= 55/10 / 2 ^ 53).
-  { replace (S * I - 1) with (S * (I - 1 / S)) by (field; lra). eapply Rle_trans; [apply bounded_product; [apply Rabs_le with (1 := conj (ltac:(lra) : - (26843/10000) <= S) (proj2 BS)) | exact EI] | lra]. }
-  assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). assert (Q : Rabs q <= 589/10000).
-  { apply Rmult_le_reg_r with S; [lra|]. rewrite <- (Rabs_pos_eq S) at 1 by lra. rewrite <- Rabs_mult, <- qS. exact Bq. }
-  assert (Q0 := Rabs_pos q). set (a := natural_logarithm_float64.a x). assert (Ea : Rabs (a - q) <= 66/10 / 2 ^ 53 * Rabs q + least_float64).
-  { assert (X : Rabs ((m - d) * I - q) <= Rabs q * (55/10 / 2 ^ 53)) by (rewrite qS; replace (q * S * I - q) with (q * (S * I - 1)) by ring; apply bounded_product; [apply Rle_refl | exact ES]).
-    unfold a, natural_logarithm_float64.a. rewrite A. fold I. generalize (through _ _ _ _ _ (within_rounding _ _ (size _ _ _ _ (Rle_refl (Rabs q)) X)) X). lra. }
-  destruct (high_part a) as [Fh Eh]; [apply rounded_is_float64|]. change (generic_format radix2 (FLT_exp (-1074) 26) h) in Fh. change (Rabs (h - a) <= / 2 ^ 26 * Rabs a + least_float64) in Eh.
-  assert (Eq : Rabs (h - q) <= 101/100 / 2 ^ 26 * Rabs q + 3 * least_float64).
-  { generalize (through _ _ _ _ _ Eh Ea) (size _ _ _ _ (Rle_refl (Rabs q)) Ea). lra. }
-  assert (h0 : h = 0 \/ bpow radix2 (-56) <= Rabs h).
+  assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). destruct scale as (Q & t0 & b0 & Bb & cb & Bc).
+  destruct (sum_float64 m d Fm Fd) as (u & Bu & Es). replace unit_roundoff with (/ 2 ^ 53) in Bu by (unfold unit_roundoff; simpl; lra).
+  set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es; reflexivity)) as (d1 & t1 & D1 & T1 & E1).
+  set (a := natural_logarithm_float64.a x). destruct (relative 53 b (q * S * I) a eq_refl b0 ltac:(rewrite <- qS, <- A; reflexivity)) as (d2 & t2 & D2 & T2 & E2).
+  destruct (relative 26 b a h eq_refl b0 (high_part a (rounded_is_float64 _))) as (d3 & t3 & D3 & T3 & E3).
+  set (f := (h - q) / b). assert (Hf : h = b * (c + f)) by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold f; field; lra).
+  assert (Bf : Rabs f <= 101/100 / 2 ^ 26).
+  { replace f with (c * ((1 + d1) / (1 + u) * (1 + d2) * (1 + d3) - 1) + c * S * b * t1 * (1 + d2) * (1 + d3) + t2 * (1 + d3) + t3).
+    - simpl bpow in *. clearbody c b f S. clear - Bc Bb BS Bu D1 D2 D3 T1 T2 T3. interval with (i_prec 120).
+    - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field. apply Rabs_le_between in Bu. split; lra. }
+  clearbody f.
+  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; rewrite Rabs_mult, (Rabs_pos_eq b) by lra; apply Rmult_le_compat_r; [lra | exact Bf]).
+  assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
   { destruct A0 as [Z|Z].
     - left. assert (a0 : a = 0) by (unfold a, natural_logarithm_float64.a; rewrite A, Z, Rmult_0_l; apply rounded_0).
       unfold h, natural_logarithm_float64.a_high, natural_logarithm_float64.a_excess, natural_logarithm_float64.a_split. fold a. rewrite a0, Rmult_0_r, !rounded_0, Rminus_0_r, !rounded_0, Rminus_0_r. apply rounded_0.
-    - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. assert (Rabs q <= Rabs h + Rabs (h - q)) by (generalize (Rabs_triang_inv q h); rewrite (Rabs_minus_sym q h); lra).
-      assert (U : 1000 * least_float64 <= bpow radix2 (-53)) by (apply Rle_trans with (bpow radix2 10 * least_float64); [simpl (bpow radix2 10); lra | unfold least_float64; rewrite <- bpow_plus; apply bpow_le; easy]).
-      replace (bpow radix2 (-53)) with (8 * bpow radix2 (-56)) in Z, U by (simpl; lra). assert (B56 := bpow_gt_0 radix2 (-56)). nra. }
-  split; [exact Fh | split; [exact h0 | split; [exact Eq | split; [|exact Q]]]].
-  set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728)) <= 1001/1000 / 2 ^ 26).
+    - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. generalize (Rabs_triang_inv q h). rewrite (Rabs_minus_sym q h). simpl bpow in *. unfold b in Eh. assert (X : Rabs q * S <= Rabs q * (27/10)) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]). intro. lra. }
+  assert (G : Prec_gt_0 26) by easy. assert (Fh : generic_format radix2 (FLT_exp (-1074) 26) h) by (rewrite (high_part a (rounded_is_float64 _) : h = _); apply generic_format_round; typeclasses eauto).
+  split; [exact Fh | split; [exact h0 | split; [exact Eh|]]]. set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728)) <= 1001/1000 / 2 ^ 26).
   { assert (B : Rabs (m + 134217728) <= 134217730) by (apply Rabs_le; lra). eapply Rle_trans; [exact (rounded_error _ _ B) | lra]. }
   destruct (multiple_of_power l (-25)) as [i L]; [apply rounded_is_float64 | change (bpow radix2 (-25 + 52)) with 134217728; rewrite Rabs_pos_eq; by_sides|].
   set (p := natural_logarithm_float64.mantissa_short x). assert (Lp : l - 134217728 = IZR (i - 2 ^ 52) * bpow radix2 (-25)) by (rewrite L, minus_IZR; simpl bpow; lra).
@@ -167,104 +179,78 @@ Proof.
   assert (Ps : p + d = IZR (i - 2 ^ 52 + k * 2 ^ 17) * bpow radix2 (-25)) by (rewrite Pl, Lp, D, plus_IZR, mult_IZR; simpl bpow; lra).
   assert (Ss : natural_logarithm_float64.sum_short x = p + d) by (unfold natural_logarithm_float64.sum_short; fold p d; apply kept; rewrite Ps; apply whole_is_float64; lia).
   assert (H1 : rounded (h * natural_logarithm_float64.sum_short x) = h * (p + d)).
-  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; exact h0 | right; right]. rewrite <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-56) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
+  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; exact h0 | right; right]. rewrite <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
     apply Rmult_le_compat; [apply bpow_ge_0 | lra | exact h0 | rewrite Rabs_pos_eq; rewrite Pl; by_sides]. }
-  assert (Em : Rabs (m - p) <= 1001/1000 / 2 ^ 26) by (rewrite Pl; replace (m - (l - 134217728)) with (- (l - (m + 134217728))) by ring; rewrite Rabs_Ropp; exact El).
-  assert (Er := within_rounding _ _ Em). change (rounded (m - p)) with (natural_logarithm_float64.mantissa_rest x) in Er. set (mr := natural_logarithm_float64.mantissa_rest x) in *.
-  assert (Bh : Rabs h <= 101/100 * Rabs q + 3 * least_float64) by (generalize (size _ _ _ _ (Rle_refl (Rabs q)) Eq); lra).
-  assert (X1 : Rabs ((h - q) * S) <= 272/100 / 2 ^ 26 * Rabs q + 9 * least_float64) by (eapply Rle_trans; [apply bounded_product; [exact Eq | apply Rabs_le with (1 := conj (ltac:(lra) : - (26843/10000) <= S) (proj2 BS))] | lra]).
-  assert (X2 : Rabs (h * (m - p)) <= 102/100 / 2 ^ 26 * Rabs q + least_float64) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bh Em) | lra]).
-  assert (X3 : Rabs (h * (mr - (m - p))) <= 2 / 2 ^ 79 * Rabs q + 3 * least_float64) by (eapply Rle_trans; [apply (bounded_product _ _ _ (11/10 / 2 ^ 79) Bh); lra | lra]).
-  set (un := natural_logarithm_float64.undivided_near x). assert (E1 : Rabs (un - ((q - h) * S + h * (m - p))) <= 4 / 2 ^ 79 * Rabs q + 3 * least_float64).
-  { unfold un, natural_logarithm_float64.undivided_near. fold h. rewrite H1, A, qS. replace (q * S - h * (p + d)) with ((q - h) * S + h * (m - p)) by (unfold S; ring). eapply Rle_trans; [apply within_rounding with (X := 4 / 2 ^ 26 * Rabs q + 11 * least_float64); by_sides | lra]. }
-  set (b := rounded (h * mr)). assert (E2 : Rabs (b - h * (m - p)) <= 4 / 2 ^ 79 * Rabs q + 6 * least_float64).
-  { assert (B : Rabs (h * mr) <= 104/100 / 2 ^ 26 * Rabs q + 4 * least_float64) by (replace (h * mr) with (h * (m - p) + h * (mr - (m - p))) by ring; by_sides). assert (Y := within_rounding _ _ B). fold b in Y. replace (h * (mr - (m - p))) with (h * mr - h * (m - p)) in X3 by ring. by_sides. }
-  set (U := natural_logarithm_float64.undivided x). assert (E3 : Rabs (U - (q - h) * S) <= 12 / 2 ^ 79 * Rabs q + 30 * least_float64).
-  { assert (B : Rabs (un - b) <= 3 / 2 ^ 26 * Rabs q + 20 * least_float64) by by_sides. assert (Y := within_rounding _ _ B). change (rounded (un - b)) with U in Y. by_sides. }
-  assert (E4 : Rabs (I * (U - (q - h) * S)) <= 9 / 2 ^ 79 * Rabs q + 22 * least_float64).
-  { eapply Rle_trans; [apply bounded_product; [|exact E3]|]. apply Rle_trans with (7/10); [|apply Rle_refl]. 2: lra. assert (Rabs (1 / S) <= 67/100) by (clear - BS; clearbody S; interval). by_sides. }
-  assert (E5 : Rabs ((q - h) * (S * I - 1)) <= 6 / 2 ^ 79 * Rabs q + least_float64) by (rewrite Rabs_minus_sym in Eq; eapply Rle_trans; [exact (bounded_product _ _ _ _ Eq ES) | lra]).
-  assert (B : Rabs (I * U) <= 102/100 / 2 ^ 26 * Rabs q + 30 * least_float64).
-  { replace (I * U) with (I * (U - (q - h) * S) + (q - h) * (S * I - 1) + (q - h)) by ring. by_sides. }
-  assert (Y := within_rounding _ _ B). change (rounded (I * U)) with e in Y. replace (I * U) with (I * (U - (q - h) * S) + (q - h) * (S * I - 1) + (q - h)) in Y by ring. by_sides.
+  set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
+  set (r' := natural_logarithm_float64.mantissa_rest x). destruct (relative 53 b (m - p) r' eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). set (w := rounded (h * r')). destruct (relative 53 b (h * r') w eq_refl b0 eq_refl) as (d5 & t5 & D5 & T5 & E5).
+  set (n := natural_logarithm_float64.undivided_near x). destruct (relative 53 b (q * S - h * (p + d)) n eq_refl b0 ltac:(rewrite <- H1, <- qS, <- A; reflexivity)) as (d6 & t6 & D6 & T6 & E6).
+  set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
+  replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
+  rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) - b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
+  rewrite Rabs_mult, (Rabs_pos_eq b) by lra. apply Rmult_le_compat_r; [lra|].
+  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *. clearbody c b s S. clear - Bc Bb BS Bs Bf Bu D1 D4 D5 D6 D7 D8 T1 T4 T5 T6 T7 T8. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
 Proof.
   destruct node_of_mantissa as (_ & Bd & _). destruct M as [_ Bm]. assert (S : 0 < 2 / (m + d)) by (apply Rdiv_lt_0_compat; lra).
   replace (1 + q) with (m * (2 / (m + d))) by (unfold q; field; lra). replace (1 - q) with (d * (2 / (m + d))) by (unfold q; field; lra). rewrite !ln_mult by lra. ring.
 Qed.
-Lemma tail_near : Rabs q <= 589/10000 -> Rabs (e - (q - h)) <= 20 / 2 ^ 79 * Rabs q + 60 * least_float64 ->
-  Rabs (natural_logarithm_float64.log_tail x - logarithm_polynomial.log_tail q) <= 171/10000 / 2 ^ 53 * Rabs q + 10 * least_float64 /\ Rabs (logarithm_polynomial.log_tail q) <= 24/10000 * Rabs q.
+Lemma tail_near : let s := logarithm_polynomial.log_tail q in Rabs (natural_logarithm_float64.log_tail x - s) <= 17/1000 / 2 ^ 53 * b /\ Rabs s <= 24/10000 * b.
 Proof.
-  intros Q E. assert (Q0 := Rabs_pos q). assert (T0 : 0 <= least_float64 <= 1 / 2 ^ 100) by apply underflow_is_less. unfold natural_logarithm_float64.log_tail. set (p := natural_logarithm_float64.quotient x).
-  assert (Ep : Rabs (p - q) <= 101/100 / 2 ^ 53 * Rabs q + 62 * least_float64).
-  { assert (E' : Rabs (h + e - q) <= 20 / 2 ^ 79 * Rabs q + 60 * least_float64) by (replace (h + e - q) with (e - (q - h)) by ring; exact E).
-    generalize (through _ _ _ _ _ (within_rounding _ _ (size _ _ _ _ (Rle_refl (Rabs q)) E')) E'). change (rounded (h + e)) with p. lra. }
-  assert (Ep' : Rabs (p - q) <= 595/10000 / 2 ^ 53) by lra. set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x).
-  assert (Z : 0 <= z <= 347/100000) by (clear - Q; apply Rabs_le_between in Q; clearbody q; unfold z, logarithm_polynomial.quotient_squared; split; [apply pow2_ge_0 | interval]).
-  assert (Ez : Rabs (zh - z) <= 106/10000 / 2 ^ 53) by (unfold z, logarithm_polynomial.quotient_squared; replace (q ^ 2) with (q * q) by ring; eapply Rle_trans; [exact (times_error _ _ _ _ _ _ _ _ Q Q Ep' Ep') | lra]).
-  assert (E1 : Rabs (rounded (p * zh) - q * z) <= 18/1000 / 2 ^ 53 * Rabs q + 3 * least_float64).
-  { assert (X : Rabs (p * zh - q * z) <= 143/10000 / 2 ^ 53 * Rabs q + least_float64).
-    { assert (Bz : Rabs zh <= 348/100000) by by_sides. replace (p * zh - q * z) with ((p - q) * zh + q * (zh - z)) by ring. generalize (bounded_product _ _ _ _ Ep Bz) (bounded_product _ _ _ _ (Rle_refl (Rabs q)) Ez). intros. by_sides. }
-    assert (B : Rabs (q * z) <= Rabs q * (347/100000)) by (apply bounded_product; [apply Rle_refl | apply Rabs_le; lra]). generalize (through _ _ _ _ _ (within_rounding _ _ (size _ _ _ _ B X)) X). lra. }
-  unfold logarithm_polynomial.log_tail. fold z. lazymatch goal with |- context [rounded (rounded (p * zh) * ?f)] => set (F := f) end. lazymatch goal with |- context [q * z * ?f] => set (G := f) end.
-  assert (Bg : 66/100 <= G <= 669/1000) by (unfold G; clearbody z; clear - Z; split; interval).
-  assert (Ef : Rabs (F - G) <= 7/10 / 2 ^ 53) by (unfold F, G; clearbody z zh; clear - Z Ez; eapply Rle_trans; [find_error | interval]).
-  assert (B : Rabs (q * z) <= Rabs q * (347/100000)) by (apply bounded_product; [apply Rle_refl | apply Rabs_le; lra]). assert (Bf : Rabs F <= 67/100) by by_sides.
-  assert (X : Rabs (rounded (p * zh) * F - q * z * G) <= 146/10000 / 2 ^ 53 * Rabs q + 3 * least_float64).
-  { set (w := rounded _) in *. replace (w * F - q * z * G) with ((w - q * z) * F + q * z * (F - G)) by ring. generalize (bounded_product _ _ _ _ E1 Bf) (bounded_product _ _ _ _ B Ef). intros. by_sides. }
-  assert (Bt : Rabs (q * z * G) <= 24/10000 * Rabs q) by (eapply Rle_trans; [apply (bounded_product _ _ _ (669/1000) B); apply Rabs_le; lra | lra]).
-  split; [|exact Bt]. generalize (through _ _ _ _ _ (within_rounding _ _ (size _ _ _ _ Bt X)) X). lra.
+  destruct scale as (Q & t0 & b0 & Bb & cb & Bc). destruct quotient_in_two as (_ & _ & _ & Ee). set (g := (e - (q - h)) / b). assert (Bg : Rabs g <= 1 / 2 ^ 70) by (unfold g; rewrite Rabs_div, (Rabs_pos_eq b) by lra; apply Rle_div_l; lra).
+  set (p := natural_logarithm_float64.quotient x). destruct (relative 53 b (h + e) p eq_refl b0 eq_refl) as (d1 & t1 & D1 & T1 & E1). replace (h + e) with (b * (c + g)) in E1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
+  set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). destruct (relative 53 b (p * p) zh eq_refl b0 eq_refl) as (d2 & t2 & D2 & T2 & E2).
+  unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) * ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
+  destruct (relative 53 b (p * zh) _ eq_refl b0 eq_refl) as (d3 & t3 & D3 & T3 & E3). destruct (relative 53 b (rounded (p * zh) * F') _ eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). simpl bpow in *.
+  set (k := g + (c + g) * d1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
+  assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; clear - Bb Bc; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
+  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2)) + b * t2) by (unfold k; ring); clearbody b c k; clear - Bb Bc Bk D2 T2; interval).
+  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; clear - Bz; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F', G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
+  change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b * t3) in E3.
+  split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1 + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F' - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
+    rewrite Rabs_mult, (Rabs_pos_eq b) by lra; (apply Rmult_le_compat_r; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
 Qed.
+
 Section parts.
 Variable n : Z.
 Hypothesis D : natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z.
 Let y := IZR n * ln 2 + ln m.
-Let N := Rabs (IZR n).
-Lemma by_doublings : n = 0%Z /\ d = 1 /\ v = 0 /\ r = 0 \/ 115/1000 + N / 5 <= Rabs y /\ 1/5 <= Rabs W.
+Let w := natural_logarithm_float64.log_whole_rest x.
+Lemma without_quotient : Rabs w <= 8/100000 * Rabs y /\ Rabs (W + w - (IZR n * ln 2 + ln d)) <= 4/10000 / 2 ^ 53 * Rabs y /\ Rabs q <= 52/100 * Rabs y + negligible /\ (W = 0 \/ 1/5 <= Rabs W).
 Proof.
-  destruct node_of_mantissa as (_ & _ & _ & _ & _ & C). destruct (log_whole_exact n (proj1 D) (proj2 D)) as [H _]. fold m in C. destruct M as [_ Bm].
-  assert (Y : Rabs (ln m) <= 3466/10000) by (clear - Bm; clearbody m; interval). assert (L : 693/1000 <= ln 2 <= 694/1000) by (split; interval). unfold y, N. destruct (Z.eq_dec n 0) as [Z | Z].
-  - rewrite Z in *. destruct C as [C | [C C']]; [left; split; [reflexivity | exact C] | right]. rewrite H, Rmult_0_l, Rmult_0_r, Rplus_0_l, Rabs_R0, Rplus_0_l. split; lra.
-  - right. assert (O : 1 <= Rabs (IZR n)) by (rewrite <- abs_IZR; apply IZR_le; lia). assert (V : Rabs v <= 24/100) by (destruct C as [(_ & -> & _) | C]; [rewrite Rabs_R0|]; lra).
-    rewrite H. clear - Y L O V. clearbody m v. split; unfold Rabs in *; repeat destruct Rcase_abs; nra.
+  destruct scale as (Q & t0 & _). destruct node_of_mantissa as (_ & _ & Ev & Br & _ & C). destruct (log_whole_exact n (proj1 D) (proj2 D)) as [H _]. fold m in C. unfold y.
+  set (L := 3373202482714085 / 2361183241434822606848). assert (E : w = rounded (rounded (L * IZR n) + r)) by (unfold w, natural_logarithm_float64.log_whole_rest; rewrite (proj1 D); reflexivity).
+  assert (Y : Rabs (ln m) <= 3466/10000) by (clear - M; destruct M as [_ B]; clear M; clearbody m; interval). assert (B : 693/1000 <= ln 2 <= 694/1000) by (split; interval). assert (Small : n = 0%Z /\ d = 1 /\ v = 0 /\ r = 0 \/ 115/1000 + Rabs (IZR n) / 5 <= Rabs (IZR n * ln 2 + ln m) /\ 1/5 <= Rabs W).
+  { rewrite H. destruct (Z.eq_dec n 0) as [-> | Z].
+    - destruct C as [C | C]; [left; split; [reflexivity | exact C] | right]. rewrite !Rmult_0_l, Rmult_0_r, !Rplus_0_l, Rabs_R0. lra.
+    - right. assert (O : 1 <= Rabs (IZR n)) by (rewrite <- abs_IZR; apply IZR_le; lia). assert (V : Rabs v <= 24/100) by (destruct C as [(_ & -> & _) | C]; [rewrite Rabs_R0|]; lra).
+      clear - Y B O V. clearbody m v. split; unfold Rabs in *; repeat destruct Rcase_abs; nra. }
+  destruct Small as [(n0 & d1 & v0 & r0) | [By BW]].
+  - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). assert (Y0 := Rabs_pos (ln m)). assert (S := series_relative q Q). rewrite quotient_logarithm in S. destruct tail_near as [_ T].
+    rewrite H, K, n0, v0, d1, ln_1, Rmult_0_r, Rmult_0_l, !Rplus_0_l, ?Rplus_0_r, Rminus_0_r, Rabs_R0 in *. split; [lra | split; [lra | split; [|left; reflexivity]]].
+    unfold b in T. clear - S T t0. unfold Rabs in *. repeat destruct Rcase_abs; lra.
+  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (rewrite Rabs_mult; apply Rmult_le_compat_r; [lra | unfold L; interval]).
+    assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (eapply Rle_trans; [apply Rabs_triang | lra]). assert (X := sum_error _ _ r _ _ Bs (rounded_error _ _ BL)). rewrite <- E in X.
+    assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (rewrite Rabs_mult; apply Rmult_le_compat_r; [lra | unfold L; interval with (i_prec 120)]).
+    split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
+    replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
 Qed.
 Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\
-  Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + 400 * least_float64 /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <= 19/1000 / 2 ^ 53 * Rabs y + 400 * least_float64.
+  Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + negligible /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <= 19/1000 / 2 ^ 53 * Rabs y + negligible.
 Proof.
-  destruct quotient_in_two as (_ & _ & Eh & Ee & Q).  destruct (tail_near Q Ee) as [Et Bt]. 
-  assert (Es := series_relative q ltac:(lra)). rewrite quotient_logarithm in Es.
-  destruct node_of_mantissa as (_ & _ & Ev & Br & _). destruct (log_whole_exact n (proj1 D) (proj2 D)) as [HW _].  assert (Q0 := Rabs_pos q). assert (N0 := Rabs_pos (IZR n)). assert (r0 := Rabs_pos r). fold N in N0.
-  assert (T0 : 0 <= least_float64 <= 1 / 2 ^ 100) by apply underflow_is_less. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *.
-  assert (H2 : natural_logarithm_float64.log_quotient x = 2 * h).
-  { unfold natural_logarithm_float64.log_quotient. fold h. apply kept. rewrite Rmult_comm. change 2 with (bpow radix2 1). apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]. }
-  split; [exact H2|]. set (L := 3373202482714085 / 2361183241434822606848).
-  assert (Nn : Rabs (IZR n) <= N) by apply Rle_refl. assert (BL : Rabs L <= 1429/1000000000) by (unfold L; interval).
-  assert (Bw := bounded_product _ _ _ _ BL Nn). assert (Ew := within_rounding _ _ Bw).
-  assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) | exact Nn]).
-  set (w := natural_logarithm_float64.log_whole_rest x). assert (Ew2 : Rabs (w - (L * IZR n + r)) <= (3 / 1000000 * N + 101/100 * Rabs r) / 2 ^ 53 + 3 * least_float64).
-  { unfold w, natural_logarithm_float64.log_whole_rest. fold L r. rewrite (proj1 D). set (a := rounded _) in *. assert (B : Rabs (a + r) <= 1430/1000000000 * N + Rabs r + least_float64) by (eapply Rle_trans; [apply Rabs_triang|]; generalize (size _ _ _ _ Bw Ew); lra).
-    assert (X : Rabs (a + r - (L * IZR n + r)) <= / 2 ^ 53 * (1429/1000000000 * N) + least_float64) by (replace (_ - _) with (a - L * IZR n) by ring; exact Ew). generalize (through _ _ _ _ _ (within_rounding _ _ B) X). lra. }
-  assert (Bw2 : Rabs w <= 1430/1000000000 * N + 101/100 * Rabs r + 3 * least_float64).
-  { assert (B : Rabs (L * IZR n + r) <= 1429/1000000000 * N + Rabs r) by (eapply Rle_trans; [apply Rabs_triang | lra]). generalize (size _ _ _ _ B Ew2). lra. }
-  assert (Be : Rabs (2 * e) <= 21/10 / 2 ^ 26 * Rabs q + 150 * least_float64) by by_sides. assert (E2 := within_rounding _ _ Be). set (e2 := rounded (2 * e)) in *.
-  assert (Btw : Rabs (t + w) <= 241/100000 * Rabs q + 1430/1000000000 * N + 101/100 * Rabs r + 20 * least_float64) by by_sides. assert (E3 := within_rounding _ _ Btw). set (tw := rounded (t + w)) in *.
-  assert (Bs : Rabs (tw + e2) <= 242/100000 * Rabs q + 1431/1000000000 * N + 102/100 * Rabs r + 200 * least_float64) by by_sides. assert (E4 := within_rounding _ _ Bs). change (rounded (tw + e2)) with (natural_logarithm_float64.log_rest x) in E4. set (R := natural_logarithm_float64.log_rest x) in *.
-  assert (BR : Rabs R <= 243/100000 * Rabs q + 1432/1000000000 * N + 103/100 * Rabs r + 210 * least_float64) by by_sides.
-  assert (G : Rabs (W + 2 * h + R - y) <= (361/10000 * Rabs q + 8/1000000 * N + 4 * Rabs r) / 2 ^ 53 + Rabs (v + r - ln d) + 400 * least_float64).
-  { replace (W + 2 * h + R - y) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (2 * q + s - (ln m - ln d)) + (R - (tw + e2)) + (tw - (t + w)) + (e2 - 2 * e) + (t - s) + (w - (L * IZR n + r)) + 2 * (e - (q - h))) by (rewrite HW; unfold y; ring).
-    clear - EL Es Et Ew2 E2 E3 E4 Ee T0 Q0 N0 r0. clearbody R tw e2 t s w h e q L v r N. generalize (Rle_abs (v + r - ln d)) (Rle_abs (- (v + r - ln d))). rewrite Rabs_Ropp. intros. by_sides. }
-  assert (Y := Rabs_pos y). destruct by_doublings as [(n0 & d1 & v0 & z0) | [By BW]].
-  - split; [left; rewrite HW, n0, v0; ring|]. rewrite v0, z0, d1, ln_1, Rplus_0_r, Rminus_0_r, Rabs_R0 in *. assert (N1 : N = 0) by (unfold N; rewrite n0; apply Rabs_R0). rewrite N1 in *.
-    assert (K : 1995/1000 * Rabs q <= Rabs y).
-    { unfold y. rewrite n0, Rmult_0_l, Rplus_0_l. assert (Z := Rabs_triang_inv (2 * q) (2 * q - ln m)). replace (2 * q - (2 * q - ln m)) with (ln m) in Z by ring. rewrite Rabs_mult, (Rabs_pos_eq 2) in Z by lra.
-      assert (Rabs (2 * q - ln m) <= 3/1000 * Rabs q) by (replace (2 * q - ln m) with (2 * q + s - ln m - s) by ring; by_sides). lra. }
-    split; lra.
-  - split; [right; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra; generalize (size _ _ _ _ (Rle_refl (Rabs q)) Eh); lra|]. split; lra.
+  destruct scale as (Q & t0 & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es := series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
+  assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1); apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
+  assert (Fl := rounded_is_float64).
+  split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in t0. assert (Y0 := Rabs_pos y).
+  split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; unfold b in Eh; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra; generalize (size _ _ _ _ Q Eh); lra]|].
+  assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
+  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := rounded_sum t w _ (Fl _) (Fl _) B1). set (a := rounded (t + w)) in E1.
+  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides). assert (E2 := rounded_sum a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
+  change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2. set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
+  replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
 Qed.
 End parts.
 End logarithm.
-
 Lemma ln_of_doublings (x : R) (n : Z) : 0 < natural_logarithm_float64.mantissa x -> x = natural_logarithm_float64.mantissa x * bpow radix2 n -> ln x = IZR n * ln 2 + ln (natural_logarithm_float64.mantissa x).
 Proof. intros P E. rewrite E at 1. rewrite ln_mult, (bpow_exp radix2 n), ln_exp by (exact P || apply bpow_gt_0). apply Rplus_comm. Qed.
 
@@ -277,33 +263,31 @@ Proof.
   - rewrite (Rplus_comm b a), (Rplus_comm (rounded _) b). apply (Fast2Sum_correct (-1074) 53 (fun n => negb (Z.even n))); [easy | easy | | exact A | exact B | exact S].
     intro n. rewrite Z.even_opp, Z.even_add. destruct (Z.even n); reflexivity.
 Qed.
-(* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-1060. *)
+(* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)
 Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
-  Rabs (natural_logarithm_float64.logarithm x - ln x) <= 41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-1060).
+  Rabs (natural_logarithm_float64.logarithm x - ln x) <= 41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-896).
 Proof.
   intros F [P L]. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply IZR_lt; easy]).
   destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S & BR & E).
   rewrite <- (ln_of_doublings x n ltac:(lra) X) in BR, E.
   unfold natural_logarithm_float64.logarithm. destruct both as [_ | [C | C]]; [|destruct C; exact L | destruct C; exact P]. clear L U F.
-  assert (T : 0 <= least_float64 <= 1 / 2 ^ 100) by apply underflow_is_less. assert (B : 10000 * least_float64 <= bpow radix2 (-1060)) by (apply Rle_trans with (bpow radix2 14 * least_float64); [simpl; lra | unfold least_float64; rewrite <- bpow_plus; apply bpow_le; easy]).
   rewrite <- H in S, E. set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r := natural_logarithm_float64.log_rest x) in *.
-  assert (Q := sum_in_two w q ltac:(apply rounded_is_float64) ltac:(apply rounded_is_float64) S). set (c := rounded (rounded _ + q)) in Q.
-  unfold natural_logarithm_float64.log_near, natural_logarithm_float64.log_low. change (natural_logarithm_float64.log_sum_rest x) with c. change (natural_logarithm_float64.log_sum x) with (rounded (q + w)). fold r.
-  assert (Y := Rabs_pos (ln x)). set (y := ln x) in *. clearbody y r w q c.
-  assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 900 * least_float64).
+  assert (Fl := rounded_is_float64). assert (Q := sum_in_two w q (Fl _) (Fl _) S). set (y := ln x) in *. assert (y0 := Rabs_pos y).
+  assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
+  assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
   { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q + r - y) y). lra. }
-  assert (Es := within_rounding _ _ Bs). set (s := rounded (q + w)) in *. clearbody s.
-  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 1400 * least_float64) by (replace c with (q + w - s) by lra; by_sides). assert (El := within_rounding _ _ Bl). set (l := rounded (r + c)) in *. clearbody l.
-  assert (El' : Rabs (l + s - y) <= 205/10000 / 2 ^ 53 * Rabs y + 1000 * least_float64) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
-  generalize (through _ _ _ _ _ (within_rounding _ _ (size _ _ _ _ (Rle_refl (Rabs y)) El')) El'). lra.
+  assert (Es := rounded_sum q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s + c = w + q) in Q.
+  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := rounded_sum r c _ (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
+  assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
+  generalize (through _ _ _ _ _ (rounded_sum l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with (natural_logarithm_float64.log_near x). lra.
 Qed.
 Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
 (* It is not so near its tangent at 1. *)
 Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
-  Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-1060).
+  Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
 Proof.
   intro H. assert (F : float64 2) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
-  generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-1060) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow radix2 (-10)) with (/ 1024) in T.
+  generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow radix2 (-10)) with (/ 1024) in T.
   assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H. intros. by_sides.
 Qed.
