@@ -235,15 +235,16 @@ Proof.
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
     replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
 Qed.
-Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\
+Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\ Rabs (2 * h) <= 11/10 * Rabs y + 3 * negligible /\
   Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + negligible /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <= 19/1000 / 2 ^ 53 * Rabs y + negligible.
 Proof.
-  destruct scale as (Q & t0 & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es := series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
+  destruct scale as (Q & t0 & _ & [_ b1] & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es := series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
   assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1); apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
   assert (Fl := rounded_is_float64).
   split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in t0. assert (Y0 := Rabs_pos y).
-  split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; unfold b in Eh; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra; generalize (size _ _ _ _ Q Eh); lra]|].
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
+  assert (Bh : Rabs (2 * h) = 2 * Rabs h) by (rewrite Rabs_mult, (Rabs_pos_eq 2); lra). rewrite Bh.
+  split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize (size _ _ _ _ Bq Eh); lra|].
   assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := rounded_sum t w _ (Fl _) (Fl _) B1). set (a := rounded (t + w)) in E1.
   assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides). assert (E2 := rounded_sum a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
   change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2. set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
@@ -263,15 +264,22 @@ Proof.
   - rewrite (Rplus_comm b a), (Rplus_comm (rounded _) b). apply (Fast2Sum_correct (-1074) 53 (fun n => negb (Z.even n))); [easy | easy | | exact A | exact B | exact S].
     intro n. rewrite Z.even_opp, Z.even_add. destruct (Z.even n); reflexivity.
 Qed.
+Lemma parts_of_logarithm (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> let w := natural_logarithm_float64.log_whole x in let q := natural_logarithm_float64.log_quotient x in let r := natural_logarithm_float64.log_rest x in
+  (w = 0 \/ Rabs q <= Rabs w) /\ Rabs q <= 11/10 * Rabs (ln x) + 3 * negligible /\ Rabs r <= 14/10000 * Rabs (ln x) + negligible /\ Rabs (w + q + r - ln x) <= 19/1000 / 2 ^ 53 * Rabs (ln x) + negligible /\
+  (exists k, w = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z) /\ (exists h, q = 2 * h /\ generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h)).
+Proof.
+  intros F [P L] w q r. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply IZR_lt; easy]).
+  destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S & Q & BR & E).
+  destruct (quotient_in_two x (conj Fm Bm)) as (Fh & Oh & _). rewrite <- (ln_of_doublings x n ltac:(lra) X) in Q, BR, E. rewrite <- H in S, Q, E.
+  split; [exact S | split; [exact Q | split; [exact BR | split; [exact E | split; [exact (proj2 (log_whole_exact x (conj Fm Bm) n D N)) | exists (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
+Qed.
 (* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)
 Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
   Rabs (natural_logarithm_float64.logarithm x - ln x) <= 41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-896).
 Proof.
-  intros F [P L]. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply IZR_lt; easy]).
-  destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S & BR & E).
-  rewrite <- (ln_of_doublings x n ltac:(lra) X) in BR, E.
-  unfold natural_logarithm_float64.logarithm. destruct both as [_ | [C | C]]; [|destruct C; exact L | destruct C; exact P]. clear L U F.
-  rewrite <- H in S, E. set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r := natural_logarithm_float64.log_rest x) in *.
+  intros F [P L]. destruct (parts_of_logarithm x F (conj P L)) as (S & _ & BR & E & _).
+  unfold natural_logarithm_float64.logarithm. destruct both as [_ | [C | C]]; [|destruct C; exact L | destruct C; exact P]. clear L F.
+  set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r := natural_logarithm_float64.log_rest x) in *.
   assert (Fl := rounded_is_float64). assert (Q := sum_in_two w q (Fl _) (Fl _) S). set (y := ln x) in *. assert (y0 := Rabs_pos y).
   assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
   assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
