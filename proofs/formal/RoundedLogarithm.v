@@ -45,9 +45,9 @@ Proof.
   rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
 Qed.
 (* Its product with a number of 27 digits is exact. *)
-Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h = 0 \/ k = 0%Z \/ bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
+Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/ bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
 Proof.
-  intros F K [-> | [-> | L]]; [rewrite Rmult_0_l; apply generic_format_0 | rewrite Rmult_0_l, Rmult_0_r; apply generic_format_0|].
+  intros F K [-> | L]; [apply generic_format_0|].
   apply generic_format_FLT_FLX; [exact L|]. apply generic_format_FLX_FLT, FLX_format_generic in F; [|easy]. destruct F as [[n j] E N]. cbn [Fnum] in N.
   apply generic_format_FLX. exists (Float radix2 (n * k) (j + e)); [|cbn [Fnum]; change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; rewrite Z.abs_mul; apply Z.le_lt_trans with (Z.abs n * 2 ^ 27)%Z; [apply Z.mul_le_mono_nonneg_l; lia | change (radix_val radix2 ^ 53)%Z with (2 ^ 26 * 2 ^ 27)%Z; lia]].
   rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, bpow_plus. ring.
@@ -179,7 +179,7 @@ Proof.
   assert (Ps : p + d = IZR (i - 2 ^ 52 + k * 2 ^ 17) * bpow radix2 (-25)) by (rewrite Pl, Lp, D, plus_IZR, mult_IZR; simpl bpow; lra).
   assert (Ss : natural_logarithm_float64.sum_short x = p + d) by (unfold natural_logarithm_float64.sum_short; fold p d; apply kept; rewrite Ps; apply whole_is_float64; lia).
   assert (H1 : rounded (h * natural_logarithm_float64.sum_short x) = h * (p + d)).
-  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; exact h0 | right; right]. rewrite <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
+  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; rewrite h0; ring | right]. rewrite <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
     apply Rmult_le_compat; [apply bpow_ge_0 | lra | exact h0 | rewrite Rabs_pos_eq; rewrite Pl; by_sides]. }
   set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
   set (r' := natural_logarithm_float64.mantissa_rest x). destruct (relative 53 b (m - p) r' eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). set (w := rounded (h * r')). destruct (relative 53 b (h * r') w eq_refl b0 eq_refl) as (d5 & t5 & D5 & T5 & E5).
@@ -292,10 +292,12 @@ Qed.
 Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
 (* It is not so near its tangent at 1. *)
+Lemma two_is_float64 : float64 2.
+Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
 Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
   Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
 Proof.
-  intro H. assert (F : float64 2) by (apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1); easy). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
+  intro H. assert (F := two_is_float64). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
   generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow radix2 (-10)) with (/ 1024) in T.
   assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H. intros. by_sides.
 Qed.
