@@ -9,6 +9,8 @@ Definition rounded (x : R) : R := round radix2 (FLT_exp (-1074) 53) (Znearest (f
 Definition rint (x : R) : R := IZR (Znearest (fun n => negb (Z.even n)) x).
 Definition whole_below (x : R) : R := IZR (Zfloor x).
 Definition power_of_two (whole : R) : R := bpow radix2 (Zfloor whole).
+(* Of a normal number: 2 to this power is the largest that is not above its size. *)
+Definition binary_exponent (x : R) : R := IZR (mag radix2 x - 1).
 Definition unit_roundoff : R := / 2 * bpow radix2 (-53 + 1).
 
 Global Instance precision : Prec_gt_0 53.

@@ -111,6 +111,109 @@ End program.
 Ltac lines := unfold exponential, exponential_near, departure, departure_low, exponential_tail, away_squared, away_error, away_gained, away, away_low, away_high, whole.
 End exponential_of_sum_float64.
 
+Module natural_logarithm_float64.
+Section program.
+Variables number : R.
+Definition scaled_by := (if Rlt_dec number 1 then 200 else (-200)).
+Definition scaled := rounded (number * power_of_two scaled_by).
+Definition binary := binary_exponent (rounded ((6369051672525773 / 4503599627370496) * scaled)).
+Definition mantissa := rounded (scaled * power_of_two (- binary)).
+Definition doublings := rounded (binary - scaled_by).
+Definition node := (if Rlt_dec mantissa (57 / 64) then (203 / 256) else (if Rlt_dec mantissa (9 / 8) then 1 else (323 / 256))).
+Definition node_short := (if Rlt_dec mantissa (57 / 64) then (-7601 / 32768) else (if Rlt_dec mantissa (9 / 8) then 0 else (15235 / 65536))).
+Definition node_rest := (if Rlt_dec mantissa (57 / 64) then (-8682200230795937 / 1180591620717411303424) else (if Rlt_dec mantissa (9 / 8) then 0 else (4266289717532725 / 590295810358705651712))).
+Definition above_node := rounded (mantissa - node).
+Definition lifted := rounded (mantissa + 134217728).
+Definition mantissa_short := rounded (lifted - 134217728).
+Definition mantissa_rest := rounded (mantissa - mantissa_short).
+Definition sum_short := rounded (mantissa_short + node).
+Definition inverse := rounded (1 / rounded (mantissa + node)).
+Definition a := rounded (above_node * inverse).
+Definition a_split := rounded (134217729 * a).
+Definition a_excess := rounded (a_split - a).
+Definition a_high := rounded (a_split - a_excess).
+Definition undivided_near := rounded (above_node - rounded (a_high * sum_short)).
+Definition undivided := rounded (undivided_near - rounded (a_high * mantissa_rest)).
+Definition quotient_rest := rounded (inverse * undivided).
+Definition quotient := rounded (a_high + quotient_rest).
+Definition quotient_squared := rounded (quotient * quotient).
+Definition log_tail := rounded (rounded (quotient * quotient_squared) * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded ((1385722962267845 / 9007199254740992) * quotient_squared) + (3275345183542179 / 18014398509481984))) + (2001599834386887 / 9007199254740992))) + (2573485501354569 / 9007199254740992))) + (3602879701896397 / 9007199254740992))) + (6004799503160661 / 9007199254740992))).
+Definition log_whole := rounded (rounded ((22713 / 32768) * doublings) + node_short).
+Definition log_whole_rest := rounded (rounded ((3373202482714085 / 2361183241434822606848) * doublings) + node_rest).
+Definition log_quotient := rounded (2 * a_high).
+Definition log_rest := rounded (rounded (log_tail + log_whole_rest) + rounded (2 * quotient_rest)).
+Definition log_sum := rounded (log_quotient + log_whole).
+Definition log_lost := rounded (log_whole - log_sum).
+Definition log_sum_rest := rounded (log_lost + log_quotient).
+Definition log_low := rounded (log_rest + log_sum_rest).
+Definition log_near := rounded (log_low + log_sum).
+Definition logarithm := (if both (Rle_dec number 179769313486231570814527423731704356798070567525844996598917476803157260780028538760589558632766878171540458953514382464234321326889464182768467546703537516986049910576551282076245490090389328944075868508455133942304583236903222948165808559332123348274797826204144723168738177180919299881250404026184124858368) (Rlt_dec 0 number) then log_near else (if Rlt_dec 179769313486231570814527423731704356798070567525844996598917476803157260780028538760589558632766878171540458953514382464234321326889464182768467546703537516986049910576551282076245490090389328944075868508455133942304583236903222948165808559332123348274797826204144723168738177180919299881250404026184124858368 number then (real p_infty) else (if Req_EM_T number 0 then (real p_infty) else (real p_infty)))).
+End program.
+Ltac lines := unfold logarithm, log_near, log_low, log_sum_rest, log_lost, log_sum, log_rest, log_quotient, log_whole_rest, log_whole, log_tail, quotient_squared, quotient, quotient_rest, undivided, undivided_near, a_high, a_excess, a_split, a, inverse, sum_short, mantissa_rest, mantissa_short, lifted, above_node, node_rest, node_short, node, doublings, mantissa, binary, scaled, scaled_by.
+End natural_logarithm_float64.
+
+Module raised_float64.
+Section program.
+Variables number exponent : R.
+Definition scaled_by := (if Rlt_dec number 1 then 200 else (-200)).
+Definition scaled := rounded (number * power_of_two scaled_by).
+Definition binary := binary_exponent (rounded ((6369051672525773 / 4503599627370496) * scaled)).
+Definition mantissa := rounded (scaled * power_of_two (- binary)).
+Definition doublings := rounded (binary - scaled_by).
+Definition node := (if Rlt_dec mantissa (57 / 64) then (203 / 256) else (if Rlt_dec mantissa (9 / 8) then 1 else (323 / 256))).
+Definition node_short := (if Rlt_dec mantissa (57 / 64) then (-7601 / 32768) else (if Rlt_dec mantissa (9 / 8) then 0 else (15235 / 65536))).
+Definition node_rest := (if Rlt_dec mantissa (57 / 64) then (-8682200230795937 / 1180591620717411303424) else (if Rlt_dec mantissa (9 / 8) then 0 else (4266289717532725 / 590295810358705651712))).
+Definition above_node := rounded (mantissa - node).
+Definition lifted := rounded (mantissa + 134217728).
+Definition mantissa_short := rounded (lifted - 134217728).
+Definition mantissa_rest := rounded (mantissa - mantissa_short).
+Definition sum_short := rounded (mantissa_short + node).
+Definition inverse := rounded (1 / rounded (mantissa + node)).
+Definition a := rounded (above_node * inverse).
+Definition a_split := rounded (134217729 * a).
+Definition a_excess := rounded (a_split - a).
+Definition a_high := rounded (a_split - a_excess).
+Definition undivided_near := rounded (above_node - rounded (a_high * sum_short)).
+Definition undivided := rounded (undivided_near - rounded (a_high * mantissa_rest)).
+Definition quotient_rest := rounded (inverse * undivided).
+Definition quotient := rounded (a_high + quotient_rest).
+Definition quotient_squared := rounded (quotient * quotient).
+Definition log_tail := rounded (rounded (quotient * quotient_squared) * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded (quotient_squared * rounded (rounded ((1385722962267845 / 9007199254740992) * quotient_squared) + (3275345183542179 / 18014398509481984))) + (2001599834386887 / 9007199254740992))) + (2573485501354569 / 9007199254740992))) + (3602879701896397 / 9007199254740992))) + (6004799503160661 / 9007199254740992))).
+Definition log_whole := rounded (rounded ((22713 / 32768) * doublings) + node_short).
+Definition log_whole_rest := rounded (rounded ((3373202482714085 / 2361183241434822606848) * doublings) + node_rest).
+Definition log_quotient := rounded (2 * a_high).
+Definition log_rest := rounded (rounded (log_tail + log_whole_rest) + rounded (2 * quotient_rest)).
+Definition b := exponent.
+Definition b_split := rounded (134217729 * b).
+Definition b_excess := rounded (b_split - b).
+Definition b_high := rounded (b_split - b_excess).
+Definition b_low := rounded (b - b_high).
+Definition of_whole := rounded (b_high * log_whole).
+Definition of_quotient := rounded (b_high * log_quotient).
+Definition product_near := rounded (of_quotient + of_whole).
+Definition product_lost := rounded (of_whole - product_near).
+Definition product_near_rest := rounded (of_quotient + product_lost).
+Definition product_rest := rounded (rounded (rounded (rounded (b_low * log_quotient) + rounded (b_low * log_whole)) + rounded (exponent * log_rest)) + product_near_rest).
+Definition product := rounded (product_near + product_rest).
+Definition product_gained := rounded (product - product_near).
+Definition product_error := rounded (product_rest - product_gained).
+Definition whole := rint (rounded ((3248660424278399 / 2251799813685248) * product)).
+Definition away_high := rounded (product - rounded ((22713 / 32768) * whole)).
+Definition away_low := rounded (rounded ((3373202482714085 / 2361183241434822606848) * whole) - product_error).
+Definition away := rounded (away_high - away_low).
+Definition away_gained := rounded (away_high - away).
+Definition away_error := rounded (away_gained - away_low).
+Definition away_squared := rounded (away * away).
+Definition exponential_tail := rounded (rounded (rounded (away * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded ((6212541674450185 / 38685626227668133590597632) * away_squared) + (1892883791434041 / 75557863725914323419136))) + (1626697008263629 / 590295810358705651712))) + (3660068268593165 / 18446744073709551616))) + (4803839602528529 / 576460752303423488))) + (6004799503160661 / 36028797018963968))) + rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded (away_squared * rounded (rounded ((630961263811347 / 302231454903657293676544) * away_squared) + (1301357606610903 / 4722366482869645213696))) + (3660068268593165 / 147573952589676412928))) + (6405119470038039 / 4611686018427387904))) + (6004799503160661 / 144115188075855872)))) + (1 / 2)).
+Definition departure_low := rounded (away_error + rounded (away_squared * exponential_tail)).
+Definition departure := rounded (away + departure_low).
+Definition exponential_near := rounded (departure + 1).
+Definition exponential := (if Rlt_dec 709 product then (real p_infty) else (if Rlt_dec product (-708) then 0 else rounded (exponential_near * power_of_two whole))).
+Definition power := (if Rle_dec number 0 then 0 else exponential).
+End program.
+Ltac lines := unfold power, exponential, exponential_near, departure, departure_low, exponential_tail, away_squared, away_error, away_gained, away, away_low, away_high, whole, product_error, product_gained, product, product_rest, product_near_rest, product_lost, product_near, of_quotient, of_whole, b_low, b_high, b_excess, b_split, b, log_rest, log_quotient, log_whole_rest, log_whole, log_tail, quotient_squared, quotient, quotient_rest, undivided, undivided_near, a_high, a_excess, a_split, a, inverse, sum_short, mantissa_rest, mantissa_short, lifted, above_node, node_rest, node_short, node, doublings, mantissa, binary, scaled, scaled_by.
+End raised_float64.
+
 Module perturbed_float64.
 Section program.
 Variables normal_x normal_y normal_z g_x g_y g_z beta : R.

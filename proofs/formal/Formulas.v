@@ -726,6 +726,15 @@ End program.
 Ltac lines := unfold exponential_near, departure, departure_low, exponential_tail, away_squared.
 End exponential_polynomial.
 
+Module logarithm_polynomial.
+Section program.
+Variables quotient : R.
+Definition quotient_squared := quotient ^ 2.
+Definition log_tail := quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * ((1385722962267845 / 9007199254740992) * quotient_squared + (3275345183542179 / 18014398509481984)) + (2001599834386887 / 9007199254740992)) + (2573485501354569 / 9007199254740992)) + (3602879701896397 / 9007199254740992)) + (6004799503160661 / 9007199254740992)).
+End program.
+Ltac lines := unfold log_tail, quotient_squared.
+End logarithm_polynomial.
+
 Module height_sine.
 Section program.
 Variables u v k_u k_v : R.

@@ -193,13 +193,20 @@ EXPONENTIAL_POLYNOMIAL = Program(
     exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1],
 )
 """What the kernels' exp evaluates once the doublings are taken off."""
+OF_QUOTIENT = (exponential.quotient_squared, exponential.log_tail)
+LOGARITHM_POLYNOMIAL = Program(
+    "logarithm_polynomial",
+    (exponential.quotient,),
+    {symbol: exponential.logarithm_in_three[symbol] for symbol in OF_QUOTIENT},
+)
+"""What the kernels' log adds to a quotient q twice: 2 artanh q − 2q."""
 
 
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
     found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
     found += [*image_derivative.base_derivatives.values()]
-    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL]
+    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
     programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
     found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
     return by_name(found)

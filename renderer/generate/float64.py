@@ -30,6 +30,8 @@ def float64_source() -> str:
         elementary.cosine_of_half_turns,
         elementary.angle_in_half_turns,
         exponential.exponential_of_sum,
+        exponential.natural_logarithm,
+        exponential.raised,
         bump.perturbed,
         shading.light_direction,
         shading.blinn_highlight,

@@ -16,8 +16,8 @@ from renderer.machines.enclosing import Enclosed
 
 
 def literal(number: float) -> str:
-    """Return a float64 as a term of Coq's real numbers, to the last bit; infinity by its real part, which is none."""
-    if math.isinf(number):
+    """Return a float64 as a term of Coq's real numbers, to the last bit; infinity and NaN, which are none, by 0."""
+    if not math.isfinite(number):
         return "real p_infty"
     mantissa, exponent = math.frexp(abs(number))
     sign = "-" if number < 0 else ""
@@ -149,6 +149,7 @@ NAMES = {
     "minimum": "Rmin",
     "sign": "sign",
     "power_of_two": "power_of_two",
+    "binary_exponent": "binary_exponent",
     "height": "height",
     "sinpi": "sine_of_half_turns_float64.sine",
     "cospi": "cosine_of_half_turns_float64.cosine",
