@@ -14,7 +14,7 @@ LONGEST = (
     "test_notebooks.py",
     "test_single.py",
     "test_releases.py",
-    "test_provenance.py",
+    "test_book_figures.py",
     "test_ideas.py",
     "test_theorems.py",
 )

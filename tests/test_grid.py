@@ -9,7 +9,7 @@ from itertools import product
 import pytest
 from distributed import Client, LocalCluster
 
-from renderer import Light, Scene, render
+from renderer import HeightField, Light, Scene, k_u, render, sinpi, u, v
 from renderer.command_line import grid
 from renderer.command_line.grid import Checkpoint, key_of
 from renderer.command_line.verbs import main
@@ -23,7 +23,8 @@ from tests.refusals import rejection
 SIZE = (24, 16)
 TASK = Task(Scene(), central(1e-3), *SIZE)
 BETAS = [0.01 * n for n in range(1, 41)]
-MANY = grid.grid(Scene(), [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
+OWN = Scene(field=HeightField("swept", v * sinpi(k_u * u)))
+MANY = grid.grid(OWN, [(200, 200)], ["central"], (1e-2, 1e-3), beta=BETAS)  # there is time to kill it
 
 
 @pytest.fixture(scope="module")
@@ -84,10 +85,11 @@ def lines(path):
 
 
 def test_a_sweep_that_is_killed_goes_on(many, tmp_path, capsys):
-    """The same command computes what is missing, nothing twice."""
-    kept = tmp_path / "a.jsonl"
+    """The same command computes what is missing, nothing twice; what is kept says of which scene it is."""
+    kept, scene = tmp_path / "a.jsonl", tmp_path / "a.toml"
+    OWN.to_file(scene)
     options = ["sweep", "--size", "200", "--eps", "1e-2,1e-3", "--beta", ",".join(map(str, BETAS))]
-    options += ["--checkpoint", str(kept), "--workers", "1"]
+    options += ["--scene", str(scene), "--checkpoint", str(kept), "--workers", "1"]
     with started("-m", "renderer", *options) as child:
         wait_until(lambda: len(lines(kept)) >= 16, child)
         child.kill()
@@ -97,8 +99,9 @@ def test_a_sweep_that_is_killed_goes_on(many, tmp_path, capsys):
     assert capsys.readouterr().out == table(many) + "\n"
     after = lines(kept)
     assert after[: len(before) - 1] == before[:-1]  # the last line may have been torn
-    keys = [json.loads(line)["key"] for line in after]
-    assert sorted(keys) == sorted(key_of(task) for task in MANY)  # every one, and none twice
+    found = [json.loads(line) for line in after]
+    assert sorted(line["key"] for line in found) == sorted(key_of(task) for task in MANY)  # every one, and none twice
+    assert {Scene.from_record(line["task"]["scene"]) for line in found} == {task.scene for task in MANY}
 
 
 def test_a_dask_worker_that_is_killed(many, tmp_path):

@@ -75,15 +75,21 @@ def read(row):
     return copysign(size, -1 if sign == "−" else 1), whole
 
 
+@cache
+def printed_for(field, method, axis):
+    """Return what the page has of a difference: the pairs of its samples, and what they are computed by."""
+    return pairs_of(field, method, axis), samples_of(field, method)
+
+
 def show(tab, column, row, **given):
     return tab.evaluate(SHOWN, given | {"column": column, "row": row})
 
 
 def assert_rows(rows, place, field, method, axis, eps):
     """Hold what the ruler shows of a pixel to what the kernel computes, and to exact fractions; return its notes."""
-    n, pairs = "uv".index(axis), pairs_of(field, method, axis)
+    n, (pairs, samples) = "uv".index(axis), printed_for(field, method, axis)
     with np.errstate(all="ignore"):
-        found = samples_of(field, method)(*map(np.float64, (*place, 8.0, 4.0, eps)))
+        found = samples(*map(np.float64, (*place, 8.0, 4.0, eps)))
     stepped = [sample for pair in pairs for sample in pair if sample["step"]]
     wanted = [place[n], eps, *(found[sample["at"]] for sample in stepped)]
     for one, other in pairs:

@@ -17,6 +17,10 @@ from tests.strategies import methods, rasters, scenes
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
 SCENES = {  # beside those that are drawn at random below
+    "sine": (Scene(field="sine"), exact()),
+    "general": (Scene(ku=7.3, model="phong"), exact("general")),
+    "central_rings": (Scene(field="rings", shininess=7.5), central(1e-6)),
+    "rings": (Scene(field="rings"), exact()),
     "central": (Scene(field="sine"), central(1e-3)),
     "forward": (Scene(ku=7.0, kv=3.5), forward(1e-2)),
     "fractional_phong": (Scene(shininess=0.7, model="phong"), central(1e-2)),

@@ -15,7 +15,8 @@ import pytest
 from renderer.machines import native, numpy_rows
 from renderer.machines.drawing_code import emit
 from tests.drawing_memory import drawer_over_memory
-from tests.test_webassembly import ENCLOSED, assert_noticed, bytes_of
+from tests.test_machines import SCENES
+from tests.test_webassembly import assert_noticed, bytes_of
 
 pytestmark = pytest.mark.long
 LANES = 4
@@ -76,9 +77,9 @@ def elsewhere(request, tmp_path):
     return drawer_over_memory(run, BASE)
 
 
-@pytest.mark.parametrize("name", ENCLOSED)
+@pytest.mark.parametrize("name", SCENES)
 def test_another_processor_draws_the_same_bytes(name, elsewhere):
-    assert bytes_of(elsewhere, *ENCLOSED[name]) == bytes_of(numpy_rows.drawer, *ENCLOSED[name])
+    assert bytes_of(elsewhere, *SCENES[name]) == bytes_of(numpy_rows.drawer, *SCENES[name])
 
 
 def test_another_processor_that_bounds_otherwise_is_noticed(elsewhere):
@@ -97,7 +98,7 @@ def test_an_older_or_newer_x86_draws_the_same_bytes(features, monkeypatch):
     here = llvm.Target.from_default_triple()
     monkeypatch.setattr(native, "_target", lambda: here.create_target_machine(cpu=processor, features=text, opt=2))
     monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", "off")
-    for name, asked in ENCLOSED.items():
+    for name, asked in SCENES.items():
 
         def drawer(want, job):
             code, engine = native.machine_code(emit, want, LANES)

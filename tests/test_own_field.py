@@ -1,10 +1,8 @@
 """Fields and models of light of one's own: drawn, bounded, refused, written down and read again."""
 
 import json
-import multiprocessing
 import os
 import re
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
@@ -13,7 +11,6 @@ from random import Random
 import mpmath
 import numpy as np
 import pytest
-from distributed import Client, LocalCluster
 from sympy import Mul, Rational, exp
 
 from proofs.engine.program import flat
@@ -36,13 +33,11 @@ from renderer import (
     u,
     v,
 )
-from renderer.command_line import grid
 from renderer.command_line.verbs import main
 from renderer.files import record
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.machines.enclosing import Enclosed
-from renderer.picture.sweep import Task, compared
 from renderer.scene.own import field_kernels, own_from_record
 from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
@@ -264,25 +259,6 @@ def test_the_next_process_compiles_nothing(tmp_path):
     own = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
     drawn = [python("-c", code, seed, env=own | {"PYTHONHASHSEED": seed}) for seed in "12"]
     assert drawn[0] == drawn[1]
-
-
-def test_a_sweep_of_ones_own_field_by_other_processes(tmp_path):
-    """A pool, a Dask worker, a checkpoint: the same rows, and the scene again from what is kept."""
-    scene = Scene(field=HeightField("swept", parse_expression(DUNES)))
-    tasks = grid.grid(scene, [(24, 16)], ["central"], (1e-2, 1e-3), beta=[0.1, 0.2, 0.3])
-    expected = dict(zip(tasks, compared(tasks), strict=True))
-    kept = tmp_path / "kept.jsonl"
-    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool, grid.Checkpoint(kept) as checkpoint:
-        assert grid.run(tasks, pool, checkpoint) == expected
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
-        assert grid.run(tasks, client.get_executor()) == expected
-    for line in map(json.loads, kept.read_text().splitlines()):
-        found = line["task"]
-        again = Task(
-            Scene.from_record(found["scene"]), central(found["method"]["eps"]), found["width"], found["height"]
-        )
-        assert again in expected and grid.key_of(again) == line["key"]
-        assert grid.key_of(replace(again, scene=replace(scene, field="sine"))) != line["key"]
 
 
 def test_the_command_line_takes_a_formula(tmp_path, capsys):

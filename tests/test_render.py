@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from renderer import Light, LightModel, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
+from renderer import Light, LightModel, Scene, exact, gradient_at, height_at, pixel, render, stage_of
 from renderer.machines import native, numpy_rows
 from renderer.picture import views
 from renderer.picture.differences import difference_on_a, distance_on_a
-from renderer.picture.stage import Stage, band_rows
+from renderer.picture.stage import Stage
 from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
 from renderer.scene.methods import GradientMethod
@@ -40,12 +40,6 @@ def test_shapes_types_and_memory_that_serves_again():
     place = frame.planes.ctypes.data
     del frame
     assert render(DEFAULT, 30, 20).planes.ctypes.data == place
-
-
-@pytest.mark.parametrize("method", [exact(), central(1e-3)])
-def test_one_thread_and_two_give_the_same_bits(method):
-    assert 2 * band_rows(200, 300) < 200
-    assert same(render(DEFAULT, 300, 200, method, threads=1), render(DEFAULT, 300, 200, method, threads=2))
 
 
 def with_parts(scene, parts, names):

@@ -20,15 +20,14 @@ SIZE = 96
 
 @pytest.mark.parametrize("name", SCENES)
 def test_balls_enclose_the_reference(name):
-    """At 256 bits to 50 digits, and so does the frame's own bound."""
-    rng, frame = random.Random(name), render(SCENES[name], SIZE, SIZE, bounds=True)
+    """At 256 bits to 50 digits; that so does the frame's own bound is what `pixel_accuracy` measures."""
+    rng, frame = random.Random(name), render(SCENES[name], SIZE, SIZE)
     for _ in range(4):
         column, row = rng.randrange(SIZE), rng.randrange(SIZE)
         truth, balls = reference_pixel(frame.scene, SIZE, SIZE, column, row), truth_of(frame, column, row)
         with ctx.workprec(400):
             for color in COLORS:
                 assert abs(balls[color].mid() - arb(truth[color])) < arb(10) ** -48
-        assert problems([checked_pixel(name, frame, "at random", column, row)]) == []
 
 
 WIDE = {"a": arb(0, 1), "b": arb(0.5)}

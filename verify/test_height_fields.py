@@ -57,10 +57,6 @@ def test_the_last_of_three_values_is_for_all_else():
     assert (float(found.a), float(found.b)) == (0, 3)
 
 
-def test_creases_of_a_cosine_are_where_a_sine_is_zero():
-    assert FIELDS["folded"].creases == (sinpi(k_u * u + Rational(1, 2)), sinpi(k_v * v + Rational(1, 2)))
-
-
 def crossed(factors, at):
     """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
     turns = [function_of(Program("turns", CHART, {real("turns"): factor.args[0]}))(*at) for factor in factors]

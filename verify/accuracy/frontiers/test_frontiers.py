@@ -1,13 +1,20 @@
-"""The wall and the fiction: orders of convergence, and formulas against each other."""
+"""The frontiers: orders of convergence, formulas against each other, stored normals, what displacement moves."""
 
 import numpy as np
 import pytest
 
-from renderer import Scene, render
-from verify.accuracy.frontiers import fiction, wall
+from renderer import Scene, exact, render
+from renderer.picture.differences import rms
+from verify.accuracy.frontiers import boundaries, fiction, normal_map, wall
 from verify.accuracy.orders import fitted_slope
 
 SIZES = (65, 129, 257)
+FINER = (129, 257, 513)
+LIGHTS = [np.array(light.position) for light in boundaries.SCENE.lights]
+BETAS = np.logspace(-3, -2, 4)
+
+
+# The wall, and stored normals: exact at a texel's centre, of second order between, whichever pipeline stored them
 
 
 def test_a_creased_field_does_not():
@@ -16,6 +23,38 @@ def test_a_creased_field_does_not():
         largest, rms = wall.errors("ridges", kind, SIZES)
         assert (np.abs(largest / (np.pi * wall.KU) - 1.5) < 0.5).all()
         assert wall.order(rms, SIZES, last=3) == pytest.approx(0.5, abs=0.15)
+
+
+def test_a_creased_map_converges_like_a_root():
+    found = normal_map.errors("ridges", FINER)
+    assert wall.order(found["symbolic"], FINER, last=3) == pytest.approx(0.5, abs=0.1)
+    assert (found["largest"] > 1.9).all()  # of at most 2: the normal of the other side
+
+
+def test_the_derivative_in_beta_is_lost_between_the_centres():
+    """It is an identity in g, but a map keeps no g: what its normals say of g is the filter's."""
+    coarse, fine = (normal_map.derivative_errors("sine", texels) for texels in FINER[1:])
+    assert rms(coarse) / rms(fine) == pytest.approx(4, rel=0.2)
+    assert fine.max() > 0.01
+
+
+def test_it_is_exact_at_the_centres():
+    for texels in (33, 64):
+        at = np.mgrid[0:texels, 0:texels].reshape(2, -1) / texels
+        map_ = normal_map.baked(Scene(), texels, exact())
+        np.testing.assert_allclose(normal_map.fetched(map_, *at), map_.reshape(3, -1), atol=1e-12)
+
+
+def test_the_pipelines_meet_in_the_map():
+    """Their difference is that of the formulas, and far below what the texels cost either."""
+    found, apart = normal_map.errors("sine", FINER), normal_map.without_a_map("sine")
+    assert found["between"] == pytest.approx(apart, rel=0.1)
+    assert (found["symbolic"] > 30 * found["between"]).all()
+    assert found["numeric"] == pytest.approx(found["symbolic"], rel=2e-2)
+    assert (np.abs(found["bytes"] - found["symbolic"]) <= 1 / 255).all()
+
+
+# The fiction, and what displacement moves: the shadow's edge as the grazed height says, the outline; and the order
 
 
 def test_the_silhouette_of_a_displaced_surface_to_second_order():
@@ -30,3 +69,28 @@ def test_leaks_and_misses_are_the_flips_of_the_attached_shadow():
         bumped, flat = (frame.light_cosines(number) > 0 for frame in frames)
         assert (leak == (bumped & ~flat)).all() and (miss == (flat & ~bumped)).all()
         assert leak.any() and miss.any()
+
+
+def test_the_shadow_moves_in_first_order_and_the_height_says_how_far():
+    for light in LIGHTS:
+        moved, left = boundaries.shadow_remainders(BETAS, light)
+        assert fitted_slope(BETAS, moved) == pytest.approx(1, abs=0.05)
+        assert fitted_slope(BETAS, left) == pytest.approx(2, abs=0.1)
+
+
+def test_the_height_of_another_place_does_not_say_it(monkeypatch):
+    right = boundaries.grazed_height
+    monkeypatch.setattr(boundaries, "grazed_height", lambda *given: -right(*given))
+    _, left = boundaries.shadow_remainders(BETAS, LIGHTS[0])
+    assert fitted_slope(BETAS, left) == pytest.approx(1, abs=0.1)
+
+
+def test_the_outline_is_the_fictions():
+    azimuths, beta = 2 * np.pi * np.arange(96) / 96 - np.pi, 0.01
+    moved, flat = (boundaries.outline(boundaries.SCENE, azimuths, amplitude) for amplitude in (beta, 0.0))
+    assert np.abs(moved - flat).max() == pytest.approx(fiction.silhouette_remainders([beta])[0][0], rel=1e-3)
+
+
+def test_without_amplitude_the_order_is_the_renderers():
+    for scene in (boundaries.SCENE, Scene()):
+        np.testing.assert_array_equal(boundaries.first_surface(scene, 0.0, 64), render(scene, 64, 64).chambers & 3)
