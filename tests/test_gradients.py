@@ -1,4 +1,4 @@
-"""The gradient of the height field: both exact forms, creases, the pole, the orders of the differences."""
+"""The gradient of the height field: both exact forms, creases, the pole, the steps that float64 cannot take."""
 
 from dataclasses import replace
 from itertools import product
@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import Scene, central, central4, exact, forward, gradient_at, pixel
+from book.figures.binades import STEPS
+from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
 from renderer.kernels import FIELDS
 from tests.strategies import steps, wave_numbers
+from verify.accuracy.binades import dies
 
 SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
 POLE = (21, 20, 10, 8)  # a raster and its pixel whose centre is the pole
@@ -63,3 +65,18 @@ def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflow
     across = np.abs(gradient_at(SINE, u, v, exact()))
     assert (across[1] > 0).all()
     np.testing.assert_array_equal(np.abs(gradient_at(RIDGES, u, v, exact())), across)
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step):
+    """Where the theorem says that a slope dies, the renderer's is 0."""
+    at = render(SINE, 256, 256, central(step)).data_on_a
+    for axis in "uv":
+        counted, lost = at[f"h_{axis}"] == 0, dies(at[axis], step)
+        assert not (lost & ~counted).any()
+        more = dies(at[axis], step, within=1.0, at_power=0.5)
+        assert (more & ~counted).any() or not more.any()  # a whole spacing would be too much
+        rest = counted & ~lost
+        u, v = at["u"][rest], at["v"][rest]
+        ends = [(u + s, v) if axis == "u" else (u, v + s) for s in (step, -step)]
+        np.testing.assert_array_equal(*(height_at(SINE, *end) for end in ends))
