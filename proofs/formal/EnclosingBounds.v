@@ -10,8 +10,6 @@ Lemma least_is : least = 2 ^ 14 * underflow.
 Proof. replace least with (bpow radix2 (14 + -1074)); [rewrite bpow_plus; unfold underflow; simpl (bpow radix2 14); lra|]. unfold least. change (bpow radix2 (14 + -1074)) with (/ IZR (Z.pow_pos 2 1060)). rewrite pow_IZR. unfold Rdiv. rewrite Rmult_1_l. reflexivity. Qed.
 (* An inequality, times what is not negative. *)
 Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
-Lemma two_is_float64 : float64 2.
-Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
 (* A bound becomes a count exactly. *)
 Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
 Proof.

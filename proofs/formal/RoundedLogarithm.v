@@ -32,10 +32,9 @@ Proof.
   - rewrite E. field. lra.
 Qed.
 (* A sum of two needs no such number. *)
-Lemma rounded_sum (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
+Lemma sum_within (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
 Proof.
-  intros F G B. destruct (sum_float64 f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [|exact B].
-  eapply Rle_trans; [exact U | unfold unit_roundoff; simpl; lra].
+  intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
 Qed.
 (* The part of 26 digits, which is split off by a multiplication. *)
 Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26) (Znearest (fun n => negb (Z.even n))) x.
@@ -153,7 +152,7 @@ Proof.
   destruct node_of_mantissa as (Bq & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct above_node_exact as [A A0]. destruct M as [Fm Bm]. fold m d in Bq, Bd, D.
   assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by (unfold S; lra).
   assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). destruct scale as (Q & t0 & b0 & Bb & cb & Bc).
-  destruct (sum_float64 m d Fm Fd) as (u & Bu & Es). replace unit_roundoff with (/ 2 ^ 53) in Bu by (unfold unit_roundoff; simpl; lra).
+  destruct (rounded_sum m d Fm Fd) as (u & Bu & Es).
   set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es; reflexivity)) as (d1 & t1 & D1 & T1 & E1).
   set (a := natural_logarithm_float64.a x). destruct (relative 53 b (q * S * I) a eq_refl b0 ltac:(rewrite <- qS, <- A; reflexivity)) as (d2 & t2 & D2 & T2 & E2).
   destruct (relative 26 b a h eq_refl b0 (high_part a (rounded_is_float64 _))) as (d3 & t3 & D3 & T3 & E3).
@@ -245,8 +244,8 @@ Proof.
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
   assert (Bh : Rabs (2 * h) = 2 * Rabs h) by (rewrite Rabs_mult, (Rabs_pos_eq 2); lra). rewrite Bh.
   split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize (size _ _ _ _ Bq Eh); lra|].
-  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := rounded_sum t w _ (Fl _) (Fl _) B1). set (a := rounded (t + w)) in E1.
-  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides). assert (E2 := rounded_sum a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
+  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := sum_within t w _ (Fl _) (Fl _) B1). set (a := rounded (t + w)) in E1.
+  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides). assert (E2 := sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
   change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2. set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
   replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
 Qed.
@@ -284,16 +283,14 @@ Proof.
   assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
   assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
   { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q + r - y) y). lra. }
-  assert (Es := rounded_sum q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s + c = w + q) in Q.
-  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := rounded_sum r c _ (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
+  assert (Es := sum_within q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s + c = w + q) in Q.
+  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := sum_within r c _ (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
   assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
-  generalize (through _ _ _ _ _ (rounded_sum l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with (natural_logarithm_float64.log_near x). lra.
+  generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with (natural_logarithm_float64.log_near x). lra.
 Qed.
 Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
 (* It is not so near its tangent at 1. *)
-Lemma two_is_float64 : float64 2.
-Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
 Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
   Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
 Proof.

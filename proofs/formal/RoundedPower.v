@@ -55,15 +55,15 @@ Proof.
   assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z in *; lra]).
   assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Ec Bqw) | unfold z in *; lra]).
   assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp); unfold Y; lra | unfold z in *; lra]).
-  assert (E3 := Any _ _ Bcq). assert (E4 := Any _ _ Bcw). assert (E5 := Any _ _ Bpr). assert (Eo := rounded_sum v u _ (Fl _) (Fl _) Bu). change (rounded (v + u)) with o in Eo.
+  assert (E3 := Any _ _ Bcq). assert (E4 := Any _ _ Bcw). assert (E5 := Any _ _ Bpr). assert (Eo := sum_within v u _ (Fl _) (Fl _) Bu). change (rounded (v + u)) with o in Eo.
   set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p). set (gained := raised_float64.product_gained x p).
   assert (z1 : 0 < z) by lra. clearbody z Y.
-  assert (B1 : Rabs (f1 + f2) <= 6 / 2 ^ 24 * z) by by_sides. assert (E6 := rounded_sum f1 f2 _ (Fl _) (Fl _) B1). set (f4 := rounded (f1 + f2)) in *.
-  assert (B2 : Rabs (f4 + f3) <= 142/100000 * z) by by_sides. assert (E7 := rounded_sum f4 f3 _ (Fl _) (Fl _) B2). set (f5 := rounded (f4 + f3)) in *.
-  assert (B3 : Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). assert (E8 := rounded_sum f5 g _ (Fl _) (Fl _) B3). change (rounded (f5 + g)) with rest in E8.
-  assert (B4 : Rabs (o + rest) <= 1005/1000 * z) by by_sides. assert (E9 := rounded_sum o rest _ (Fl _) (Fl _) B4). change (rounded (o + rest)) with t in E9.
-  assert (B5 : Rabs (t + - o) <= 144/100000 * z) by by_sides. assert (E10 := rounded_sum t (- o) _ (Fl _) (Opp _ (Fl _)) B5). change (rounded (t + - o)) with gained in E10.
-  assert (B6 : Rabs (rest + - gained) <= 101/100 / 2 ^ 53 * z) by by_sides. assert (E11 := rounded_sum rest (- gained) _ (Fl _) (Opp _ (Fl _)) B6). change (rounded (rest + - gained)) with e in E11.
+  assert (B1 : Rabs (f1 + f2) <= 6 / 2 ^ 24 * z) by by_sides. assert (E6 := sum_within f1 f2 _ (Fl _) (Fl _) B1). set (f4 := rounded (f1 + f2)) in *.
+  assert (B2 : Rabs (f4 + f3) <= 142/100000 * z) by by_sides. assert (E7 := sum_within f4 f3 _ (Fl _) (Fl _) B2). set (f5 := rounded (f4 + f3)) in *.
+  assert (B3 : Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). assert (E8 := sum_within f5 g _ (Fl _) (Fl _) B3). change (rounded (f5 + g)) with rest in E8.
+  assert (B4 : Rabs (o + rest) <= 1005/1000 * z) by by_sides. assert (E9 := sum_within o rest _ (Fl _) (Fl _) B4). change (rounded (o + rest)) with t in E9.
+  assert (B5 : Rabs (t + - o) <= 144/100000 * z) by by_sides. assert (E10 := sum_within t (- o) _ (Fl _) (Opp _ (Fl _)) B5). change (rounded (t + - o)) with gained in E10.
+  assert (B6 : Rabs (rest + - gained) <= 101/100 / 2 ^ 53 * z) by by_sides. assert (E11 := sum_within rest (- gained) _ (Fl _) (Opp _ (Fl _)) B6). change (rounded (rest + - gained)) with e in E11.
   split.
   - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5 - (f4 + f3)) + (rest - (f5 + g)) - (gained - (t + - o)) + (e - (rest + - gained)) + (o + g - (b * w + b * q))) by ring. rewrite Og, Hw, Hq. by_sides.
   - by_sides.

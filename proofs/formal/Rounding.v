@@ -8,7 +8,6 @@ From Formal Require Statements.
 Open Scope R_scope.
 
 (* What a size says, both ways. *)
-Ltac both_ways H := apply Rabs_le_between in H.
 (* What is left of a difference of two heights, each off, over the span s, times a factor. *)
 Lemma of_two_heights (argument evaluation excess growth mean plus minus steepest s d : R) : s > 0 ->
   excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest + evaluation >= 0 ->
@@ -128,6 +127,8 @@ Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> flo
 Proof. intros N E. apply generic_format_FLT. exists (Float radix2 n e); [reflexivity | exact N | exact E]. Qed.
 Lemma one_is_float64 : float64 1.
 Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0). easy. Qed.
+Lemma two_is_float64 : float64 2.
+Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
 Lemma kept (x : R) : float64 x -> rounded x = x.
 Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
 (* A float64's whole part is one, by any rule; and what is left of it by the nearest multiple of another. *)
