@@ -41,15 +41,15 @@ Qed.
 Lemma square_of_length : Rabs (q - L * L) <= 111/10 * unit53 * (L * L).
 Proof.
   assert (V : 1 / 2 ^ 40 <= L * L) by nra. assert (T := underflow_is_small). assert (S1 := square_moved h1 m1 off_by_1). assert (S2 := square_moved h2 m2 off_by_2). assert (S3 := square_moved h3 m3 off_by_3).
-  unfold q. rounds p1 (h1 * h1). rounds p2 (h2 * h2). rounds p3 (h3 * h3). rounds s (p1 + p2). rounds o (s + p3). clearbody p1 p2 p3 s o. rewrite LL in *. sizes.
+  unfold q. rounds p1 (h1 * h1). rounds p2 (h2 * h2). rounds p3 (h3 * h3). rounds s (p1 + p2). rounds o (s + p3). rewrite LL in *. sizes.
 Qed.
 Lemma length_rounded : L * (1 - 67/10 * unit53) <= r <= L * (1 + 67/10 * unit53).
 Proof.
-  assert (Q := square_of_length). both_ways Q. assert (V : 0 < L * L) by (apply Rmult_lt_0_compat; lra). assert (T := underflow_is_small). assert (Tp := proj1 underflow_in_least).
+  assert (Q := square_of_length). both_ways Q. assert (T := underflow_is_small).
   assert (q0 : 0 <= q) by in_units. assert (W := sqrt_sqrt q q0). assert (Wp := sqrt_pos q). unfold r. set (w := sqrt q) in *.
   assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [in_units | rewrite W; unfold unit53 in *; nra]).
   assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
-  assert (R := counted w Wp). set (l := rounded w) in *. clearbody l w. in_units.
+  assert (R := counted w Wp). set (l := rounded w) in *. in_units.
 Qed.
 Hypothesis high : L <= 2 ^ 450.
 Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
@@ -113,19 +113,18 @@ Lemma along_rounded (nx ny nz hx hy hz L : R) : 1 / 2 ^ 20 <= L -> hx * hx <= L 
   let d := rounded (rounded (rounded (nx * hx) + rounded (ny * hy)) + rounded (nz * hz)) in let e := nx * hx + ny * hy + nz * hz in Rabs (d - e) <= 81/10 * unit53 * L /\ Rabs e <= 301/100 * L.
 Proof.
   intros L1 Sx Sy Sz Bx By Bz. assert (P : forall n h, Rabs n <= / 1099511627776 + 1 -> h * h <= L * L -> Rabs (n * h) <= 1001/1000 * L) by (intros n h N S; apply within_length in S; [rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos |]; lra).
-  assert (Gx := P nx hx Bx Sx). assert (Gy := P ny hy By Sy). assert (Gz := P nz hz Bz Sz). cbv zeta. clear P. split; [|sizes].
+  assert (Gx := P nx hx Bx Sx). assert (Gy := P ny hy By Sy). assert (Gz := P nz hz Bz Sz). split; [|sizes].
   eapply Rle_trans; [apply (both_error _ _ _ _ (301/100 * L)); [sizes | apply (both_error _ _ _ _ (201/100 * L)); [sizes | apply (rounded_error _ _ Gx) | apply (rounded_error _ _ Gy)] | apply (rounded_error _ _ Gz)] | in_units].
 Qed.
 (* and Blinn's divides by a length. *)
 Theorem colour_accuracy__blinn : Statements.colour_accuracy__blinn.
 Proof.
   red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. blinn_highlight_float64.lines; blinn_highlight.lines. of_length hx hy hz.
-  assert (R := length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). cbv zeta in R. set (l := rounded (sqrt _)) in *. assert (l0 : 0 < l) by in_units.
+  assert (R := length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). set (l := rounded (sqrt _)) in *. assert (l0 : 0 < l) by in_units.
   destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply positive_part|].
-  destruct (along_rounded nx ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D G]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny * hy + nz * hz) in *. clearbody d g l.
+  destruct (along_rounded nx ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D G]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny * hy + nz * hz) in *.
   assert (B := over_length g _ L ltac:(lra) G). assert (Y : Rabs (d / l - g / L) <= 285/10 * unit53).
-  { replace (d / l - g / L) with ((d - g - g / L * (l - L)) / l) by (field; lra). apply over_length; [exact l0|]. assert (E : Rabs (g / L * (l - L)) <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; [exact B | apply Rabs_le; lra]).
-    clear B. set (x := g / L * _) in *. sizes. }
+  { replace (d / l - g / L) with ((d - g - g / L * (l - L)) / l) by (field; lra). apply over_length; [exact l0|]. assert (E : Rabs (g / L * (l - L)) <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; [exact B | apply Rabs_le; lra]). set (x := g / L * _) in *. sizes. }
   eapply Rle_trans; [exact (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B Y)) Y) | in_units].
 Qed.
 (* Its square divides by a square, and by a distance with which it was multiplied. *)
@@ -136,19 +135,18 @@ Proof.
   assert (C : (nx * hx + ny * hy + nz * hz) * (nx * hx + ny * hy + nz * hz) <= 30001/10000 * v).
   { assert (S : forall n, Rabs n <= / 1099511627776 + 1 -> n * n <= 1 + 1 / 2 ^ 30) by (intros n N; both_ways N; nra). apply Rle_trans with ((nx * nx + ny * ny + nz * nz) * v); [|apply Rmult_le_compat_r; [lra | generalize (S _ Bx) (S _ By) (S _ Bz); lra]].
     unfold v. generalize (Rle_0_sqr (nx * hy - ny * hx)) (Rle_0_sqr (nx * hz - nz * hx)) (Rle_0_sqr (ny * hz - nz * hy)). unfold Rsqr. lra. }
-  cbv zeta in Q, D. rewrite LL in Q. set (h := rounded (_ + rounded (hz * hz))) in *. set (e := nx * hx + ny * hy + nz * hz) in *. assert (M := Rle_trans _ _ _ (positive_part _ e) D). set (A := Rmax 0 (rounded _)) in *.
-  assert (B2 : 0 <= Rmax 0 e /\ Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. set (X := v * d). clearbody h A B. clear Sx Sy Sz D C e Bx By Bz. assert (Vu : v <= 2 ^ 400) by (unfold v; lra). clearbody v.
+  rewrite LL in Q. set (h := rounded (_ + rounded (hz * hz))) in *. set (e := nx * hx + ny * hy + nz * hz) in *. assert (M := Rle_trans _ _ _ (positive_part _ e) D). set (A := Rmax 0 (rounded _)) in *.
+  assert (B2 : 0 <= Rmax 0 e /\ Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. set (X := v * d). clearbody h A B. assert (Vu : v <= 2 ^ 400) by (unfold v; lra).
   assert (h0 : 0 < h) by sizes. destruct (Rlt_dec 0 h) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 v) as [_|N]; [|lra].
   assert (Xl : 1 / 2 ^ 60 <= X) by (apply Rle_trans with (1 / 2 ^ 40 * / 1048576); [lra | apply Rmult_le_compat; lra]). assert (Xu : X <= 2 ^ 600) by (change 600%nat with (400 + 200)%nat; rewrite pow_add; apply Rmult_le_compat; lra).
   set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <= 30001/10000) by nra. assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
   assert (F : Rabs (a - b) <= 81/10 * unit53) by (unfold a, b; replace (_ - _) with ((A - B) / L) by (field; lra); apply over_length; lra).
-  replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace (B ^ 2) with (B * B) by ring; rewrite b2; field; lra). clearbody a b.
+  replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace (B ^ 2) with (B * B) by ring; rewrite b2; field; lra).
   assert (F2 : Rabs (a * a - b * b) <= 283/10 * unit53) by (replace (a * a - b * b) with ((2 * b + (a - b)) * (a - b)) by ring; set (o := a - b) in *; unfold unit53 in *; interval).
   destruct (at_scale v (a * a) (30002/10000)) as (p & -> & P); [lra | sizes|]. replace (v * p * d) with (X * p) by (unfold X; ring). destruct (at_scale X p (30003/10000)) as (y & -> & Y); [lra | sizes|].
-  assert (N : Rabs (h / v - 1) <= 111/10 * unit53) by (replace (_ - 1) with ((h - v) / v) by (field; lra); apply over_length; lra). replace (h * d) with (X * (h / v)) by (unfold X; field; lra). destruct (at_scale X (h / v) (101/100)) as (q & -> & E); [lra | sizes|].
-  assert (Z : Rabs (q - 1) <= 1212/100 * unit53) by sizes. assert (q0 : 0 < q) by sizes. assert (J : Rabs (1 / q - 1) <= 1213/100 * unit53) by (replace (_ - 1) with ((1 - q) / q) by (field; lra); apply over_length; [exact q0 | sizes]).
+  assert (N : Rabs (h / v - 1) <= 111/10 * unit53) by (replace (_ - 1) with ((h - v) / v) by (field; lra); apply over_length; lra). replace (h * d) with (X * (h / v)) by (unfold X; field; lra). destruct (at_scale X (h / v) (101/100)) as (q & -> & E); [lra | sizes|]. assert (q0 : 0 < q) by sizes. assert (J : Rabs (1 / q - 1) <= 1213/100 * unit53) by (replace (_ - 1) with ((1 - q) / q) by (field; lra); apply over_length; [exact q0 | sizes]).
   replace (1 / (X * q)) with (/ X * (1 / q)) by (field; lra). destruct (at_scale (/ X) (1 / q) (101/100)) as (k & -> & K); [unfold Rdiv; rewrite Rmult_1_l; apply Rinv_le_contravar; lra | sizes|].
-  replace (X * y * (/ X * k)) with (y * k) by (field; lra). clear - bb F2 P Y K J. eapply Rle_trans; [apply (times_error _ _ _ _ (30001/10000) 1 (345/10 * unit53) (132/10 * unit53)); sizes | in_units].
+  replace (X * y * (/ X * k)) with (y * k) by (field; lra). eapply Rle_trans; [apply (times_error _ _ _ _ (30001/10000) 1 (345/10 * unit53) (132/10 * unit53)); sizes | in_units].
 Qed.
 Theorem colour_accuracy__cosine : Statements.colour_accuracy__cosine.
 Proof.
@@ -222,14 +220,14 @@ Qed.
 Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta : R, float64 nx /\ float64 ny /\ float64 nz /\ float64 gx /\ float64 gy /\ float64 gz /\ float64 beta /\
   1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) <= 2 ^ 900.
 Proof.
-  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64). assert (1 <= 2 ^ 900) by (apply pow_R1_Rle; lra).
+  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64).
   exists 0, 0, 1, 0, 0, 0, 0. repeat split; try assumption; lra.
 Qed.
 (* It is not the cosine of another normal: a light above a level place is not grazing. *)
 Theorem colour_accuracy__composed__false : ~ forall lz, float64 lz -> lz >= 1 ->
   Rabs (light_direction_float64.mu 0 0 0 0 0 lz (perturbed_float64.bumped_x 0 0 1 0 0 0 0) (perturbed_float64.bumped_y 0 0 1 0 0 0 0) (perturbed_float64.bumped_z 0 0 1 0 0 0 0)) <= 81 * unit53.
 Proof.
-  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64). assert (G : 1 <= 2 ^ 900) by (apply pow_R1_Rle; lra). intro H. specialize (H 1 U ltac:(lra)).
+  assert (Z : float64 0) by apply generic_format_0. assert (U := one_is_float64). intro H. specialize (H 1 U ltac:(lra)).
   destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try assumption; try lra. revert M H. set (mu' := light_direction_float64.mu _ _ _ _ _ _ _ _ _).
   light_direction.lines; perturbed.lines.
   replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring. rewrite sqrt_1, Rinv_1. intros M H. both_ways M. both_ways H. in_units.

@@ -181,23 +181,17 @@ Lemma factors_near (a b : R) : carried a b ->
   sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
 
-(* PI, or twice it, times a cosine and a wave number. *)
-Lemma two_factors (j k c ch K : R) : j = 1 \/ j = 2 -> Rabs c <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> 1 <= K -> Rabs (j * k) <= K ->
-  Rabs (j * PI * c * k) <= 3141593/1000000 * K /\ Rabs (rounded (rounded (j * rounded PI * ch) * k) - j * PI * c * k) <= 178/10 / 2 ^ 53 * K.
-Proof.
-  intros J C E K1 B. assert (P : Rabs PI <= 3141593/1000000) by interval. rewrite Rabs_mult in B. replace (j * PI * c * k) with (PI * c * (j * k)) at 1 by ring. rewrite !Rabs_mult.
-  split; [apply Rle_trans with (3141593/1000000 * 1 * K); [repeat apply Rmult_le_compat; try (apply Rmult_le_pos); try apply Rabs_pos; assumption | lra]|].
-  assert (Q : Rabs (j * PI) <= j * (3141593/1000000)) by (rewrite Rabs_mult, (Rabs_pos_eq j) by lra; apply Rmult_le_compat_l; lra).
-  assert (E0 : Rabs (j * rounded PI - j * PI) <= j * (111/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq j) by lra; apply Rmult_le_compat_l; [lra | exact rounded_pi]).
-  assert (B1 : Rabs (j * PI * c) <= j * (3141593/1000000) * 1) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
-  assert (Bk : Rabs k <= K / j) by (destruct J as [-> | ->]; [rewrite Rabs_R1 in B | rewrite (Rabs_pos_eq 2) in B by lra]; lra).
-  eapply Rle_trans; [exact (times_error _ _ _ _ _ _ _ _ B1 Bk (times_error _ _ _ _ _ _ _ _ Q C E0 E) (no_error k))|]. destruct J as [-> | ->]; lra.
-Qed.
 Lemma slope_near (k c s ch sh : R) : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 ->
   Rabs (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof.
-  intros C S Ec Es. destruct (two_factors 1 k c ch (Rmax 1 (Rabs k))) as [B E]; try assumption; [left; reflexivity | apply Rmax_l | rewrite Rmult_1_l; apply Rmax_r|]. rewrite !Rmult_1_l in B. rewrite !Rmult_1_l in E.
-  eapply Rle_trans; [exact (times_error _ _ _ _ _ _ _ _ B S E Es)|]. generalize (Rmax_l 1 (Rabs k)). set (K := Rmax _ _). intro. assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
+  assert (P : Rabs PI <= 3141593/1000000) by interval.
+  generalize (times_error _ _ _ _ _ _ _ _ P C rounded_pi Ec). intro E1.
+  assert (B1 : Rabs (PI * c) <= 3141593/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
+  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
+  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
+  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. eapply Rle_trans; [exact E3|].
+  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
 Lemma slopes_of_sine (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
   Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
@@ -231,8 +225,15 @@ Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
 Proof.
   intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
   rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
-  destruct (two_factors 2 k_v (cos (PI * (2 * k_v * v))) ch (Rmax 1 (Rabs (2 * k_v)))) as [_ E]; [right; reflexivity | apply Rabs_le, COS_bound | exact C | apply Rmax_l | apply Rmax_r|].
-  gradient_rings.lines. eapply Rle_trans; [exact E|]. generalize (Rmax_l 1 (Rabs (2 * k_v))). set (K := Rmax _ _). intro. assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
+  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
+  gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
+  assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
+  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
+  generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
+  assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
+  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
+  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)
