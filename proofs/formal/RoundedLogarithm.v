@@ -31,10 +31,12 @@ Proof.
     apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
   - rewrite E. field. lra.
 Qed.
+Lemma bounded_product (a b A B : R) : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
+Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
 (* A sum of two needs no such number. *)
 Lemma sum_within (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
 Proof.
-  intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
+  intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. apply bounded_product; assumption.
 Qed.
 (* The part of 26 digits, which is split off by a multiplication. *)
 Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26) (Znearest (fun n => negb (Z.even n))) x.
@@ -56,6 +58,12 @@ Proof.
   intros K B. apply lt_IZR. rewrite abs_IZR, (IZR_Zpower radix2) by exact K. apply Rmult_lt_reg_r with (bpow radix2 e); [apply bpow_gt_0|].
   rewrite <- bpow_plus. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in B by apply bpow_ge_0. exact B.
 Qed.
+Lemma no_part (z e : Z) : IZR z * bpow radix2 e = 0 \/ bpow radix2 e <= Rabs (IZR z * bpow radix2 e).
+Proof.
+  destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. assert (P := bpow_gt_0 radix2 e). rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by lra. assert (1 <= IZR (Z.abs z)) by (apply IZR_le; lia). nra.
+Qed.
+Lemma at_scale (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
+Proof. intros. apply bounded_product; [assumption | rewrite Rabs_pos_eq; lra]. Qed.
 Ltac by_sides := repeat match goal with B : Rabs _ <= _ |- _ => apply Rabs_le_between in B end; try apply Rabs_le; lra.
 
 Section doublings.
@@ -64,13 +72,12 @@ Hypothesis F : float64 x.
 Hypothesis P : 0 < x < bpow radix2 1024.
 Let m := natural_logarithm_float64.mantissa x.
 (* The mantissa and the doublings are exact. *)
-Lemma doublings_and_mantissa : exists n : Z, natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z /\ float64 m /\ 7071067/10000000 <= m <= 14142137/10000000 /\ x = m * bpow radix2 n.
+Lemma doublings_and_mantissa : exists n : Z, natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z /\ float64 m /\ 7071067/10000000 <= m <= 14142137/10000000 /\ ln x = IZR n * ln 2 + ln m.
 Proof.
   assert (L := generic_format_ge_bpow radix2 (FLT_exp (-1074) 53) (-1074) ltac:(intro; apply Z.le_max_r) x (proj1 P) F).
-  set (b := if Rlt_dec x 1 then 200%Z else (-200)%Z). set (s := x * bpow radix2 b).
-  assert (K : exists k, bpow radix2 k <= x /\ (-1022 - k <= b)%Z /\ (-874 <= k + b)%Z /\ natural_logarithm_float64.scaled_by x = IZR b).
-  { unfold natural_logarithm_float64.scaled_by, b. destruct Rlt_dec as [W|W]; [exists (-1074)%Z | exists 0%Z; apply Rnot_lt_le in W]; repeat split; assumption || easy. }
-  destruct K as (k & K & Kb & Ks & B). assert (S : natural_logarithm_float64.scaled x = s).
+  assert (K : exists b k, natural_logarithm_float64.scaled_by x = IZR b /\ bpow radix2 k <= x /\ (-1022 - k <= b)%Z /\ (-874 <= k + b)%Z).
+  { unfold natural_logarithm_float64.scaled_by. destruct Rlt_dec as [W|W]; [exists 200%Z, (-1074)%Z | exists (-200)%Z, 0%Z; apply Rnot_lt_le in W]; repeat split; assumption || easy. }
+  destruct K as (b & k & B & K & Kb & Ks). set (s := x * bpow radix2 b). assert (S : natural_logarithm_float64.scaled x = s).
   { unfold natural_logarithm_float64.scaled, power_of_two. rewrite B, Zfloor_IZR. apply kept, (scaled_float64 x k); [exact F | rewrite Rabs_pos_eq; lra | exact Kb]. }
   assert (Sl : bpow radix2 (-874) <= s).
   { apply Rle_trans with (bpow radix2 (k + b)); [apply bpow_le, Ks|]. rewrite bpow_plus. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact K]. }
@@ -84,17 +91,18 @@ Proof.
   assert (Mm : m = s * bpow radix2 (- e)).
   { unfold m, natural_logarithm_float64.mantissa, power_of_two. rewrite S, Bi, <- opp_IZR, Zfloor_IZR. apply kept, (scaled_float64 s (e - 1)); [rewrite <- S; apply rounded_is_float64 | | lia].
     unfold Z.sub. rewrite bpow_plus. change (bpow radix2 (- (1))) with (/ 2). rewrite Rabs_pos_eq by lra. nra. }
-  assert (Ms : m * bpow radix2 e = s) by (rewrite Mm, Rmult_assoc, <- bpow_plus, Z.add_opp_diag_l; apply Rmult_1_r).
-  assert (X : x = m * bpow radix2 (e - b)) by (unfold Z.sub; rewrite bpow_plus, <- Rmult_assoc, Ms; unfold s; rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r; symmetry; apply Rmult_1_r).
+  assert (Back : forall i z, z * bpow radix2 i * bpow radix2 (- i) = z) by (intros; rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r; apply Rmult_1_r).
+  assert (Ms : m * bpow radix2 e = s) by (rewrite Mm; rewrite <- (Back (- e)%Z s) at 2; rewrite Z.opp_involutive; reflexivity).
+  assert (X : x = m * bpow radix2 (e - b)) by (unfold Z.sub; rewrite bpow_plus, <- Rmult_assoc, Ms; symmetry; apply Back).
   assert (Bm : 7071067/10000000 <= m <= 14142137/10000000) by (rewrite <- Ms in M, N; clearbody g; split; nra).
   assert (Q : (-1075 <= e - b <= 1025)%Z).
   { assert (E1 := bpow_gt_0 radix2 (e - b)). assert (U : bpow radix2 (e - b) < bpow radix2 (1 + 1024)) by (rewrite (bpow_plus radix2 1); change (bpow radix2 1) with 2; nra). apply lt_bpow in U.
     assert (V : bpow radix2 (-1 + -1074) < bpow radix2 (e - b)) by (rewrite (bpow_plus radix2 (-1)); change (bpow radix2 (-1)) with (/ 2); nra). apply lt_bpow in V. lia. }
-  exists (e - b)%Z. split; [|split; [exact Q | split; [apply rounded_is_float64 | split; [exact Bm | exact X]]]].
+  exists (e - b)%Z. split; [|split; [exact Q | split; [apply rounded_is_float64 | split; [exact Bm|]]]].
+  2: rewrite X, ln_mult, bpow_exp, ln_exp by (lra || apply bpow_gt_0); apply Rplus_comm.
   unfold natural_logarithm_float64.doublings. rewrite Bi, B, <- minus_IZR. apply kept. replace (IZR (e - b)) with (IZR (e - b) * bpow radix2 0) by apply Rmult_1_r. apply whole_is_float64; lia.
 Qed.
 End doublings.
-
 
 Section logarithm.
 Variable x : R.
@@ -104,7 +112,6 @@ Let d := natural_logarithm_float64.node x.
 Let v := natural_logarithm_float64.node_short x.
 Let r := natural_logarithm_float64.node_rest x.
 Hypothesis M : float64 m /\ 7071067/10000000 <= m <= 14142137/10000000.
-
 Lemma node_of_mantissa : Rabs (m - d) <= 589/10000 * (m + d) /\ 79/100 <= d <= 127/100 /\ Rabs (v + r - ln d) <= 1 / 2 ^ 70 /\ Rabs r <= 8/1000000 /\
   (exists k j, d = IZR k * bpow radix2 (-8) /\ v = IZR j * bpow radix2 (-16) /\ (0 <= k <= 400 /\ Z.abs j <= 2 ^ 14)%Z) /\ (d = 1 /\ v = 0 /\ r = 0 \/ 1/5 <= Rabs v <= 24/100 /\ 115/1000 <= Rabs (ln m)).
 Proof.
@@ -132,11 +139,9 @@ Proof.
   destruct node_of_mantissa as (_ & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct M as [Fm Bm]. fold d in Bd, D.
   destruct (multiple_of_power m (-53) Fm) as [j J]; [rewrite Rabs_pos_eq by lra; apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; easy | simpl; lra]|].
   assert (A : m - d = IZR (j - k * 2 ^ 45) * bpow radix2 (-53)) by (rewrite J, D, minus_IZR, mult_IZR; change (IZR (2 ^ 45)) with (bpow radix2 45); replace (bpow radix2 (-8)) with (bpow radix2 45 * bpow radix2 (-53)) by (rewrite <- bpow_plus; reflexivity); ring).
-  assert (P53 := bpow_gt_0 radix2 (-53)). split.
-  - unfold natural_logarithm_float64.above_node. fold m d. apply kept. rewrite A. apply whole_is_float64; [|easy]. apply lt_IZR. rewrite abs_IZR. apply Rmult_lt_reg_r with (bpow radix2 (-53)); [exact P53|].
-    rewrite <- (Rabs_pos_eq (bpow radix2 (-53))) at 1 by lra. rewrite <- Rabs_mult, <- A. change (IZR (2 ^ 53)) with (bpow radix2 53). rewrite <- bpow_plus. change (bpow radix2 (53 + -53)) with 1. apply Rabs_lt. lra.
-  - rewrite A. destruct (Z.eq_dec (j - k * 2 ^ 45) 0) as [-> | Z]; [left; ring | right]. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by lra.
-    rewrite <- (Rmult_1_l (bpow radix2 (-53))) at 1. apply Rmult_le_compat_r; [lra|]. apply IZR_le. lia.
+  split.
+  - apply (kept (m - d)). rewrite A. apply whole_is_float64; [apply (units_below _ (-53)); [easy | rewrite <- A; apply Rabs_lt; simpl bpow; lra] | easy].
+  - rewrite A. apply no_part.
 Qed.
 
 Let b := Rabs q + negligible.
@@ -159,10 +164,10 @@ Proof.
   set (f := (h - q) / b). assert (Hf : h = b * (c + f)) by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold f; field; lra).
   assert (Bf : Rabs f <= 101/100 / 2 ^ 26).
   { replace f with (c * ((1 + d1) / (1 + u) * (1 + d2) * (1 + d3) - 1) + c * S * b * t1 * (1 + d2) * (1 + d3) + t2 * (1 + d3) + t3).
-    - simpl bpow in *. clearbody c b f S. clear - Bc Bb BS Bu D1 D2 D3 T1 T2 T3. interval with (i_prec 120).
+    - simpl bpow in *. clearbody c b f S. interval with (i_prec 120).
     - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field. apply Rabs_le_between in Bu. split; lra. }
   clearbody f.
-  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; rewrite Rabs_mult, (Rabs_pos_eq b) by lra; apply Rmult_le_compat_r; [lra | exact Bf]).
+  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_scale, Bf; lra).
   assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
   { destruct A0 as [Z|Z].
     - left. assert (a0 : a = 0) by (unfold a, natural_logarithm_float64.a; rewrite A, Z, Rmult_0_l; apply rounded_0).
@@ -186,8 +191,8 @@ Proof.
   set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
   replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
   rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) - b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq b) by lra. apply Rmult_le_compat_r; [lra|].
-  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *. clearbody c b s S. clear - Bc Bb BS Bs Bf Bu D1 D4 D5 D6 D7 D8 T1 T4 T5 T6 T7 T8. interval with (i_prec 120).
+  apply at_scale; [lra|].
+  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *. clearbody c b s S. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
 Proof.
@@ -202,12 +207,12 @@ Proof.
   unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) * ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
   destruct (relative 53 b (p * zh) _ eq_refl b0 eq_refl) as (d3 & t3 & D3 & T3 & E3). destruct (relative 53 b (rounded (p * zh) * F') _ eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). simpl bpow in *.
   set (k := g + (c + g) * d1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
-  assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; clear - Bb Bc; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
-  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2)) + b * t2) by (unfold k; ring); clearbody b c k; clear - Bb Bc Bk D2 T2; interval).
-  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; clear - Bz; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F', G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
+  assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
+  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2)) + b * t2) by (unfold k; ring); clearbody b c k; interval).
+  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F', G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
   change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b * t3) in E3.
   split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1 + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F' - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
-    rewrite Rabs_mult, (Rabs_pos_eq b) by lra; (apply Rmult_le_compat_r; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
+    (apply at_scale; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
 Qed.
 
 Section parts.
@@ -228,9 +233,9 @@ Proof.
   - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). assert (Y0 := Rabs_pos (ln m)). assert (S := series_relative q Q). rewrite quotient_logarithm in S. destruct tail_near as [_ T].
     rewrite H, K, n0, v0, d1, ln_1, Rmult_0_r, Rmult_0_l, !Rplus_0_l, ?Rplus_0_r, Rminus_0_r, Rabs_R0 in *. split; [lra | split; [lra | split; [|left; reflexivity]]].
     unfold b in T. clear - S T t0. unfold Rabs in *. repeat destruct Rcase_abs; lra.
-  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (rewrite Rabs_mult; apply Rmult_le_compat_r; [lra | unfold L; interval]).
+  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (apply bounded_product; [unfold L; interval | apply Rle_refl]).
     assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (eapply Rle_trans; [apply Rabs_triang | lra]). assert (X := sum_error _ _ r _ _ Bs (rounded_error _ _ BL)). rewrite <- E in X.
-    assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (rewrite Rabs_mult; apply Rmult_le_compat_r; [lra | unfold L; interval with (i_prec 120)]).
+    assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) | apply Rle_refl]).
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
     replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
 Qed.
@@ -251,9 +256,6 @@ Proof.
 Qed.
 End parts.
 End logarithm.
-Lemma ln_of_doublings (x : R) (n : Z) : 0 < natural_logarithm_float64.mantissa x -> x = natural_logarithm_float64.mantissa x * bpow radix2 n -> ln x = IZR n * ln 2 + ln (natural_logarithm_float64.mantissa x).
-Proof. intros P E. rewrite E at 1. rewrite ln_mult, (bpow_exp radix2 n), ln_exp by (exact P || apply bpow_gt_0). apply Rplus_comm. Qed.
-
 
 (* What is added in two operations, the sum and what it loses, is the sum where the first is not the smaller, or 0. *)
 Lemma sum_in_two (a b : R) : float64 a -> float64 b -> a = 0 \/ Rabs b <= Rabs a -> rounded (b + a) + rounded (rounded (a - rounded (b + a)) + b) = a + b.
@@ -269,7 +271,7 @@ Lemma parts_of_logarithm (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971
 Proof.
   intros F [P L] w q r. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply IZR_lt; easy]).
   destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S & Q & BR & E).
-  destruct (quotient_in_two x (conj Fm Bm)) as (Fh & Oh & _). rewrite <- (ln_of_doublings x n ltac:(lra) X) in Q, BR, E. rewrite <- H in S, Q, E.
+  destruct (quotient_in_two x (conj Fm Bm)) as (Fh & Oh & _). rewrite <- X in Q, BR, E. rewrite <- H in S, Q, E.
   split; [exact S | split; [exact Q | split; [exact BR | split; [exact E | split; [exact (proj2 (log_whole_exact x (conj Fm Bm) n D N)) | exists (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
 Qed.
 (* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)

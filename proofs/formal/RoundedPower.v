@@ -7,8 +7,6 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential RoundedLogarithm.
 Open Scope R_scope.
 
-Lemma bounded_product (a b A B : R) : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
-Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
 Section power.
 Variables x p : R.
 Hypothesis Fx : float64 x.
@@ -18,23 +16,24 @@ Hypothesis Bp : / 2048 <= p <= 2 ^ 20.
 Let y := ln x.
 Let t := raised_float64.product x p.
 Let e := raised_float64.product_error x p.
+Lemma same_logarithm : natural_logarithm_float64.log_whole x = raised_float64.log_whole x /\ natural_logarithm_float64.log_quotient x = raised_float64.log_quotient x /\ natural_logarithm_float64.log_rest x = raised_float64.log_rest x.
+Proof. repeat split. Qed.
 (* The product with the logarithm, in two parts. *)
 Lemma product_in_two : let z := p * (Rabs y + / 2 ^ 200) in Rabs (t + e - p * y) <= 26/1000 / 2 ^ 53 * z /\ Rabs e <= 2 / 2 ^ 53 * z.
 Proof.
-  destruct (parts_of_logarithm x Fx Bx) as (S & Bq & Br & E & (k & K & Bk) & (h & H & Fh & Oh)). fold y in Bq, Br, E.
-  set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r := natural_logarithm_float64.log_rest x) in *.
+  generalize (parts_of_logarithm x Fx Bx). cbv zeta. destruct same_logarithm as (-> & -> & ->). fold y. intros (S & Bq & Br & E & (k & K & Bk) & (h & H & Fh & Oh)).
+  set (w := raised_float64.log_whole x) in *. set (q := raised_float64.log_quotient x) in *. set (r := raised_float64.log_rest x) in *.
   assert (t0 : 0 < negligible <= bpow radix2 (-300)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). simpl bpow in t0. set (Y := Rabs y + / 2 ^ 200). assert (y0 := Rabs_pos y). set (z := p * Y).
   assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply Rmult_le_compat_r; lra]).
   assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64). assert (Opp := fun f => generic_format_opp radix2 (FLT_exp (-1074) 53) f).
   set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
-  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 + t1) * p) by ring. rewrite Rabs_mult, (Rabs_pos_eq p) by lra. apply Rmult_le_compat_r; [lra | interval]. }
+  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 + t1) * p) by ring. apply at_scale; [lra | interval]. }
   assert (b0 : / 4096 <= b) by (apply Rabs_le_between in Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
   { intros f [-> | B]; [left; ring | right]. apply Rle_trans with (bpow radix2 (-12 + -70)); [apply bpow_le; easy|]. rewrite bpow_plus, Rabs_mult. apply Rmult_le_compat; try apply bpow_ge_0; [|exact B]. rewrite Rabs_pos_eq; simpl bpow; lra. }
   set (u := raised_float64.of_whole x p). assert (Hw : u = b * w).
-  { apply (kept (b * w)). rewrite K. apply short_product; [exact Fb | lia | apply Long]. destruct (Z.eq_dec k 0) as [-> | k0]; [left; ring | right]. apply Rle_trans with (1 * bpow radix2 (-16)); [rewrite Rmult_1_l; apply bpow_le; easy|].
-    rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by apply bpow_ge_0. apply Rmult_le_compat_r; [apply bpow_ge_0 | apply IZR_le; lia]. }
+  { apply (kept (b * w)). rewrite K. apply short_product; [exact Fb | lia | apply Long]. destruct (no_part k (-16)) as [Z | Z]; [left; exact Z | right; eapply Rle_trans; [|exact Z]; apply bpow_le; easy]. }
   set (v := raised_float64.of_quotient x p). assert (Hq : v = b * q).
   { apply (kept (b * q)). rewrite H. destruct (FLX_format_generic radix2 26 h (generic_format_FLX_FLT radix2 (-1074) 26 h Fh)) as [[j i] J N]. unfold F2R in J. cbn [Fnum Fexp] in J, N. assert (Dh : 2 * h = IZR j * bpow radix2 (i + 1)) by (rewrite J, bpow_plus; change (bpow radix2 1) with 2; ring).
     rewrite Dh. apply short_product; [exact Fb | change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; lia | apply Long]. rewrite <- Dh, Rabs_mult, (Rabs_pos_eq 2) by lra. destruct Oh as [-> | h0]; [left; ring | right]. generalize (bpow_le radix2 (-70) (-60) ltac:(easy)) (Rabs_pos h). lra. }
