@@ -329,7 +329,7 @@ Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
   (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
 Proof.
   intros ta tb tf s a b c. unfold s, visible_surface.surface. change (visible_surface.t_floor floor) with tf.
-  change (visible_surface.t_a x y e r) with ta. change (visible_surface.t_b x y e bx by_ bz br on) with tb.
+  replace (visible_surface.t_a x y e r) with ta by reflexivity. replace (visible_surface.t_b x y e bx by_ bz br on) with tb by reflexivity.
   split; [| unfold tf, nearest.t_floor; destruct Rlt_dec; split; intros; (reflexivity || lra)].
   destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
 Qed.
