@@ -152,19 +152,16 @@ Proof.
   intros H O D rho. pose proof (off_axis_pos x y e ltac:(lra) O) as P. pose proof (sqrt_lt_R0 _ P) as Q.
   pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as S. fold rho in Q, S.
   destruct (t_a_near x y e r H O D) as (t & T & A & B & M & _).
-  assert (CT : angles_on_a.cos_theta x y e = x / rho /\ angles_on_a.sin_theta x y e = y / rho).
-  { unfold angles_on_a.cos_theta, angles_on_a.sin_theta, angles_on_a.rho_inverse.
-    change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
-    destruct Rlt_dec; [split; field; lra | lra]. }
   pose proof T as U. rewrite (t_a_value x y e r H O D) in U. apply Rbar_finite_eq in U.
   pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)).
   assert (K : 0 < e ^ 2 + sqrt (hit_of_a.discriminant_a x y e r)) by nra.
-  assert (SP : angles_on_a.sin_phi x y e r = t * rho / r /\ angles_on_a.cos_phi x y e r = e * (1 - t) / r).
-  { unfold angles_on_a.sin_phi, angles_on_a.cos_phi, angles_on_a.hit_scale.
+  assert (L : angles_on_a.cos_theta x y e = x / rho /\ angles_on_a.sin_theta x y e = y / rho /\
+    angles_on_a.sin_phi x y e r = t * rho / r /\ angles_on_a.cos_phi x y e r = e * (1 - t) / r).
+  { unfold angles_on_a.cos_theta, angles_on_a.sin_theta, angles_on_a.sin_phi, angles_on_a.cos_phi, angles_on_a.rho_inverse, angles_on_a.hit_scale.
     change (angles_on_a.rho x y e) with (hit_of_a.rho x y e). rewrite (rho_a x y e O). fold rho.
     change (angles_on_a.root_a x y e r) with (sqrt (Rmax 0 (hit_of_a.discriminant_a x y e r))).
-    rewrite Rmax_right by exact D. unfold angles_on_a.tangent_squared. rewrite <- U. split; field; lra. }
-  destruct CT as [CT ST]. destruct SP as [SP CP].
+    rewrite Rmax_right by exact D. unfold angles_on_a.tangent_squared. rewrite <- U. destruct Rlt_dec; [| lra]. repeat split; field; lra. }
+  destruct L as (CT & ST & SP & CP).
   assert (N : 0 < t * rho / r) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
   destruct (angle_of (x / rho) (y / rho)) as (theta & R1 & C1 & S1 & _).
   { replace ((x / rho) ^ 2 + (y / rho) ^ 2) with ((x ^ 2 + y ^ 2) / (rho * rho)) by (field; lra). rewrite S. field.
@@ -332,7 +329,7 @@ Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
   (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
 Proof.
   intros ta tb tf s a b c. unfold s, visible_surface.surface. change (visible_surface.t_floor floor) with tf.
-  change (visible_surface.t_a x y e r) with ta. change (visible_surface.t_b x y e bx by_ bz br on) with tb.
+  replace (visible_surface.t_a x y e r) with ta by reflexivity. replace (visible_surface.t_b x y e bx by_ bz br on) with tb by reflexivity.
   split; [| unfold tf, nearest.t_floor; destruct Rlt_dec; split; intros; (reflexivity || lra)].
   destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
 Qed.

@@ -11,7 +11,7 @@ Lemma over_a_span (s x y : R) : 0 < s -> y = s * x -> y >= 0 -> x >= 0.
 Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
 
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
-Proof. claim. Qed.
+Proof. red. intros. lines. rewrite Rmin_right, Rmax_right by lra. destruct both as [[]|_]; repeat split; lra. Qed.
 Ltac at_the_pole span := match goal with E : ?e > 0, V : ?v >= 0, L : ?v - ?e < 0, T : ?e + ?v <= 1 |- _ =>
   assert (span = e + v) by apply (clamped_difference__clamp e v E V L T) end.
 Theorem clamped_difference__first_order : Statements.clamped_difference__first_order.
@@ -110,7 +110,8 @@ Lemma sine_on_a_hump (x : R) : 0 <= x <= 1 -> 0 <= sin (PI * x).
 Proof. intro X. generalize PI_RGT_0. intro. apply sin_ge_0; nra. Qed.
 Theorem clamped_difference_of_odd__first_ridge : Statements.clamped_difference_of_odd__first_ridge.
 Proof.
-  red. intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))). same_angles. intros S U.
+  red. intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))).
+  replace (PI * (k_u * u)) with (u * PI * k_u) by ring. replace (PI * (k_v * v)) with (v * PI * k_v) by ring. intros S U.
   rewrite Rabs_mult, (Rabs_pos_eq _ S). repeat split; nra.
 Qed.
 Theorem clamped_difference_of_odd__second_order : Statements.clamped_difference_of_odd__second_order.
