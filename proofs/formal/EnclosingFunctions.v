@@ -65,15 +65,13 @@ Proof.
     multiplied (Rabs (e - f)) (proj2 K). multiplied k M3. assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative. in_units. }
   destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
   destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
-  apply made_a_count; try assumption; [lra|]. assert (H : Rabs (f - y) <= Rabs (f - t1) \/ Rabs (f - y) <= Rabs (f - t2)).
-  { destruct (Rle_lt_dec y f) as [L|L]; [left; rewrite !Rabs_pos_eq by lra; lra | right; rewrite !Rabs_left1 by lra; lra]. }
-  assert (0 <= k * Rabs f) by is_not_negative. set (kf := k * Rabs f) in *. set (o := own f) in *. set (a1 := away e1) in *. set (a2 := away e2) in *. clearbody kf o a1 a2 furthest. in_units.
+  apply made_a_count; try assumption; [lra|]. assert (H1 := Rle_abs (f - t1)). assert (H2 := Rle_abs (- (f - t2))). rewrite Rabs_Ropp in H2.
+  assert (0 <= k * Rabs f) by is_not_negative. clearbody own away furthest. unfold Rabs at 1. destruct Rcase_abs; in_units.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
 Proof.
-  assert (V : 1 / 2 ^ 1020 = bpow radix2 (-1020)) by (change (bpow radix2 (-1020)) with (/ IZR (Z.pow_pos 2 1020)); rewrite pow_IZR; unfold Rdiv; rewrite Rmult_1_l; reflexivity).
-  rewrite V. split; [apply generic_format_bpow; easy|]. replace (2 ^ 20) with (bpow radix2 20) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply bpow_le. easy.
+  rewrite small_power. split; [apply generic_format_bpow; easy|]. replace (2 ^ 20) with (bpow radix2 20) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply bpow_le. easy.
 Qed.
 Lemma exponential_rises (x y : R) : x <= y -> exp x <= exp y.
 Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
