@@ -33,11 +33,11 @@ Proof.
   - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
 Qed.
 End half_turns.
-Ltac of_half_turns f g := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
+Ltac of_half_turns f g part := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | eapply part; apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
 Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
-Proof. of_half_turns sin cos. exact is_derive_sin. exact COS_bound. exact SIN_bound. Qed.
+Proof. of_half_turns sin cos @proj1. exact is_derive_sin. exact COS_bound. exact SIN_bound. Qed.
 Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
-Proof. of_half_turns cos (fun x => - sin x). exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
+Proof. of_half_turns cos (fun x => - sin x) @proj2. exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
 
 (* A function that rises or falls lies between its values at the ends of what its argument can be. *)
 Lemma reached (s x e x' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) ->
