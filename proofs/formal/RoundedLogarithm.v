@@ -62,7 +62,7 @@ Lemma no_part (z e : Z) : IZR z * bpow radix2 e = 0 \/ bpow radix2 e <= Rabs (IZ
 Proof.
   destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. assert (P := bpow_gt_0 radix2 e). rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by lra. assert (1 <= IZR (Z.abs z)) by (apply IZR_le; lia). nra.
 Qed.
-Lemma at_scale (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
+Lemma at_the_scale_of (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
 Proof. intros. apply bounded_product; [assumption | rewrite Rabs_pos_eq; lra]. Qed.
 Ltac by_sides := repeat match goal with B : Rabs _ <= _ |- _ => apply Rabs_le_between in B end; try apply Rabs_le; lra.
 
@@ -167,7 +167,7 @@ Proof.
     - simpl bpow in *. clearbody c b f S. interval with (i_prec 120).
     - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field. apply Rabs_le_between in Bu. split; lra. }
   clearbody f.
-  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_scale, Bf; lra).
+  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_the_scale_of, Bf; lra).
   assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
   { destruct A0 as [Z|Z].
     - left. assert (a0 : a = 0) by (unfold a, natural_logarithm_float64.a; rewrite A, Z, Rmult_0_l; apply rounded_0).
@@ -191,7 +191,7 @@ Proof.
   set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
   replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
   rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) - b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
-  apply at_scale; [lra|].
+  apply at_the_scale_of; [lra|].
   replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *. clearbody c b s S. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
@@ -212,7 +212,7 @@ Proof.
   assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F', G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
   change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b * t3) in E3.
   split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1 + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F' - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
-    (apply at_scale; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
+    (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
 Qed.
 
 Section parts.

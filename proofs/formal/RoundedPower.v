@@ -28,7 +28,7 @@ Proof.
   assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64). assert (Opp := fun f => generic_format_opp radix2 (FLT_exp (-1074) 53) f).
   set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
-  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 + t1) * p) by ring. apply at_scale; [lra | interval]. }
+  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 + t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
   assert (b0 : / 4096 <= b) by (apply Rabs_le_between in Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
   { intros f [-> | B]; [left; ring | right]. apply Rle_trans with (bpow radix2 (-12 + -70)); [apply bpow_le; easy|]. rewrite bpow_plus, Rabs_mult. apply Rmult_le_compat; try apply bpow_ge_0; [|exact B]. rewrite Rabs_pos_eq; simpl bpow; lra. }
