@@ -1,6 +1,6 @@
 """The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds."""
 
-from sympy import StrictLessThan, exp, floor, sqrt
+from sympy import StrictLessThan, exp, floor, log, sqrt
 
 from proofs.engine.program import chain
 from proofs.formulas.half_turns import atan2pi, cospi, rint, sinpi
@@ -21,6 +21,7 @@ RULES = {
         ("enclosed_cosine", "cosine", cospi(x * y)),
         ("enclosed_angle", "angle", atan2pi(y, x)),
         ("enclosed_exponential", "exponential", exp(x)),
+        ("enclosed_logarithm", "logarithm", log(x)),
         ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
     )
 }

@@ -155,6 +155,7 @@ NAMES = {
     "cospi": "cosine_of_half_turns_float64.cosine",
     "atan2pi": "angle_in_half_turns_float64.angle",
     "exp": "exponential_of_sum_float64.exponential",
+    "log": "natural_logarithm_float64.logarithm",
 }
 """{what is called: Coq's function}, none of which is rounded but as it says itself"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given

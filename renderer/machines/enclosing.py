@@ -12,7 +12,7 @@ sizes are counts of its operands, which are as much too small as their own opera
 2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
 where a bound is asked for, compared, or multiplied by another bound. The elementary functions ask for bounds, and each
 one makes up for its own roundings by SLACK. So says theorem enclosing_rules, which Coq proves of what sums, products,
-quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi and exp do here.
+quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi, exp and log do here.
 
 What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
 nothing.
