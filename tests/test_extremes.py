@@ -33,7 +33,7 @@ OF_A_THEOREM = {
     "dark_difference": f"${SIZE}^2$",
     "pole_accuracy": f"of {POINTS} points",
     "difference_bounds": {40: "forty"}[PER_DECADE],
-    "enclosing_rules": {11: r"of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$"}[len(RULES)],
+    "enclosing_rules": {12: r"of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$"}[len(RULES)],
 }
 """{theorem: how it says of what its extreme is one}"""
 
