@@ -69,10 +69,8 @@ Proof.
   assert (0 <= k * Rabs f) by is_not_negative. clearbody own away furthest. unfold Rabs at 1. destruct Rcase_abs; in_units.
 Qed.
 
-Lemma vanishing : float64 (1 / 2 ^ 1020) /\ 2 ^ 20 * underflow <= 1 / 2 ^ 1020.
-Proof.
-  rewrite small_power. split; [apply generic_format_bpow; easy|]. replace (2 ^ 20) with (bpow radix2 20) by (simpl; lra). unfold underflow. rewrite <- bpow_plus. apply bpow_le. easy.
-Qed.
+Lemma vanishing : float64 (1 / 2 ^ 1020) /\ underflow * 2 ^ 20 <= 1 / 2 ^ 1020.
+Proof. rewrite power_of_two, underflow_times. split; [apply generic_format_bpow | apply bpow_le]; easy. Qed.
 Lemma exponential_rises (x y : R) : x <= y -> exp x <= exp y.
 Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
 (* The exponential at an end, which may lie below what float64 holds. *)

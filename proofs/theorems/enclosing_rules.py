@@ -20,8 +20,8 @@ theorem = Theorem(
     r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
     By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
     whole number nearest to $x$, of $\sin\pi xy$, $\cos\pi xy$, $\operatorname{atan2}(y, x)/\pi$, $e^x$, $\ln x$ and of
-    a selection by $x < y$ are within their counts of the exact results, if the counts before are; each operation makes a
-    count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
+    a selection by $x < y$ are within their counts of the exact results, if the counts before are; each operation makes
+    a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
     hypotheses=(
         "nothing overflows; of a product, a sine and a whole number the counts are at most $2^{60}$",
         r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
