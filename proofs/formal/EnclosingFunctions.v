@@ -89,12 +89,12 @@ Proof.
   red. intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. assert (F1 := one_is_float64).
   assert (Q := elementary_functions__two_product x 1 X F1). rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 : two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
   rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X), !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
-  destruct (reached s x e S1 S2 P) as [R M]. cbv zeta in R. specialize (R x' D). set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
+  generalize (reached s x e S1 S2 P). intros [R M]. specialize (R x' D). set (reach := rounded (rounded (_ + _) * SLACK)) in *. assert (W := underflow_is_small). assert (W0 := proj1 underflow_in_least).
   assert (Top : rounded (x + reach) <= 709).
   { apply round_le_generic; [typeclasses eauto | typeclasses eauto | rewrite <- (Rmult_1_r 709); apply (whole_is_float64 709 0); easy|].
     assert (x + 2 ^ 7 * unit53 * Rabs x <= 7045/10) by (unfold Rabs, unit53; destruct Rcase_abs; lra). in_units. }
   assert (Low : rounded (x - reach) <= 709) by (apply Rle_trans with (rounded (x + reach)); [apply round_le; [typeclasses eauto..| lra] | exact Top]).
   assert (Dl : Rabs (- (32 * underflow)) <= 1 / 2 ^ 100) by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). assert (Dh : Rabs (32 * underflow) <= 1 / 2 ^ 100) by (rewrite Rabs_pos_eq; lra).
-  destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Low Dl) as [Fl El]. destruct (exponential_at_an_end _ _ (rounded_is_float64 _) Top Dh) as [Fh Eh]. destruct vanishing as [Fv Pv].
-  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | lra | in_units | split; apply exponential_rises; generalize (Rabs_pos x); lra | generalize (Rabs_pos (exponential_of_sum_float64.exponential x 0)); lra..].
+  generalize (exponential_at_an_end _ _ (rounded_is_float64 _) Low Dl) (exponential_at_an_end _ _ (rounded_is_float64 _) Top Dh). intros [Fl El] [Fh Eh].
+  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | apply vanishing | lra | in_units | split; apply exponential_rises; generalize (Rabs_pos x); lra | generalize (Rabs_pos (exponential_of_sum_float64.exponential x 0)); lra..].
 Qed.
