@@ -32,8 +32,8 @@ Theorem enclosing_rules__logarithm : Statements.enclosing_rules__logarithm.
 Proof.
   red. intros s x e x' S1 S2 X E P D U L T. enclosed_logarithm_float64.lines. fold ROUNDING. fold SLACK. destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
   assert (A : Rabs x = x) by (apply Rabs_pos_eq; lra). rewrite <- A in T. destruct (not_tiny x (or_introl T)) as [Z|G]; [lra|]. rewrite A in G.
-  assert (G' : underflow * 2 ^ 105 <= x) by (rewrite underflow_times; exact G). clear T G. assert (W := proj1 underflow_in_least). rewrite pow_IZR in U. assert (Most : 2 * IZR (2 ^ Z.of_nat 1000) <= IZR (2 ^ 1024 - 2 ^ 971)) by (rewrite <- mult_IZR; apply IZR_le; easy).
-  destruct (reached s x e S1 S2 P) as [R M]. cbv zeta in R. set (reach := rounded (rounded (_ + _) * SLACK)) in *. rewrite A in *. assert (R1 := R x ltac:(rewrite Rminus_eq_0, Rabs_R0; is_not_negative)). specialize (R x' D).
+  assert (G' : underflow * 2 ^ 105 <= x) by (rewrite underflow_times; exact G). clear T G. assert (W := proj1 underflow_in_least). rewrite pow_IZR in U. assert (Most : 2 * IZR (2 ^ Z.of_nat 1000) <= IZR (2 ^ 1024 - 2 ^ 971)) by (rewrite <- mult_IZR; apply IZR_le; vm_compute; discriminate).
+  generalize (reached s x e S1 S2 P). intros [R M]. set (reach := rounded (rounded (_ + _) * SLACK)) in *. rewrite A in *. assert (R1 := R x ltac:(rewrite Rminus_eq_0, Rabs_R0; is_not_negative)). specialize (R x' D).
   assert (B := counted (x - reach) ltac:(in_units)). assert (C := counted (x + reach) ltac:(in_units)). set (low := rounded (x - reach)) in *. set (high := rounded (x + reach)) in *.
   assert (0 < low) by in_units. assert (high <= IZR (2 ^ 1024 - 2 ^ 971)) by in_units. assert (low < x < high) by in_units.
   destruct (Rlt_dec 0 low) as [_|N]; [|destruct (N ltac:(assumption))]. destruct (Rlt_dec 0 high) as [_|N]; [|lra].
