@@ -1,15 +1,13 @@
 (* What the rules of the enclosing machine for the elementary functions share: a bound that becomes a count, and a function's own error. *)
 
-From Coq Require Import Reals Lra Lia ZArith.
+From Coq Require Import Reals Lra ZArith.
 From Flocq Require Import Core Mult_error.
 From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules.
 Open Scope R_scope.
 
-Lemma small_power (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
-Proof. rewrite bpow_opp, <- IZR_Zpower, pow_IZR by lia. apply Rmult_1_l. Qed.
 Definition least : R := 1 / 2 ^ 1060.
-Lemma least_is : least = 2 ^ 14 * underflow.
-Proof. replace (2 ^ 14) with (bpow radix2 14) by (simpl; lra). unfold least, underflow. rewrite small_power, <- bpow_plus. reflexivity. Qed.
+Lemma least_is : least = underflow * 2 ^ 14.
+Proof. rewrite underflow_times. apply power_of_two. Qed.
 (* An inequality, times what is not negative. *)
 Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
 (* A bound becomes a count exactly. *)
@@ -26,7 +24,7 @@ Proof.
   clearbody b q. in_units.
 Qed.
 Lemma least_is_float64_too : float64 least.
-Proof. unfold least. rewrite small_power. apply generic_format_bpow. easy. Qed.
+Proof. unfold least. rewrite power_of_two. apply generic_format_bpow. easy. Qed.
 (* A function's own error: a part of the result, and what is lost where that vanishes. *)
 Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
 Proof.

@@ -833,6 +833,21 @@ Definition enclosing_rules__exponential : Prop :=
   0 <= enclosed_exponential_float64.exponential_error x x_error /\
   Rabs (enclosed_exponential_float64.exponential x - (exp x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_exponential_float64.exponential_error x x_error / 2 ^ 53).
 
+Definition enclosing_rules__logarithm : Prop :=
+  forall slack x x_error x_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  x <= 2 ^ 1000 ->
+  x_error <= 2 ^ 52 * x ->
+  10 ^ 285 * x >= 1 ->
+  float64 (enclosed_logarithm_float64.logarithm_error x x_error) /\
+  0 <= enclosed_logarithm_float64.logarithm_error x x_error /\
+  Rabs (enclosed_logarithm_float64.logarithm x - (ln x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_logarithm_float64.logarithm_error x x_error / 2 ^ 53).
+
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
   let v_plus := Rmin 1 (epsilon + v) in
