@@ -27,10 +27,8 @@ Ltac no_float64 n e := let k := eval compute in (Z.to_nat (- e)) in match goal w
 (* A ray down to B hits it at 1 + 2^-53, which is halfway between two float64 numbers. *)
 Theorem colour_accuracy__hit_nearer__false : Mutants.colour_accuracy__hit_nearer__false.
 Proof.
-  intro H. destruct some_float64 as (F0 & F1 & F2 & _). set (z := - (4503599627370497/9007199254740992)). assert (Z : float64 z) by (replace z with (IZR (-4503599627370497) * bpow radix2 (-53)) by (unfold z; simpl; lra); apply whole_is_float64; easy).
-  assert (X := H 0 0 1 0 0 z (1/2) 1 F0 F0 F1 F0 F0 Z F2 F1). do 9 (lapply X; [clear X; intro X | unfold z; lra]). rewrite Rmax_right in X by (unfold z; lra).
-  no_float64 4503599627370496%Z (-52)%Z; [unfold hit_of_b_float64.t_b; destruct both; [apply rounded_is_float64 | apply generic_format_0]|].
-  hit_of_b.lines. destruct both as [_|[[N|N]|N]]; [simpl (real _); rewrite Rmax_right | ..]; unfold z in *; first [lra | split; interval with (i_prec 100)].
+  intro H. destruct some_float64 as (F0 & F1 & F2 & _). assert (Z := whole_is_float64 (-4503599627370497) (-53) ltac:(easy) ltac:(easy)). simpl in Z. assert (X := H 0 0 1 0 0 _ (1/2) 1 F0 F0 F1 F0 F0 Z F2 F1). do 9 (lapply X; [clear X; intro X | lra]). rewrite Rmax_right in X by lra.
+  no_float64 4503599627370496%Z (-52)%Z; [unfold hit_of_b_float64.t_b; destruct both; [apply rounded_is_float64 | apply generic_format_0]|]. hit_of_b.lines. destruct both as [_|[[N|N]|N]]; [rewrite Rmax_right; [split; interval with (i_prec 100)|] | ..]; lra.
 Qed.
 (* (1, 1, 0) over its length has no float64 so near. *)
 Theorem colour_accuracy__normal_nearer__false : Mutants.colour_accuracy__normal_nearer__false.
