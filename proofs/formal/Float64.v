@@ -214,6 +214,18 @@ End program.
 Ltac lines := unfold power, exponential, exponential_near, departure, departure_low, exponential_tail, away_squared, away_error, away_gained, away, away_low, away_high, whole, product_error, product_gained, product, product_rest, product_near_rest, product_lost, product_near, of_quotient, of_whole, b_low, b_high, b_excess, b_split, b, log_rest, log_quotient, log_whole_rest, log_whole, log_tail, quotient_squared, quotient, quotient_rest, undivided, undivided_near, a_high, a_excess, a_split, a, inverse, sum_short, mantissa_rest, mantissa_short, lifted, above_node, node_rest, node_short, node, doublings, mantissa, binary, scaled, scaled_by.
 End raised_float64.
 
+Module hit_of_b_float64.
+Section program.
+Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on : R.
+Definition distance := rounded (eye - ball_center_z).
+Definition toward_b := rounded (rounded (rounded (ball_center_x * x) + rounded (ball_center_y * y)) + rounded (distance * eye)).
+Definition discriminant_b := rounded (rounded (rounded (rounded (rounded (ball_radius * ball_radius) * rounded (rounded (rounded (eye * eye) + rounded (x * x)) + rounded (y * y))) - rounded (rounded (rounded (ball_center_x * eye) - rounded (distance * x)) * rounded (rounded (ball_center_x * eye) - rounded (distance * x)))) - rounded (rounded (rounded (ball_center_x * y) - rounded (ball_center_y * x)) * rounded (rounded (ball_center_x * y) - rounded (ball_center_y * x)))) - rounded (rounded (rounded (distance * y) - rounded (ball_center_y * eye)) * rounded (rounded (distance * y) - rounded (ball_center_y * eye)))).
+Definition root_b := rounded (sqrt (Rmax 0 discriminant_b)).
+Definition t_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then rounded (rounded (rounded (rounded (ball_center_x * ball_center_x) + rounded (ball_center_y * ball_center_y)) + rounded (rounded (distance - ball_radius) * rounded (ball_radius + distance))) / rounded (root_b + toward_b)) else (real p_infty)).
+End program.
+Ltac lines := unfold t_b, root_b, discriminant_b, toward_b, distance.
+End hit_of_b_float64.
+
 Module perturbed_float64.
 Section program.
 Variables normal_x normal_y normal_z g_x g_y g_z beta : R.

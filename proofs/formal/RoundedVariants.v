@@ -24,6 +24,12 @@ Qed.
 Ltac hypothesis_holds := first [assumption | lra | rewrite Rabs_pos_eq; lra | right; lra | left; rewrite Rabs_pos_eq; lra].
 Ltac no_float64 n e := let k := eval compute in (Z.to_nat (- e)) in match goal with X : Rabs _ <= _ |- _ => apply (none_between _ _ _ (/ 2 ^ k) n e) with (5 := X); try easy; [simpl; lra | |]; clear X end.
 
+(* A ray down to B hits it at 1 + 2^-53, which is halfway between two float64 numbers. *)
+Theorem colour_accuracy__hit_nearer__false : Mutants.colour_accuracy__hit_nearer__false.
+Proof.
+  intro H. destruct some_float64 as (F0 & F1 & F2 & _). assert (Z := whole_is_float64 (-4503599627370497) (-53) ltac:(easy) ltac:(easy)). simpl in Z. assert (X := H 0 0 1 0 0 _ (1/2) 1 F0 F0 F1 F0 F0 Z F2 F1). do 9 (lapply X; [clear X; intro X | lra]). rewrite Rmax_right in X by lra.
+  no_float64 4503599627370496%Z (-52)%Z; [unfold hit_of_b_float64.t_b; destruct both; [apply rounded_is_float64 | apply generic_format_0]|]. hit_of_b.lines. destruct both as [_|[[N|N]|N]]; [rewrite Rmax_right; [split; interval with (i_prec 100)|] | ..]; lra.
+Qed.
 (* (1, 1, 0) over its length has no float64 so near. *)
 Theorem colour_accuracy__normal_nearer__false : Mutants.colour_accuracy__normal_nearer__false.
 Proof.

@@ -240,6 +240,27 @@ Definition seed_clamp__costs_an_order : Prop :=
   epsilon + 0 - 0 <> 0 ->
   Rabs ((epsilon + 0 - (epsilon + 0) ^ 3 - (0 - 0 ^ 3)) / (epsilon + 0 - 0) - (1 - 3 * 0 ^ 2)) >= epsilon).
 
+Definition colour_accuracy__hit : Prop :=
+  forall x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on : R,
+  float64 x ->
+  float64 y ->
+  float64 eye ->
+  float64 ball_center_x ->
+  float64 ball_center_y ->
+  float64 ball_center_z ->
+  float64 ball_radius ->
+  float64 ball_on ->
+  eye * eye + x * x + y * y >= / 1099511627776 ->
+  eye * eye + x * x + y * y <= 2 ^ 100 ->
+  ball_radius >= / 1048576 ->
+  ball_radius <= 2 ^ 50 ->
+  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y >= 4 * ball_radius ^ 2 ->
+  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y <= 2 ^ 40 * ball_radius ^ 2 ->
+  ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (y * (eye - ball_center_z) - ball_center_y * eye) ^ 2 >= ball_radius ^ 2 * (eye * eye + x * x + y * y) / 16 ->
+  ball_center_x * x + ball_center_y * y + eye * (eye - ball_center_z) > 0 ->
+  ball_on > 0 ->
+  Rabs (hit_of_b_float64.t_b x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on - hit_of_b.t_b x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on) <= 112 / 9007199254740992 * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z - ball_radius) * (ball_radius + eye - ball_center_z)) / (ball_center_x * x + ball_center_y * y + eye * (eye - ball_center_z) + sqrt (Rmax 0 (ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (y * (eye - ball_center_z) - ball_center_y * eye) ^ 2))).
+
 Definition colour_accuracy__normal : Prop :=
   forall normal_x normal_y normal_z g_x g_y g_z beta : R,
   float64 normal_x ->

@@ -1,7 +1,9 @@
-"""What float64 loses between the gradient and the colour: the bumped normal, the light's cosine, a share, the clip."""
+"""What float64 loses at B's hit, and between the gradient and the colour: the normal, a cosine, a share, the clip."""
 
+from proofs.formulas import camera
 from proofs.formulas.bump import g, perturbed
-from proofs.formulas.certified import BLINN, COSINE, NORMAL, PHONG, SHARE, SQUARED
+from proofs.formulas.camera import discriminant_b, toward_b
+from proofs.formulas.certified import BLINN, COSINE, HIT, NORMAL, PHONG, SHARE, SQUARED
 from proofs.formulas.pixel import CHANNELS
 from proofs.formulas.shading import (
     albedos,
@@ -20,11 +22,13 @@ from proofs.formulas.shading import (
     phong_highlight,
     squared_highlight,
 )
+from proofs.theorems import hits
 from proofs.theorems.language import *
 
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
 _to_light = light - point
+_ray, _to_eye = (squared(Vector((*ends, z))) for ends, z in (((x, y), eye), (ball_center[:2], eye - ball_center[2])))
 
 
 def _units(*vectors):
@@ -37,14 +41,17 @@ def _between(least, number, most):
 
 theorem = Theorem(
     "colour_accuracy",
-    "What float64 loses between the gradient and the colour",
-    rf"With $\mu = 2^{{-53}}$, as float64 carries them out: each component of $N'$ is within ${NORMAL}\mu$ "
+    "What float64 loses at B's hit, and between the gradient and the colour",
+    rf"With $\mu = 2^{{-53}}$, as float64 carries them out: B's hit $t_B$ is within ${HIT}\mu t_B$ of its exact value "
+    rf"away from B's outline; each component of $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; the "
     rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, and its "
     rf"square, made of $h$ times a distance, within ${SQUARED}\mu$ of the square; that of "
     rf"Phong's within ${PHONG}\mu$ of $\max(0, (2(N' \cdot \omega)N' - \omega) \cdot \hat v)$; a light's share leaves "
     rf"a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
+        r"of the hit, with $D, b, c, d$ of its theorem: $|D|^2R_2^2 \le 16d$, so that the ray passes $C$ within 97 % "
+        r"of $R_2$; $2R_2 \le |E - C| \le 2^{20}R_2$; $2^{-20} \le |D|, R_2 \le 2^{50}$; $b > 0$: B is before the eye",
         r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that",
         r"$|N'_i| \le 1 + 2^{-40}$, and of Phong's highlight $|\omega_i|$, $|\hat v_i|$, $|N' \cdot \omega|$ as well",
         r"$2^{-40} \le |L - P|^2, |h|^2 \le 2^{900}$; for the square $|h|^2 \le 2^{400}$, a distance from $2^{-20}$ "
@@ -52,6 +59,19 @@ theorem = Theorem(
         "each stage is of its own float64 inputs",
     ),
     rounded=(
+        Rounded(
+            "hit",
+            camera.hit_of_b,
+            {camera.t_b: HIT * _UNIT * hits.hit_of_b.expand(hits.t_b)},
+            (
+                _between(-40, _ray, 100),
+                _between(-20, ball_radius, 50),
+                (_to_eye >= 4 * ball_radius**2, _to_eye <= Pow(2, 40) * ball_radius**2),
+                camera.hit_of_b.expand(discriminant_b) >= _ray * ball_radius**2 / 16,
+                camera.hit_of_b.expand(toward_b) > 0,
+                ball_on > 0,
+            ),
+        ),
         Rounded(
             "normal",
             perturbed,
@@ -89,6 +109,12 @@ theorem = Theorem(
         Rounded("clip", clip, {clipped: Rational(0)}),
     ),
     steps={
+        r"$d$ is off by $31\mu|D|^2R_2|E - C|$, its root by $63\mu|D||E - C|$": (
+            r"$|D \times (E - C)| \le |D|R_2$; $\sqrt d \ge |D|R_2/4$"
+        ),
+        r"$b + \sqrt d$ is off by $82\mu$ of itself, $c$ by $28\mu$": (
+            r"$b^2 \ge \tfrac34|D|^2|E - C|^2$ and $c \ge \tfrac34|E - C|^2$"
+        ),
         r"$N + \beta g$ is off by $\tfrac94\mu$ of its length": "two roundings a component",
         "its square by 11, its length by 7, the quotient by 12 of them": "three products, two sums, a root, a quotient",
         "the highlight": "sums of bounded products; of Blinn's, 8 of the length, over a length that is off by 7",

@@ -1,7 +1,7 @@
 """The text of `proofs/formal/Float64.v`: kernels' float64 operations, one after the other, as Coq definitions."""
 
 from proofs.engine.program import Program
-from proofs.formulas import bump, elementary, enclosed, exponential, finite_difference, height_fields, shading
+from proofs.formulas import bump, camera, elementary, enclosed, exponential, finite_difference, height_fields, shading
 from renderer.generate.coq import HALF_TURN_POLYNOMIALS, in_module
 from renderer.generate.programs import ANY_FIELD
 from renderer.generate.rules import carried_out, rule
@@ -32,6 +32,7 @@ def float64_source() -> str:
         exponential.exponential_of_sum,
         exponential.natural_logarithm,
         exponential.raised,
+        camera.hit_of_b,
         bump.perturbed,
         shading.light_direction,
         shading.blinn_highlight,

@@ -1,4 +1,4 @@
-"""What float64 loses between the gradient and the colour, which Coq proves: the printed stages against balls."""
+"""What float64 loses from B's hit to the colour, which Coq proves: the printed stages against balls."""
 
 import numpy as np
 from sympy import lambdify
@@ -12,10 +12,20 @@ SEED, SAMPLES = 27, 300
 
 
 def _inputs(random, claim):
-    """Return float64 inputs that a stage's hypotheses allow: a tangent gradient of any size, a light, weights."""
+    """Return float64 inputs that a stage's hypotheses allow: a B near a ray, a tangent gradient, a light, weights."""
     values = dict(
         zip((s.name for s in claim.program.inputs), random.uniform(0, 1, len(claim.program.inputs)), strict=True)
     )
+    if claim.name == "hit":
+        eye = np.array([0, 0, values["eye"]])
+        toward = np.array([values["x"], values["y"], 0]) - eye
+        toward /= np.linalg.norm(toward)
+        across = np.cross(toward, random.normal(size=3))
+        across *= random.uniform(0, 0.95) / np.linalg.norm(across)
+        size = 10.0 ** random.uniform(-3, 0)
+        center = eye + size * (10.0 ** random.uniform(0.5, 4) * toward + across)
+        values |= dict(zip(("ball_center_x", "ball_center_y", "ball_center_z"), center, strict=True))
+        values |= {"ball_radius": size, "ball_on": 1.0}
     if claim.name == "normal":
         normal = random.normal(size=3)
         normal /= np.linalg.norm(normal) * (1 - 2.0**-40)
