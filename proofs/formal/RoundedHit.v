@@ -3,7 +3,7 @@
 From Coq Require Import Reals Psatz.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns RoundedGradient EnclosingRules RoundedColour.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient EnclosingRules RoundedColour.
 From Formal Require Statements.
 Open Scope R_scope.
 
