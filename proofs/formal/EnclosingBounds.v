@@ -7,7 +7,7 @@ Open Scope R_scope.
 
 Definition least : R := 1 / 2 ^ 1060.
 Lemma least_is : least = underflow * 2 ^ 14.
-Proof. rewrite underflow_times. apply power_of_two. Qed.
+Proof. rewrite underflow_times. apply inverse_power. Qed.
 (* An inequality, times what is not negative. *)
 Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
 (* A bound becomes a count exactly. *)
@@ -24,7 +24,7 @@ Proof.
   clearbody b q. in_units.
 Qed.
 Lemma least_is_float64_too : float64 least.
-Proof. unfold least. rewrite power_of_two. apply generic_format_bpow. easy. Qed.
+Proof. unfold least. rewrite inverse_power. apply generic_format_bpow. easy. Qed.
 (* A function's own error: a part of the result, and what is lost where that vanishes. *)
 Lemma own_error (k V f : R) : float64 V -> 0 <= V -> 0 <= k -> let own := rounded (rounded (k * Rabs f) + V) in float64 own /\ 0 <= own /\ (k * Rabs f + V) * (1 - 3 * unit53) - 2 * underflow <= own.
 Proof.

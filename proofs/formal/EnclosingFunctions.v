@@ -70,7 +70,7 @@ Proof.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ underflow * 2 ^ 20 <= 1 / 2 ^ 1020.
-Proof. rewrite power_of_two, underflow_times. split; [apply generic_format_bpow | apply bpow_le]; easy. Qed.
+Proof. rewrite inverse_power, underflow_times. split; [apply generic_format_bpow | apply bpow_le]; easy. Qed.
 Lemma exponential_rises (x y : R) : x <= y -> exp x <= exp y.
 Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
 (* The exponential at an end, which may lie below what float64 holds. *)

@@ -23,7 +23,7 @@ Lemma logarithm_at_an_end (x t : R) : float64 x -> float64 t -> x <> t -> 0 < x 
   let size y := 1170935903116329 / 10141204801825835211973625643008 * Rabs (natural_logarithm_float64.logarithm y) in
   Rabs (natural_logarithm_float64.logarithm t - ln t) + 2 ^ 4 * underflow <= 9/8 * size t + 1/2 * size x + 0.
 Proof.
-  intros X T N Px Pt. cbv zeta. assert (W := underflow_is_small). assert (V : bpow radix2 (-896) <= 1 / 2 ^ 200) by (rewrite power_of_two; apply bpow_le; easy).
+  intros X T N Px Pt. cbv zeta. assert (W := underflow_is_small). assert (V : bpow radix2 (-896) <= 1 / 2 ^ 200) by (rewrite inverse_power; apply bpow_le; easy).
   generalize (elementary_functions__log x X Px) (elementary_functions__log t T Pt) (Rabs_triang_inv (ln x) (natural_logarithm_float64.logarithm x)) (Rabs_triang_inv (ln t) (natural_logarithm_float64.logarithm t)) (Rabs_pos (natural_logarithm_float64.logarithm x)) (Rabs_pos (natural_logarithm_float64.logarithm t)).
   rewrite !(Rabs_minus_sym (ln _)). destruct (logarithm_away_from_one t T (proj1 Pt)) as [-> | A]; [|lra].
   destruct (logarithm_away_from_one x X (proj1 Px)) as [E | A]; [destruct (N E)|]. rewrite ln_1, Rabs_R0. lra.

@@ -18,16 +18,16 @@ Ltac in_units := unfold ROUNDING, SLACK, unit53 in *; lra.
 (* How large a sum is. *)
 Ltac sizes := repeat match goal with H : Rabs _ <= _ |- _ => both_ways H end; try apply Rabs_le; in_units.
 Ltac sizes_add := eapply Rle_trans; [apply Rabs_triang|].
-Lemma power_of_two (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
+Lemma inverse_power (n : nat) : 1 / 2 ^ n = bpow radix2 (- Z.of_nat n).
 Proof. rewrite bpow_opp, bpow_powerRZ, <- pow_powerRZ. apply Rmult_1_l. Qed.
 Lemma least_is_float64 : float64 (1 / 2 ^ 1007).
-Proof. rewrite power_of_two. apply generic_format_bpow. easy. Qed.
+Proof. rewrite inverse_power. apply generic_format_bpow. easy. Qed.
 Lemma underflow_times (n : nat) : underflow * 2 ^ n = bpow radix2 (Z.of_nat n - 1074).
 Proof. unfold Z.sub. rewrite bpow_plus, (bpow_powerRZ _ (Z.of_nat n)), <- pow_powerRZ. apply Rmult_comm. Qed.
 Lemma underflow_in_least : 0 < underflow /\ underflow * 2 ^ 67 <= 1 / 2 ^ 1007.
-Proof. split; [apply bpow_gt_0|]. rewrite power_of_two, underflow_times. apply Rle_refl. Qed.
+Proof. split; [apply bpow_gt_0|]. rewrite inverse_power, underflow_times. apply Rle_refl. Qed.
 Lemma underflow_is_small : underflow <= 1 / 2 ^ 200.
-Proof. rewrite power_of_two. apply bpow_le. easy. Qed.
+Proof. rewrite inverse_power. apply bpow_le. easy. Qed.
 
 Lemma rounded_below (x y : R) : rounded x < rounded y -> x < y.
 Proof. intro L. apply Rnot_le_lt. intro G. apply Rlt_not_le in L. apply L. apply round_le; [typeclasses eauto..| exact G]. Qed.

@@ -13,7 +13,7 @@ Proof. intros P S. apply less_of_squares; [exact P | unfold Rabs; destruct Rcase
 (* What is rounded at the scale S, far above what underflows, is S times what is rounded at the scale 1. *)
 Lemma at_scale (S x X : R) : 1 / 2 ^ 600 <= S -> Rabs x <= X -> exists y, rounded (S * x) = S * y /\ Rabs (y - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intros L B. assert (P : 0 < S) by (generalize (pow_lt 2 600); lra). assert (U : underflow <= 1 / 2 ^ 700) by (rewrite power_of_two; apply bpow_le; easy).
+  intros L B. assert (P : 0 < S) by (generalize (pow_lt 2 600); lra). assert (U : underflow <= 1 / 2 ^ 700) by (rewrite inverse_power; apply bpow_le; easy).
   exists (rounded (S * x) / S). split; [field; lra|]. replace (_ - x) with ((rounded (S * x) - S * x) / S) by (field; lra). apply over_length; [exact P|].
   eapply Rle_trans; [apply rounding_error|]. rewrite Rabs_mult, (Rabs_pos_eq S) by lra. apply Rmult_le_compat_r with (r := S) in B; in_units.
 Qed.

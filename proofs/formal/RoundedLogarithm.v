@@ -217,13 +217,13 @@ Qed.
 
 Section parts.
 Variable n : Z.
-Hypothesis D : natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z.
+Hypothesis Doublings : natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z.
 Let y := IZR n * ln 2 + ln m.
 Let w := natural_logarithm_float64.log_whole_rest x.
 Lemma without_quotient : Rabs w <= 8/100000 * Rabs y /\ Rabs (W + w - (IZR n * ln 2 + ln d)) <= 4/10000 / 2 ^ 53 * Rabs y /\ Rabs q <= 52/100 * Rabs y + negligible /\ (W = 0 \/ 1/5 <= Rabs W).
 Proof.
-  destruct scale as (Q & t0 & _). destruct node_of_mantissa as (_ & _ & Ev & Br & _ & C). destruct (log_whole_exact n (proj1 D) (proj2 D)) as [H _]. fold m in C. unfold y.
-  set (L := 3373202482714085 / 2361183241434822606848). assert (E : w = rounded (rounded (L * IZR n) + r)) by (unfold w, natural_logarithm_float64.log_whole_rest; rewrite (proj1 D); reflexivity).
+  destruct scale as (Q & t0 & _). destruct node_of_mantissa as (_ & _ & Ev & Br & _ & C). destruct (log_whole_exact n (proj1 Doublings) (proj2 Doublings)) as [H _]. fold m in C. unfold y.
+  set (L := 3373202482714085 / 2361183241434822606848). assert (E : w = rounded (rounded (L * IZR n) + r)) by (unfold w, natural_logarithm_float64.log_whole_rest; rewrite (proj1 Doublings); reflexivity).
   assert (Y : Rabs (ln m) <= 3466/10000) by (clear - M; destruct M as [_ B]; clear M; clearbody m; interval). assert (B : 693/1000 <= ln 2 <= 694/1000) by (split; interval). assert (Small : n = 0%Z /\ d = 1 /\ v = 0 /\ r = 0 \/ 115/1000 + Rabs (IZR n) / 5 <= Rabs (IZR n * ln 2 + ln m) /\ 1/5 <= Rabs W).
   { rewrite H. destruct (Z.eq_dec n 0) as [-> | Z].
     - destruct C as [C | C]; [left; split; [reflexivity | exact C] | right]. rewrite !Rmult_0_l, Rmult_0_r, !Rplus_0_l, Rabs_R0. lra.

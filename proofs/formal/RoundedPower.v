@@ -7,7 +7,7 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential RoundedLogarithm.
 Open Scope R_scope.
 
-Section power.
+Section raised_in_two.
 Variables x p : R.
 Hypothesis Fx : float64 x.
 Hypothesis Bx : 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
@@ -83,7 +83,7 @@ Proof.
   replace (f - v) with (f - v * k + v * (k - 1)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
-End power.
+End raised_in_two.
 (* The power of a float64 above 0 is within (5/2 + 3/100 |p ln x|) 2^-53 of the power, relative to that: it errs like the exponential, and by what the logarithm's error becomes. *)
 Theorem elementary_functions__power (x p : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <= p * ln x <= 70899/100 ->
   Rabs (raised_float64.power x p - Rpower x p) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower x p.
