@@ -25,6 +25,6 @@ GENERAL_GRADIENT, ALGEBRAIC_GRADIENT = 10, 50
 """How far a slope can be off, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy (which
 is measured) and algebraic_gradient_accuracy."""
 
-HIT, NORMAL, COSINE, BLINN, SQUARED, PHONG, SHARE = 112, 12, 45, 32, 80, 56, 8
-"""How far t_B (relative to itself), a component of N', a light's cosine, the base of Blinn's highlight, its square, the
-base of Phong's and a channel can be off, in units of 2⁻⁵³: theorem colour_accuracy."""
+NORMAL, COSINE, BLINN, SQUARED, PHONG, SHARE = 12, 45, 32, 80, 56, 8
+"""How far a component of N', a light's cosine, the base of Blinn's highlight, its square, the base of Phong's and a
+channel can be off, in units of 2⁻⁵³: theorem colour_accuracy."""

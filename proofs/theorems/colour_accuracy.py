@@ -3,7 +3,7 @@
 from proofs.formulas import camera
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.camera import discriminant_b, toward_b
-from proofs.formulas.certified import BLINN, COSINE, HIT, NORMAL, PHONG, SHARE, SQUARED
+from proofs.formulas.certified import BLINN, COSINE, NORMAL, PHONG, SHARE, SQUARED
 from proofs.formulas.pixel import CHANNELS
 from proofs.formulas.shading import (
     albedos,
@@ -25,6 +25,7 @@ from proofs.formulas.shading import (
 from proofs.theorems import hits
 from proofs.theorems.language import *
 
+HIT = 112  # how far t_B can be off relative to itself, in units of 2⁻⁵³: no page and no kernel asks
 _UNIT = Pow(2, -53)
 _m = normal + beta * g
 _to_light = light - point
