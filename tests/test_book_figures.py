@@ -13,6 +13,7 @@ from book.assembly import stamps
 from book.drawing import draw, registry, save
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import colour_of, plot
+from book.figures import eps_sweep
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import Interval
 from tests.folders import contents
@@ -176,6 +177,13 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
     assert stamps.read("figures/broken") is None
     one, two = (contents(stamped / f"by_{processes}") for processes in (1, 2))
     assert one == two and len(one) > 2
+
+
+def test_a_picture_whose_error_is_above_what_its_slopes_allow_is_not_drawn(monkeypatch):
+    steepest = eps_sweep.steepest
+    monkeypatch.setattr(eps_sweep, "steepest", lambda scene: steepest(scene) / 1000)
+    with pytest.raises(ValueError, match="sine: a picture's difference is above what its gradients' errors allow"):
+        eps_sweep.image_error()
 
 
 def line(heights):

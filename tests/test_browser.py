@@ -225,6 +225,8 @@ def test_search_field_and_phone_menu_have_no_violation_when_they_are_open(visit)
     [
         ("light", ".bd-article", "part => part.append(document.createElement('button'))", "button-name"),
         ("dark", ".bd-article p", "part => { part.style.color = '#333' }", "color-contrast"),
+        ("light", ".highlight .nb", "part => { part.style.color = '#bbb' }", "color-contrast"),
+        ("dark", "math:has(:is(mi, mn):text-matches('..'))", "part => { part.style.color = '#333' }", "color-contrast"),
         ("phone", ".pixels[data-in-reach]", "part => { part.tabIndex = -1 }", "scrollable-region-focusable"),
     ],
 )

@@ -42,11 +42,11 @@ def bytes_of(drawer, scene, method):
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_bounds_have_the_same_bytes_in_a_browser(name, browser):
-    """And so have colours, chambers and what is open; that NumPy's are LLVM's, `tests/test_machines.py` says."""
+def test_bounds_have_the_same_bytes_on_every_machine(name, browser):
+    """And so have colours, chambers and what is open, to the sign of a 0; what is least and largest is among them."""
     with browser.new_page() as tab:
         found = bytes_of(drawer_in(tab), *SCENES[name])
-    assert found == bytes_of(native.drawer, *SCENES[name])
+    assert found == bytes_of(native.drawer, *SCENES[name]) == bytes_of(numpy_rows.drawer, *SCENES[name])
 
 
 def assert_noticed(drawer):

@@ -37,9 +37,6 @@ Proof. unfold_vectors. split; [|split]; auto_derive; trivial; ring. Qed.
 
 (* Normalising *)
 
-Lemma le_of_squares (x y : R) : 0 <= y -> x ^ 2 <= y ^ 2 -> x <= y.
-Proof. intros. nra. Qed.
-
 Lemma length_of_unit (a : vector) : dot a a = 1 -> magnitude a = 1.
 Proof. intro E. unfold magnitude. rewrite E. apply sqrt_1. Qed.
 
@@ -81,8 +78,6 @@ Lemma dot_comm (a b : vector) : dot a b = dot b a.
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold dot. ring. Qed.
 Lemma dot_sum (a b c : vector) : dot (vector_sum a b) c = dot a c + dot b c.
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?], c as [[? ?] ?]. unfold dot, vector_sum. ring. Qed.
-Lemma dot_nonneg (a : vector) : 0 <= dot a a.
-Proof. rewrite <- length_squared. apply pow2_ge_0. Qed.
 Lemma length_nonneg (a : vector) : 0 <= magnitude a.
 Proof. apply sqrt_pos. Qed.
 Lemma m_is_sum (theta phi h_u h_v beta : R) : M theta phi h_u h_v beta = vector_sum (normal_at theta phi) (scaled beta (g theta phi h_u h_v)).
