@@ -31,7 +31,7 @@ STARTED = """(() => {
 })()"""
 # Whether all that is drawn by a background alone differs from the page's own.
 DIFFERS = """() => {
-    const drawn = 'foreignObject div, .idea-swatch, [aria-pressed=true], .sim-dot, .sim-legend i, .fa-solid, .fas';
+    const drawn = 'foreignObject div, .idea-swatch, [aria-pressed=true], .sim-dot, .sim-certified i, .fa-solid, .fas';
     const looks = [...document.querySelectorAll(drawn)].map(part => getComputedStyle(part));
     const paper = getComputedStyle(document.body).backgroundColor;
     return document.documentElement.matches('.drawn') && looks.length > 9
