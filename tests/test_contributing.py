@@ -31,12 +31,6 @@ def walked(folder, example, left_out):
     return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
 
 
-def test_the_ways_in_are_short():
-    for example in EXAMPLES.iterdir():
-        written = [path for path in example.rglob("*.*") if path.suffix in (".patch", ".py", ".toml")]
-        assert written and sum(len(path.read_text("utf-8").splitlines()) for path in written) < 80
-
-
 @pytest.mark.parametrize(
     "example, kind, name", [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
 )
