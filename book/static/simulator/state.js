@@ -3,7 +3,7 @@
 
 /** @param {HTMLElement} root @param {SimulatorData} data */
 function simulator_states(root, { fields, models, scene }) {
-  const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
+  const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
 
