@@ -81,15 +81,15 @@ def from_record(record: dict[str, Any]) -> HeightField:
 
     Raises ValueError on anything else.
     """
-    kinds = {"name": str, "expression": str, "seam": bool}
     for key in record:
-        if key not in kinds:
-            raise not_allowed("field", key, f"the parts {', '.join(kinds)}")
+        if key not in ("name", "expression", "seam"):
+            raise not_allowed("field", key, "the parts name, expression, seam")
     for key in ("name", "expression"):
         if key not in record:
             raise not_allowed("field", record, f"one with its {key}")
-    complete = {"seam": False} | record
-    name, expression, seam = (check_kind(f"field.{key}", complete[key], kind) for key, kind in kinds.items())
+    name = check_kind("field.name", record["name"], str)
+    expression = check_kind("field.expression", record["expression"], str)
+    seam = check_kind("field.seam", record.get("seam", False), bool)
     parsed = parse_expression(expression)
     check_operations("field", name, [parsed] * 2)  # slopes take as many or more, and long to be taken
     field = HeightField(name, parsed, seam)

@@ -34,7 +34,7 @@ def stream(
     """
     path = checked_target(path, (".npy",))
     raster = Raster(width, height, crop)
-    left, top, columns, rows = raster.crop
+    left, top, columns, rows = raster.crop  # type: ignore[misc]  # checked by Raster
     band = max(1, BAND_PIXELS // columns)
 
     def drawn(first):
