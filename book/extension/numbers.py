@@ -18,7 +18,7 @@ A label stands behind what it is about: in its section, a number of a record has
 or the last ones. So no time stands under another run's date.
 """
 
-from itertools import groupby
+from itertools import chain, groupby, pairwise
 from pathlib import Path
 
 from docutils import nodes
@@ -101,11 +101,11 @@ def hold_numbers_to_their_labels(app: Sphinx, document: nodes.document) -> None:
     for section in document.findall(nodes.section):
         blocks = [block for block in section if not isinstance(block, nodes.section)]
         runs = [[*run] for _, run in groupby(blocks, lambda block: "record" in block)]
-        for run, labels in zip(runs, runs[1:] + runs[-2:-1], strict=False):
+        for run, labels in pairwise(runs + runs[-2:-1]):
             named = {label.get("record") for label in labels}
-            for node in (node for block in run for node in block.findall(nodes.inline)):
-                if others := {*node.get("records", ())} - named:
-                    words = f"{node.rawsource} is of {', '.join(others)}, and its label of {', '.join(named)}"
+            for node in chain.from_iterable(block.findall(nodes.inline) for block in run):
+                if not named.issuperset(node.get("records", ())):
+                    words = f"{node.rawsource} is not of {', '.join(named)}, whose label it has"
                     document.reporter.error(words, base_node=node)
 
 
