@@ -68,22 +68,13 @@ RECORDS = {
             ("tests/measure_pages.py", "book/simulator_module.py", "book/static"),
         ),
         Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer/__main__.py")),
-        Record("machines", BENCHMARKS, "-m verify.benchmark.machines", ("verify/benchmark/machines.py",)),
-        Record(
-            "own",
-            BENCHMARKS,
-            "-m verify.benchmark.own",
-            ("verify/benchmark/own.py", "renderer"),
-            ("numpy", "llvmlite", "zlib-ng"),
-        ),
-        Record("texture", BENCHMARKS, "-m verify.benchmark.texture", ("verify/benchmark/texture.py",)),
         Record(
             "work_precision",
             RESULTS,
             "-m verify.benchmark.work_precision",
             ("verify/benchmark/work_precision.py",),
             ("numpy", "llvmlite", "mpmath"),
-            ("autograd", "jax", "scipy", "numdifftools"),
+            ("jax",),
         ),
         Record(
             "accepted_scenes",
