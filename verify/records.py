@@ -77,13 +77,6 @@ RECORDS = {
             ("jax",),
         ),
         Record(
-            "accepted_scenes",
-            RESULTS,
-            "-m tests.accepted_scenes",
-            ("tests/accepted_scenes.py",),
-            ("numpy", "llvmlite", "hypothesis"),
-        ),
-        Record(
             "enclosed_pixels",
             RESULTS,
             "-m verify.enclosed_pixels",

@@ -121,12 +121,6 @@ def _counts(record) -> Drawing:
     return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
 
 
-@figure(record="accepted_scenes")
-def accepted_scenes(record: dict) -> Drawing:
-    """The committed long run over random accepted scenes: its counts and its label; numbers only."""
-    return _counts(record)
-
-
 @figure(record="edited_formulas")
 def edited_formulas(record: dict) -> Drawing:
     """The committed run over edits of the formulas: its counts and its label; numbers only."""
