@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from proofs.engine.program import Program
 from renderer import Scene, central, exact, render
 from verify.benchmark import work_precision
 from verify.benchmark.methods.table import METHODS
@@ -78,6 +79,14 @@ def test_every_method_finds_the_gradient(name):
     values = AVAILABLE[name].values
     best = min(error(name, value) for value in values[:: 1 if len(values) < 10 else 3])
     assert best < LEAST.get(name, 2e-11)
+
+
+@pytest.mark.parametrize("name", AVAILABLE)
+def test_no_formula_is_made_while_the_gradient_is_timed(name, monkeypatch):
+    method = AVAILABLE[name]
+    function, points = method.make(method.values[0]), points_for(method, 2)
+    monkeypatch.delattr(Program, "__init__")
+    assert np.shape(function(*points)) == (2, 2)
 
 
 @pytest.mark.parametrize("name", ORDERS)
