@@ -13,7 +13,7 @@ from book.figures.chapter_scene import SIZE, numeric, symbolic
 from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
-from renderer import Scene, central, exact, gradient_at, pixel, render
+from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.generate.kernels import function_of
 from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.facts import SMOOTH_POINT
@@ -125,6 +125,16 @@ def clamp_taken(eps: float) -> float:
     return np.mean((v + eps) - (v - eps) < 2 * eps)
 
 
+def lit_from_behind() -> dict[str, int]:
+    """Return how many of A's pixels face away from a light behind it, and how many of them its highlight shows."""
+    numbers = {}
+    for p in (2, 32):
+        frame = render(Scene(kd=0, ka=0, beta=0, shininess=p, ball=False, lights=[Light((10, 0, -6))]), SIZE, SIZE)
+        unlit = frame.rgb[frame.light_cosines(0) < 0].max(axis=1)
+        numbers |= {"unlit": unlit.size, f"shining_{p}": sum(unlit > 2 * FIRST_LEVEL)}
+    return numbers
+
+
 @figure
 def seed_pictures() -> Drawing:
     """The seed's words on its pictures against the pictures: limits, what an eye sees, where the creases part."""
@@ -145,4 +155,4 @@ def seed_pictures() -> Drawing:
         "clamp_1e-3": clamp_taken(1e-3),
         "clamp_1e-6": clamp_taken(1e-6),
     }
-    return Drawing(numbers=numbers | flat_limits())
+    return Drawing(numbers=numbers | flat_limits() | lit_from_behind())
