@@ -23,6 +23,7 @@ NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes
 """
 
 from renderer.operations import (
+    Constant,
     binary_exponent,
     elementary,
     floor,
@@ -32,7 +33,6 @@ from renderer.operations import (
     nan,
     pi,
     power_of_two,
-    ratio,
     rint,
     sign,
     sqrt,

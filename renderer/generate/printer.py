@@ -21,10 +21,8 @@ class KernelPrinter(StrPrinter):
 
     def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""
-        number = float(rational)
-        if Rational(number) != rational:
-            return f"ratio({float(rational.p)!r}, {float(rational.q)!r})"
-        return repr(number)
+        number = rational.p / rational.q  # the nearest: as floats the two would be rounded
+        return repr(number) if Rational(number) == rational else f"Constant({number!r})"
 
     def _print_Rational(self, expr):
         return self.literal(expr)
