@@ -18,6 +18,7 @@ from renderer.operations import (
     rint,
     sign,
     sqrt,
+    sum_of_half_turns,
     where,
 )
 

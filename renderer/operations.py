@@ -92,6 +92,24 @@ def minimum(a: Number, b: Number) -> Number:
 
 
 @elementary
+def add_half_turns(a: Number, b: Number) -> tuple[Number, Number]:
+    """Return a sum less whole turns, as it is rounded, and what rounding took from it (Knuth)."""
+    a, b = (number - 2.0 * rint(0.5 * number) for number in (a, b))
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def sum_of_half_turns(*parts: tuple[Number, Number]) -> tuple[Number, Number]:
+    """Return such a sum of numbers in two parts each: only their small parts' sum is rounded."""
+    (total, rest), *others = parts
+    for number, small in others:
+        total, lost = add_half_turns(total, number)
+        rest = rest + small + lost
+    return add_half_turns(total, rest)
+
+
+@elementary
 def sign(a: Number) -> Number:
     """Return −1, 0 or 1."""
     return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0))

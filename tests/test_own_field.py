@@ -81,15 +81,15 @@ def by_mpmath(text):
     return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", vars(mpmath) | {"min": min, "max": max})
 
 
-def apart(text, field):
+def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
     """How far heights and slopes of a field are from those of a text, over their size, off the creases."""
     scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
-    here = random.uniform(0.01, 0.99, (2, 12))
-    here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(12)]
+    here = random.uniform(0.01, 0.99, (2, count))
+    here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(count)]
     found = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
     with mpmath.workdps(60):
         true = [[mpmath.diff(by_mpmath(text), at, n) for at in here.T.tolist()] for n in ((0, 0), (1, 0), (0, 1))]
-        return np.max(abs(np.array(found) - true) / (1 + abs(np.array(true))))
+        return np.max(abs(np.array(found) - true) / size(np.array(true)))
 
 
 def assert_drawn(scene, method, monkeypatch):
@@ -251,6 +251,24 @@ def test_a_constant_that_cancels_has_a_bound(text, monkeypatch):
     step = Piecewise((Rational(float(number)), sinpi(v / 2) >= 0), (2, True))
     field = HeightField(f"cancels_{CONSTANTS.index(text)}", (number - step) * u, seam=True)
     assert_drawn(Scene(field=field, beta=1e14), exact(), monkeypatch)
+
+
+LINEAR = [
+    "sinpi(2*u)*sinpi(63*v)",
+    "cospi(1000003*u)*cospi(511*v - 1/4)",
+    "sinpi(1000000*v + 2*u)",
+    "cospi(1048576*u - 1048573*v/2 + 1/3)",
+    "sinpi(u - v)",
+    "cospi(1e15*k_u*u)*sinpi(k_v*v)",
+]
+
+
+@pytest.mark.parametrize("text", LINEAR)
+def test_the_last_digits_are_kept_at_any_wave_number(text, monkeypatch):
+    """Of 400 heights and slopes, to three roundings of the largest; bits and bounds are as of any field."""
+    field = HeightField(f"linear_{LINEAR.index(text)}", parse_expression(text), seam=True)
+    assert apart(text, field, 400, lambda true: abs(true).max(1, keepdims=True)) <= 3 * 2.0**-53
+    assert_drawn(Scene(field=field, ku=KU, kv=KV), exact(), monkeypatch)
 
 
 @pytest.mark.parametrize("base", ["1/2", "-bumped_z", "max(bumped_z, 1/3, view_z)"])

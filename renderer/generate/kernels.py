@@ -36,6 +36,7 @@ from renderer.operations import (
     rint,
     sign,
     sqrt,
+    sum_of_half_turns,
     where,
 )
 '''
