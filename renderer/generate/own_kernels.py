@@ -7,13 +7,14 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from mpmath import workdps
-from sympy import Expr, Rational
+from mpmath import iv
+from mpmath.libmp import to_float
+from sympy import Expr, Float, Rational, S
 from sympy.printing.precedence import precedence
 
 from proofs.engine.program import Program
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.ranges import DIGITS, values_of
+from proofs.formulas.ranges import DIGITS, enclosure
 from proofs.formulas.registry import check_name
 from proofs.formulas.shading import LightModel
 from proofs.formulas.symbols import bumped, k_u, k_v, light, mu, point, specular_base, view
@@ -21,9 +22,9 @@ from renderer import kernels
 from renderer.checks import not_allowed
 from renderer.generate.kernels import print_function, refuse_unknown_calls
 from renderer.generate.printer import KernelPrinter
-from renderer.operations import Constant, maximum
+from renderer.operations import maximum
 
-CALLED = vars(kernels) | {"Constant": Constant}
+CALLED = vars(kernels)
 """What kernels of one's own may call."""
 SEEN_BY_A_LIGHT = (*point, *light, *bumped, *view)
 _SEEN = np.random.default_rng(9).normal(size=(4, 3, 99))  # points, lights, normals, views at which lines are compared
@@ -40,8 +41,14 @@ class OwnPrinter(KernelPrinter):
 
     @staticmethod
     def _nearest(constant):
-        with workdps(DIGITS):
-            return f"Constant({float(values_of(constant, ())())!r})"
+        """Of an interval around a constant both ends are nearest to one float64, or the error says how far apart."""
+        constant = constant.xreplace({number: Rational(number) for number in constant.atoms(Float)})
+        usual, iv.dps = iv.dps, 4 * DIGITS
+        try:
+            low, high = (to_float(end, rnd="n") for end in enclosure(constant, {S.Exp1: iv.e})._mpi_)
+        finally:
+            iv.dps = usual
+        return f"Constant({low!r}{f', {2 * (high - low) + math.ulp(low)!r}' if low < high else ''})"
 
     def _apart(self, expr, sign, otherwise):
         fixed, rest = expr.as_independent(*expr.free_symbols, as_Add=expr.is_Add)
