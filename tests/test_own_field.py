@@ -10,7 +10,7 @@ from random import Random
 import mpmath
 import numpy as np
 import pytest
-from sympy import Mul, Rational, exp
+from sympy import Mul, Piecewise, Rational, exp, pi
 
 from proofs.engine.program import flat
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
@@ -34,6 +34,7 @@ from renderer import (
 from renderer.command_line.verbs import main
 from renderer.files import record
 from renderer.generate.expression import LONGEST, expression_text, parse_expression
+from renderer.generate.own_kernels import CALLED, OwnPrinter
 from renderer.machines import native, numpy_rows
 from renderer.machines.enclosing import Enclosed
 from renderer.scene.own import field_from_record, field_kernels
@@ -78,15 +79,15 @@ def by_mpmath(text):
     return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", vars(mpmath) | {"min": min, "max": max})
 
 
-def apart(text, field):
+def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
     """How far heights and slopes of a field are from those of a text, over their size, off the creases."""
     scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
-    here = random.uniform(0.01, 0.99, (2, 12))
-    here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(12)]
+    here = random.uniform(0.01, 0.99, (2, count))
+    here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(count)]
     found = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
     with mpmath.workdps(60):
         true = [[mpmath.diff(by_mpmath(text), at, n) for at in here.T.tolist()] for n in ((0, 0), (1, 0), (0, 1))]
-        return np.max(abs(np.array(found) - true) / (1 + abs(np.array(true))))
+        return np.max(abs(np.array(found) - true) / size(np.array(true)))
 
 
 def assert_drawn(scene, method, monkeypatch):
@@ -183,7 +184,9 @@ def test_a_name_may_be_given_again_to_the_same_formula():
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
 
 
-CONSTANTS = ("v*sqrt(2)", "v/pi", "v*(pi + 1)", "exp(1/3)*v", "v*pi**2/6", "v/3 + pi*v/7", "v*log(3)/log(2)")
+RATIO = "9329113965543663/9340691059763681"
+CONSTANTS = [f"v*{RATIO}", "v*0.9643500889615229", "-v*(2**64 + 1)/3e-50", f"exp(v*{RATIO})", "v*sqrt(2)", "v/pi"]
+CONSTANTS += ["v*(pi + 1)", "exp(1/3)*v", "v*pi**2/6", "v/3 + pi*v/7", "v*log(3)/log(2)"]
 
 
 @pytest.mark.parametrize("text", CONSTANTS)
@@ -196,6 +199,42 @@ def test_a_constant_of_ones_own_has_a_bound(text):
         true = in_balls(program, at)
         for number, ball in zip(map(Enclosed.of, found), (true[s.name].item() for s in program.outputs), strict=True):
             assert abs(ball - float(number.value)) <= number.bound
+
+
+def test_no_constant_is_further_off_than_it_says():
+    """π from its 151st digit on; decimals as floats are printed; quotients of any size, from the least float64 on."""
+    random, numbers = Random(47), [pi * 10**150 - int(pi.n(160) * 10**150)]
+    for bits in range(10**4):
+        p, q = (random.getrandbits(bits % 200) | 1 for _ in "pq")
+        numbers += Rational(repr(random.random())), Rational(-p, q) * Rational(2) ** random.randint(-1070, 820)
+    for number, constant in zip(numbers, eval(OwnPrinter().doprint(numbers), CALLED), strict=True):
+        assert abs(number - Rational(constant)) <= Rational(getattr(constant, "error", 0))
+
+
+@pytest.mark.parametrize("text", CONSTANTS[:3])
+def test_a_constant_that_cancels_has_a_bound(text, monkeypatch):
+    number = parse_expression(text) / v
+    step = Piecewise((Rational(float(number)), sinpi(v / 2) >= 0), (2, True))
+    field = HeightField(f"cancels_{CONSTANTS.index(text)}", (number - step) * u, seam=True)
+    assert_drawn(Scene(field=field, beta=1e14), exact(), monkeypatch)
+
+
+LINEAR = [
+    "sinpi(2*u)*sinpi(63*v)",
+    "cospi(1000003*u)*cospi(511*v - 1/4)",
+    "sinpi(1000000*v + 2*u)",
+    "cospi(1048576*u - 1048573*v/2 + 1/3)",
+    "sinpi(u - v)",
+    "cospi(1e15*k_u*u)*sinpi(k_v*v)",
+]
+
+
+@pytest.mark.parametrize("text", LINEAR)
+def test_the_last_digits_are_kept_at_any_wave_number(text, monkeypatch):
+    """Of 400 heights and slopes, to three roundings of the largest; bits and bounds are as of any field."""
+    field = HeightField(f"linear_{LINEAR.index(text)}", parse_expression(text), seam=True)
+    assert apart(text, field, 400, lambda true: abs(true).max(1, keepdims=True)) <= 3 * 2.0**-53
+    assert_drawn(Scene(field=field, ku=KU, kv=KV), exact(), monkeypatch)
 
 
 def test_a_wave_number_that_is_rounded_to_a_whole_one_is_none():

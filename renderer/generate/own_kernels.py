@@ -5,19 +5,19 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from mpmath import workdps
-from sympy import Expr, Rational
+from mpmath import iv
+from mpmath.libmp import to_float
+from sympy import Expr, Rational, S
 from sympy.printing.precedence import precedence
 
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.ranges import DIGITS, values_of
+from proofs.formulas.ranges import DIGITS, enclosure
 from proofs.formulas.symbols import k_u, k_v
 from renderer import kernels
 from renderer.generate.kernels import refuse_unknown_calls
 from renderer.generate.printer import KernelPrinter
-from renderer.operations import Constant
 
-CALLED = vars(kernels) | {"Constant": Constant}
+CALLED = vars(kernels)
 """Names that kernels of custom fields may call."""
 
 
@@ -30,8 +30,13 @@ class OwnPrinter(KernelPrinter):
 
     @staticmethod
     def _nearest(constant):
-        with workdps(DIGITS):
-            return f"Constant({float(values_of(constant, ())())!r})"
+        """Of an interval around a constant both ends are nearest to one float64, or the error says how far apart."""
+        usual, iv.dps = iv.dps, 4 * DIGITS
+        try:
+            low, high = (to_float(end, rnd="n") for end in enclosure(constant, {S.Exp1: iv.e})._mpi_)
+        finally:
+            iv.dps = usual
+        return f"Constant({low!r}{f', {2 * (high - low) + math.ulp(low)!r}' if low < high else ''})"
 
     def _apart(self, expr, sign, otherwise):
         fixed, rest = expr.as_independent(*expr.free_symbols, as_Add=expr.is_Add)
