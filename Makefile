@@ -45,9 +45,6 @@ same-bytes: environment ## build from a clean clone elsewhere and compare every 
 bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
 	@$(RUN) -m verify.benchmark
 	@$(RUN) -m verify.benchmark.work_precision
-	@$(RUN) -m verify.benchmark.texture
-	@$(RUN) -m verify.benchmark.machines
-	@$(RUN) -m verify.benchmark.own
 
 evidence: book ## measure anew every record whose code has changed, hours if need be  (python -m verify.evidence)
 	@$(RUN) -m verify.evidence

@@ -161,7 +161,7 @@ def broken():
 
 
 def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamped, monkeypatch):
-    figures = {id: draw.all_figures()[id] for id in ("accepted_scenes", "crease")}
+    figures = {id: draw.all_figures()[id] for id in ("edited_formulas", "crease")}
 
     def drawn(processes):
         monkeypatch.setattr(draw, "PROCESSES", processes)

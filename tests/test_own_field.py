@@ -1,6 +1,5 @@
-"""Fields and models of light of one's own: drawn, bounded, refused, written down and read again."""
+"""Custom height fields: drawn, bounded, refused, written down and read again."""
 
-import json
 import os
 import re
 from contextlib import suppress
@@ -15,10 +14,9 @@ from sympy import Mul, Piecewise, Rational, exp, pi
 
 from proofs.engine.program import flat
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
-from proofs.formulas.shading import LIGHT_MODELS, light_direction
+from proofs.formulas.shading import LIGHT_MODELS
 from renderer import (
     HeightField,
-    LightModel,
     Scene,
     central,
     central4,
@@ -39,7 +37,7 @@ from renderer.generate.expression import LONGEST, expression_text, parse_express
 from renderer.generate.own_kernels import CALLED, OwnPrinter
 from renderer.machines import native, numpy_rows
 from renderer.machines.enclosing import Enclosed
-from renderer.scene.own import field_kernels, own_from_record
+from renderer.scene.own import field_from_record, field_kernels
 from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
 from tests.processes import python
@@ -147,15 +145,13 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
         assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
 
 
-BIG = ["specular_base = ((bumped_z**64 + 1)**64 + 1)**64", "mu = 1"]
 LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "sinpi(" * 38 + "v" + ")" * 38, "*".join(f"(v+{n})" for n in range(1, 199))]
 
 
 @pytest.mark.parametrize("text", LONG, ids=range(len(LONG)))
 def test_a_formula_that_would_take_long_is_refused_at_once(text):
-    assert "'long' is not allowed: at most 1000 op" in rejection(
-        own_from_record, "field", {"name": "long", "expression": text}
-    )
+    said = rejection(field_from_record, {"name": "long", "expression": text})
+    assert "'long' is not allowed: at most 1000 op" in said
 
 
 NO_FIELDS = {
@@ -163,13 +159,6 @@ NO_FIELDS = {
     "name = 'twice'": lambda: [Scene(field=HeightField("twice", each)) for each in (v, v**2)],
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "is not allowed: one of 'blinn'": lambda: Scene(model=HEIGHT_FIELDS["sine"]),
-    "with the outputs mu and specular_base": lambda: Scene(model=LightModel("bare", light_direction)),
-    "program = 'big' is not allowed: at most 1000 operations": lambda: Scene.from_record(
-        {"model": {"name": "big", "program": BIG}}
-    ),
-    "squared = 'wrong' is not allowed: lines of": lambda: Scene(
-        model=replace(LIGHT_MODELS["blinn"], name="wrong", squared=LIGHT_MODELS["blinn"].program)
-    ),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
     "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),
@@ -184,38 +173,15 @@ def test_what_is_no_field_is_refused(text):
 
 
 def test_what_was_refused_has_no_name():
-    for program in (["sqrt = 1", *BIG[1:]], ["Constant = 1", *BIG[1:]], BIG):
-        rejection(Scene.from_record, {"model": {"name": "mended", "program": program}})
-    assert Scene.from_record({"model": {"name": "mended", "program": [*BIG[1:], "specular_base = mu"]}})
+    for expression in (v / 10**400, sinpi(k_u * u) / (2 * v - 1)):
+        rejection(HeightField, "mended", expression)
+    assert Scene(field=HeightField("mended", v * sinpi(k_u * u)))
 
 
 def test_a_name_may_be_given_again_to_the_same_formula():
     first, again = (Scene(field=HeightField("same", exp(v) * sinpi(k_u * u))) for _ in range(2))
     assert again == first and again.field is first.field
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
-
-
-WAVY = {"name": "wavy", "expression": "sinpi(k_u*u + k_v*v)"}
-WRAPPED = [
-    "x = light_x - point_x",
-    "y = light_y - point_y",
-    "z = light_z - point_z",
-    "lambert = (bumped_x*x + bumped_y*y + bumped_z*z)/sqrt(x**2 + y**2 + z**2)",
-    "mu = (4*lambert + 1)/5",
-    "specular_base = max(0, lambert)",
-]
-
-
-def test_a_model_of_light_of_ones_own(monkeypatch):
-    """Drawn, bounded, written down and read again; as it is said, where a known one is given."""
-    scene = Scene.from_record({"model": {"name": "wrapped", "program": WRAPPED}, "field": WAVY})
-    assert Scene.from_record(json.loads(json.dumps(scene.as_record()))) == scene
-    monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
-    assert_drawn(scene, exact(), monkeypatch)
-    for known in ("blinn", "phong"):
-        own = Scene(model=replace(LIGHT_MODELS[known], name=f"own_{known}"))
-        drawn = render(Scene.from_record(own.as_record()), 24, 16).rgb
-        assert (drawn == render(Scene(model=known), 24, 16).rgb).all()
 
 
 RATIO = "9329113965543663/9340691059763681"
@@ -269,16 +235,6 @@ def test_the_last_digits_are_kept_at_any_wave_number(text, monkeypatch):
     field = HeightField(f"linear_{LINEAR.index(text)}", parse_expression(text), seam=True)
     assert apart(text, field, 400, lambda true: abs(true).max(1, keepdims=True)) <= 3 * 2.0**-53
     assert_drawn(Scene(field=field, ku=KU, kv=KV), exact(), monkeypatch)
-
-
-@pytest.mark.parametrize("base", ["1/2", "-bumped_z", "max(bumped_z, 1/3, view_z)"])
-def test_a_model_of_little_or_nothing_is_drawn_and_bounded(base, monkeypatch):
-    """Of the floor's normal alone, which is a constant, and of a base below 0, whatever its power is."""
-    model = {"name": f"little_{len(base)}", "program": ["mu = bumped_z", f"specular_base = {base}"]}
-    for shininess in (2.0, 7.5):
-        scene = replace(Scene.from_record({"model": model, "field": WAVY}), shininess=shininess)
-        monkeypatch.setitem(LIGHT_MODELS, scene.model, scene.model)
-        assert_drawn(scene, exact(), monkeypatch)
 
 
 def test_a_wave_number_that_is_rounded_to_a_whole_one_is_none():

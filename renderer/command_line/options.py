@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 from renderer.checks import not_allowed
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
-from renderer.scene.own import own_from_record
+from renderer.scene.own import field_from_record
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
 
 Option = dict[str, Any]  # what argparse is told of one
@@ -73,7 +73,7 @@ GRADIENT = {
     "--gradient": NAME | {"default": "exact", "help": f"{', '.join(METHODS)} (default: %(default)s)"},
     "--eps": NUMBER | {"default": 1e-3, "help": "step of a difference (default: 1e-3)"},
 }
-OUT = "a .png; - for one in a pipe; a .npz with every buffer; of any size, in bands: a .npy (float64) or a tiled .tif"
+OUT = "a .png; - for one in a pipe; a .tif; a .npz with every buffer; a .npy (float64), of any size, drawn in bands"
 OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
@@ -136,7 +136,7 @@ def scene_of(options: Namespace) -> Scene:
     if "field_expression" in options:
         text = options.field_expression
         name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
-        given["field"] = own_from_record("field", {"name": name, "expression": text, "seam": "field_seam" in options})
+        given["field"] = field_from_record({"name": name, "expression": text, "seam": "field_seam" in options})
     return replace(Scene.from_file(options.scene) if "scene" in options else Scene(), **given)
 
 

@@ -49,10 +49,10 @@ def draw_image(options: Namespace) -> None:
         raster = Raster(*size_of(options, options.size), options.crop)
     picture, more = (scene, raster.width, raster.height), {"gradient": method, "crop": raster.crop}
     more["threads"] = options.threads
-    if target.suffix.lower() in files.STREAM_SUFFIXES:
+    if target.suffix.lower() == ".npy":
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
-        height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="block"))
+        height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="band"))
     else:
         frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
@@ -85,7 +85,7 @@ def _drawn_again(options):
 def _checked_out(out):
     """Return the Path that is written to; it is PIPE for standard output, which may not be a terminal."""
     if out != PIPE:
-        return checked_target(out, (*files.PICTURE_SUFFIXES, *files.STREAM_SUFFIXES))
+        return checked_target(out, files.PICTURE_SUFFIXES)
     if sys.stdout is None or sys.stdout.isatty():  # it was closed, or is one
         raise not_allowed("out", out, "a file, or standard output that is no terminal")
     return Path(out)
