@@ -3,7 +3,7 @@
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
-from sympy import Basic, Symbol, sympify
+from sympy import Basic, Integer, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
 from proofs.engine.program import Program, Some, evaluated, flat, pairs
@@ -140,6 +140,16 @@ class Induction(Parts):
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
     given: Some = ()
     ranges: Any = ()
+
+    def of(self, number: int) -> Claim:
+        """Return what is claimed of one number: the states that are reached from the start, put in."""
+        states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
+        for before in range(number):
+            now = states | {self.n: Integer(before)}
+            states = {symbol: sympify(following).xreplace(now) for symbol, _, following in self.states}
+        now = states | {self.n: Integer(number)}
+        shows = [equation(*(side.xreplace(now) for side in shown.args)) for shown in self.shows]
+        return Claim(self.name, shows, self.given, ranges=self.ranges)
 
 
 @dataclass(frozen=True)
