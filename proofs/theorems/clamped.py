@@ -138,6 +138,7 @@ second_order = Theorem(
         - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
+    source="DLMF",
     steps={
         r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
         "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),

@@ -63,7 +63,11 @@ _limit = Claim(
     lines=_tangential,
 )
 _same_limit = [
-    Claim(f"surface_gradient_{k}".replace("-", "minus_"), equations(_surface, limit), lines=_tangential.at({k_u: S(k)}))
+    Claim(
+        f"surface_gradient_{k}".replace("-", "minus_"),
+        equations(_surface, limit),
+        lines=_tangential.at({k_u: number(k)}),
+    )
     for k, limit in ((0, (0, 0)), (2, (0, -1)), (-2, (0, 1)))
 ]
 

@@ -99,6 +99,7 @@ difference_bound = Theorem(
             "without the diffuse part", _lights[0], _light(0, _weights[1] * q).shows, at=_lamp(0) | {mu: 1, specular: 0}
         ),
     ),
+    expected="argued",  # as the highlight is that it uses
     side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
 
