@@ -224,7 +224,7 @@ def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
         return f"it changes {', '.join(changed) or 'nothing'}: a variant changes one field"
     known = _atoms([*kept.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
     for relation in variant.shows if changed == ["shows"] else ():
-        named = _atoms([expand(side) for side in relation.args] if relation.free_symbols else [relation])
+        named = _atoms([expand(side.doit()) for side in relation.args] if relation.free_symbols else [relation])
         if not (named and named <= known):
             return f"{relation} is about {', '.join(map(str, named - known)) or 'nothing'}"
     return None

@@ -57,7 +57,7 @@ def false(claim):
     """Return two false variants of a claim: one of its symbols is large, or no output may depend on an input."""
     if isinstance(claim, Separation):
         return variant("of x", claim, avoid=x), variant("p", claim, outputs=claim.lines.outputs, avoid=claim.avoid)
-    symbol = min(set().union(*(r.free_symbols for r in claim.shows)), key=str, default=pi)
+    symbol = min(set().union(*(r.free_symbols for r in (*claim.shows, *claim.given))), key=str, default=pi)
     large = equation if isinstance(claim, Induction) else greater
     return [variant(f"beyond {n}", claim, large(symbol, n)) for n in (50, 60)]
 
