@@ -223,7 +223,7 @@ def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
     if len(changed) != 1:
         return f"it changes {', '.join(changed) or 'nothing'}: a variant changes one field"
     known = _atoms([*kept.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
-    for relation in variant.shows if changed == ["shows"] else ():
+    for relation in getattr(variant, "shows", ()) if changed == ["shows"] else ():
         named = _atoms(
             [expand(side if side.has(Derivative) else side.doit()) for side in relation.args]
             if relation.free_symbols
