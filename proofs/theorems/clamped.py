@@ -138,6 +138,7 @@ second_order = Theorem(
         - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
+    source="DLMF",
     steps={
         r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
         "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),
@@ -148,7 +149,7 @@ second_order = Theorem(
     mutants=(
         variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
         variant("h(0) = 0 is not needed", _second, lines=of_heights({h_v_plus: _upper, h_v_minus: here})),
-        variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
+        variant("1 − v² is odd too", _are_odd, equation((1 - v**2).subs(v, -v), v**2 - 1)),
         variant(
             "w³/6 attains ε²/6 for v > 0",
             _attained,

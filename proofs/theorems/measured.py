@@ -68,7 +68,7 @@ def _slopes_in_float64(field, rates):
     near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):
         if coordinate in program.reaches(*rates):
-            given += [coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20, not_tiny(rate * coordinate)]
+            given = [*given, coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20, not_tiny(rate * coordinate)]
     return Rounded(field.name, program, near, given)
 
 
