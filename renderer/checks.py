@@ -48,7 +48,8 @@ def check_number(name: str, value: Any, low: float = -math.inf, high: float = ma
 def check_items(name: str, value: Any, allowed: str) -> tuple:
     """Return what a sequence holds, or raise ValueError where it has no order, or is a text: `allowed` says what is."""
     try:
-        return tuple(None if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)) else value)
+        ordered = None if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)) else value
+        return tuple(ordered)  # type: ignore[arg-type]  # a TypeError
     except TypeError:
         raise not_allowed(name, value, allowed) from None
 
