@@ -54,22 +54,20 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 
 
 def _place(path):
-    """Return the file that a path leads to, links followed, and its mode: None where there is no file yet.
+    """Return the file that a path leads to, links followed, and its mode: None where there is none yet.
 
     Renaming asks for the folder's permission alone. Raises OSError on what is no file, or may not be written.
     """
     place = Path(os.path.realpath(path))
-    try:
-        status = os.stat(path)
-    except FileNotFoundError:
+    if not os.path.lexists(place):
         return place, None
-    if not stat.S_ISREG(status.st_mode):
-        raise OSError(errno.EINVAL, "it is no regular file", str(path))
-    if not status.st_mode & 0o222 or not os.access(place, os.W_OK):  # root may write what nobody may
-        raise OSError(errno.EACCES, "it is read-only", str(path))
+    status = os.stat(place)
+    mode = status.st_mode
+    if not stat.S_ISREG(mode) or not mode & 0o222 or not os.access(place, os.W_OK):  # root may write what nobody may
+        raise OSError(errno.EACCES, "it is read-only, or no regular file", path)
     if status.st_nlink > 1:
         warnings.warn(f"{path} has other names (hard links), which keep what is there now", stacklevel=2)
-    return place, stat.S_IMODE(status.st_mode)
+    return place, stat.S_IMODE(mode)
 
 
 @contextmanager
@@ -141,15 +139,15 @@ def whole_file(path: str | Path, mode: int | None = None) -> Iterator[str]:
     mode: who may read and write it, as the user's mask lets them; by default those who may already, or everybody.
     Raises OSError where `path` is neither absent nor a file that may be written.
     """
-    path, kept = _place(path)
-    remove_abandoned(path.parent)
-    with _unfinished(path, mode or kept or 0o666) as file:
+    place, kept = _place(path)
+    remove_abandoned(place.parent)
+    with _unfinished(place, mode or kept or 0o666) as file:
         if kept and not mode:
             os.chmod(file.name, kept)
         yield str(file.name)
         if not fcntl:
             file.close()
-        os.replace(file.name, path)
+        os.replace(file.name, place)
 
 
 def write_whole(path: Path, *parts: bytes, mode: int | None = None) -> None:

@@ -156,7 +156,6 @@ REFUSED = {
         "--eps 1e-2": "eps = 0.01 is not allowed: none beside the exact gradient",
         "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
         f"--field-expression {LARGE}": "field = --field-expression is not allowed: at most 1000 operations",
-        "--field-expression v --ku 1048577": "ku = 1048577.0 is not allowed",
         "--gradient central --eps -1e-3": "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5",
         "--beta -inf": "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100",
         "--crop 0,0,9,9": "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers",

@@ -100,9 +100,9 @@ def test_saving_over_a_file_keeps_its_links_and_mode_and_asks_whether_it_may_be_
     assert link.is_symlink() and shows(place, FRAME) and place.stat().st_mode & 0o777 == 0o606
     place.chmod(0o440)
     os.mkfifo(pipe)
-    for path, why in ((link, "read-only"), (pipe, "no regular file")):
-        assert why in rejection(FRAME.save, path)
-        with pytest.raises(OSError, match=why):
+    for path in (link, pipe):
+        assert "it is read-only, or no regular file" in rejection(FRAME.save, path)
+        with pytest.raises(OSError, match="read-only"):
             whole_files.write_whole(path)
 
 

@@ -11,7 +11,6 @@ METHODS = ("exact", *DIFFERENCES)
 FORMS = ("auto", "general", "algebraic")
 DECADES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # steps of a table
 SMALLEST_STEP = 1e-40  # a jump of h over a smaller step, times the largest β, squared, would overflow
-SPACING = 2.0**-53  # of float64 in [1/2, 1)
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,7 @@ def difference(name: str, eps: float) -> GradientMethod:
 
 def warned(method: GradientMethod) -> GradientMethod:
     """Return `method`, after a warning where half the chart cannot tell its step from none."""
-    if (method.eps or 1) < SPACING:
+    if (method.eps or 1) < 2.0**-53:
         told = f"eps = {method.eps:g} is below 2^-53, the spacing of float64 in [1/2, 1)"
         warnings.warn(f"{told}: there u + eps is u or u + 2^-53, and a slope is 0 or wrong", stacklevel=3)
     return method
