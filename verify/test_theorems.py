@@ -34,5 +34,6 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         if found is None:
             found = measured.examine(theorem, THEOREMS)
             measurement_cache.keep(found, key)
-    record_evidence(found.record | {"killed": f"{found.mutants_killed}/{found.mutants}"}, took)
+    reason = {"reason": found.problems[0].splitlines()[0]} if found.problems else {}
+    record_evidence(found.record | reason | {"killed": f"{found.mutants_killed}/{found.mutants}"}, took)
     assert found.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *found.problems])
