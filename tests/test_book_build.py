@@ -78,7 +78,7 @@ def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_buil
     def whole(folder, cache):
         made = folder / "_build" / "html"
         made.mkdir(parents=True)
-        for name in (".buildinfo", page.name):
+        for name in (".buildinfo", website.INDEX.name, page.name):
             (made / name).write_text("whole")
 
     monkeypatch.setattr(website, "build_into", whole)
