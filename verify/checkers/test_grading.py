@@ -8,8 +8,7 @@ from sympy import symbols
 from proofs.engine.claim import Claim, equation
 from proofs.engine.program import chain
 from proofs.engine.theorem import Theorem, all_theorems, in_order, incomplete, variant
-from verify import test_theorems as checked
-from verify.checkers.grades import NOT_RECHECKED, Examination, graded
+from verify.checkers.grades import NOT_RECHECKED, graded
 from verify.checkers.proof_checker import examine
 
 x, y = symbols("x y", real=True)
@@ -41,14 +40,6 @@ def test_a_false_theorem_fails_and_says_why():
         found = examine(of_theorem, {}, anew=anew)
         assert found.grade == "failed" and why in found.problems[0]
         assert any("false at {'x'" in problem for problem in found.problems) == (of_theorem is false)
-
-
-def test_why_a_theorem_fails_is_handed_on_to_the_table_at_the_end(monkeypatch, pytestconfig):
-    failed, entries = Examination("hit", "proved", (), problems=["no certificate\n  of a"]), []
-    monkeypatch.setattr(checked.proof_checker, "examine", lambda *_: failed)
-    with pytest.raises(AssertionError):
-        checked.test_theorem("unit_length", lambda entry, took: entries.append(entry), pytestconfig)
-    assert entries[0]["reason"] == "no certificate"
 
 
 def test_a_mutant_that_holds_fails_the_theorem():
