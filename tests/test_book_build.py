@@ -56,7 +56,7 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(tmp_path, monkeyp
     assert before == (html / "api.html").stat().st_mtime_ns
 
 
-def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
+def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_built_again(stamped, monkeypatch):
     places = {"SITE": "html", "INDEX": "html/index.html", "WORK": "work", "CACHES": "caches"}
     for name, place in places.items():
         monkeypatch.setattr(website, name, stamped / place)
@@ -73,6 +73,19 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
         website.build()
     assert website.INDEX.read_text() == "old"
     assert stamps.read("site") is None
+    page = website.SITE / "s2.html"
+
+    def whole(folder, cache):
+        made = folder / "_build" / "html"
+        made.mkdir(parents=True)
+        for name in (".buildinfo", website.INDEX.name, page.name):
+            (made / name).write_text("whole")
+
+    monkeypatch.setattr(website, "build_into", whole)
+    for spoil in (website.build, page.unlink, lambda: page.write_text("who")):
+        spoil()
+        website.build()
+        assert page.read_text() == "whole"
 
 
 def test_unknown_figure_is_a_usage_error(stamped, capsys):

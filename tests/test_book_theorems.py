@@ -3,6 +3,7 @@
 import html
 import re
 from itertools import chain
+from unittest.mock import Mock
 
 import pytest
 from sympy import evaluate, pi, symbols
@@ -19,7 +20,8 @@ from proofs.engine.theorem import all_theorems
 from proofs.formulas.half_turns import sinpi
 from tests import one_page
 from tests.processes import python
-from verify import formal
+from verify import formal, test_theorems as checked
+from verify.checkers.grades import Examination
 from verify.sources import ROOT
 
 THEOREMS = all_theorems()
@@ -165,3 +167,11 @@ def test_evidence_in_words():
         "Formal: 1 statement in Coq, recorded on 2026-11-27; proved: 4 certificates, checked by two kernels; "
         "1 of 2 false variants refuted; 1,000 samples at 50 digits; 1 edge test"
     )
+
+
+def test_why_a_theorem_fails_is_handed_on_to_the_table_at_the_end(monkeypatch):
+    failed, entries = Examination("hit", "proved", (), problems=["no certificate\n  of a"]), []
+    monkeypatch.setattr(checked.proof_checker, "examine", lambda *_: failed)
+    with pytest.raises(AssertionError):
+        checked.test_theorem("unit_length", entries.append, Mock())
+    assert entries[0]["reason"] == "no certificate"

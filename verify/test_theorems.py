@@ -29,5 +29,6 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         found = proof_checker.examine(theorem, THEOREMS, pytestconfig.getoption("search"), points)
     else:
         found = measured.examine(theorem, THEOREMS)
-    record_evidence(found.record | {"killed": f"{found.mutants_killed}/{found.mutants}"})
+    reason = {"reason": found.problems[0].splitlines()[0]} if found.problems else {}
+    record_evidence(found.record | reason | {"killed": f"{found.mutants_killed}/{found.mutants}"})
     assert found.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *found.problems])

@@ -8,8 +8,9 @@ from matplotlib import patheffects
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import SCENE, SIZE, numeric, place
-from renderer import Scene, central, render
+from renderer import Scene, render
 from renderer.picture.views import image_view
+from renderer.scene.methods import difference
 from verify.accuracy.binades import dies
 
 COLUMNS = ((1e-16, 5e-17), (2e-17, 1e-17), (3e-18, 1e-18))  # one above the other: so they stay on a phone
@@ -53,7 +54,7 @@ def binades() -> Drawing:
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
         x, y = left * (side + GAP), top * (TITLE + side + GAP)
-        frame = render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
+        frame = render(Scene(field="sine"), RASTER, RASTER, difference("central", step), crop=CROP, bounds=True)
         digits, power = (name := f"{step:.0e}").split("e-")
         ax = pixel_picture(fig, x, y + TITLE, image_view(frame))
         edges[name] = _edges(frame, step)

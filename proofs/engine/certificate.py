@@ -45,6 +45,7 @@ No key more or less, no proof left over, no text that is not JSON as `json.dumps
 writes it: proofs/certificates.schema.json has the grammar.
 """
 
+import argparse
 import sys
 from fractions import Fraction
 
@@ -99,18 +100,22 @@ def _is_stale(theorem, theorems):
         return True
 
 
-def main(arguments: list[str]) -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
     from tqdm import tqdm  # not above: who calls `prove` may have no more than four packages
 
     theorems, failed = all_theorems(), False
-    named = [a for a in arguments if a != "--all"] or [id for id, theorem in theorems.items() if theorem.claims]
+    parser = argparse.ArgumentParser("python -m proofs.engine.certificate", description=__doc__.split("\n\n")[1])
+    parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")
+    parser.add_argument("--all", action="store_true", help="find every certificate anew")
+    options = parser.parse_args(arguments)
+    named = options.ids or [id for id, theorem in theorems.items() if theorem.claims]
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
     for id in tqdm(named, unit="theorem", leave=False, disable=None):
         theorem = theorems[id]
-        if "--all" not in arguments and not _is_stale(theorem, theorems):
+        if not options.all and not _is_stale(theorem, theorems):
             continue
         try:
             found = evidence(theorem, theorems, prove)
@@ -129,4 +134,4 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import fields
@@ -179,7 +180,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             if machine().NAME == "numpy":
                 told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
                 print(f"{prog}: {told}", file=sys.stderr)
-        with first_signal_stops():
+        with warnings.catch_warnings(), first_signal_stops():
+            warnings.showwarning = lambda told, *place: print(f"{prog}: warning: {told}", file=sys.stderr)
             VERBS[options.verb][0](options)
         print(end="", flush=True)  # where there is a standard output
     except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end

@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from renderer.checks import check_choice, check_kind, check_number, check_triple, check_truth, not_allowed
+from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.scene.own import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
@@ -43,10 +43,7 @@ DEFAULT_LIGHTS = (Light((5.0, 5.0, 10.0)), Light((-6.0, 2.0, 8.0), (0.9, 0.65, 0
 
 def _check_lights(name, value):
     allowed = f"a sequence of at most {MAX_LIGHTS} Light"
-    try:
-        lights = tuple(value)
-    except TypeError:
-        raise not_allowed(name, value, allowed) from None
+    lights = check_items(name, value, allowed)
     if not all(isinstance(light, Light) for light in lights):
         raise not_allowed(name, value, allowed)
     if len(lights) > MAX_LIGHTS:
