@@ -34,11 +34,7 @@ FRAME_LABELS = {
     "central": ("central", "left", 1e-6),
     "central, 4th order": ("4th", "right", 1e-9),
 }
-CLUSTER = {
-    "SymPy, NumPy": "by hand",
-    "dual numbers": "dual numbers",
-    "JAX": "JAX",
-}
+CLUSTER = {"SymPy, NumPy": "by hand", "dual numbers": "dual numbers", "JAX": "JAX"}
 """{method: its name} of those that share one error, that of the rounded argument."""
 
 
