@@ -13,7 +13,7 @@ from renderer import Scene
 from verify.sources import ROOT
 
 SEED = ROOT / "book" / "ledger" / "seed.txt"
-RUN, AFTER = (
+RUN, DRAWS = "paste into colab.new → Run\n", "\nt0 = "  # before a program, and where it begins to draw
     "paste into colab.new → Run\n",
     "\nt0 = ",
 )  # a program begins after the one; what it draws itself, with the other
