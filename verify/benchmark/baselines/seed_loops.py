@@ -14,9 +14,6 @@ from verify.sources import ROOT
 
 SEED = ROOT / "book" / "ledger" / "seed.txt"
 RUN, DRAWS = "paste into colab.new → Run\n", "\nt0 = "  # before a program, and where it begins to draw
-    "paste into colab.new → Run\n",
-    "\nt0 = ",
-)  # a program begins after the one; what it draws itself, with the other
 PRINTED = "cB = float(Cb @ Cb) - R2*R2"
 NAMES = {
     "R": "radius", "e": "eye", "Cb": "ball_center", "R2": "ball_radius", "b_on": "ball", "floor_on": "floor",
