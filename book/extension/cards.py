@@ -33,7 +33,7 @@ from book.extension.checker import check_all, check_here
 from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled, role, section
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
-from book.extension.printed_claims import hypotheses, point, rows
+from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line
 from verify import formal
 from verify.survey import AXIOMS
@@ -130,7 +130,6 @@ TEMPLATES.globals.update(
     OPEN=OPEN,
     PARTLY=formal.PARTLY,
     WORDS=WORDS,
-    hypotheses=hypotheses,
     point=point,
     rows=rows,
 )

@@ -4,7 +4,7 @@ And points as the reader sees them: {"normal_x": "0", …} becomes N = (0, 0, 1)
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -90,11 +90,6 @@ def rows(claim: AnyClaim | Rounded | Encloses, by_definition: tuple[str, ...] = 
         return [Row("in float64", tex_name(program.name)), *lines, *given, *within]
     said = [Row("by definition" if str(each) in by_definition else shown, tex(each)) for each in claim.shows]
     return [*(_lines(claim) if isinstance(claim, Claim) else _states(claim)), *given, *said]
-
-
-def hypotheses(claims: Iterable[Rounded | Encloses]) -> list[Row]:
-    """What claims of float64 are given, each relation under its claim's name."""
-    return [Row(claim.name.replace("_", " "), tex(relation)) for claim in claims for relation in claim.given]
 
 
 def _lines(claim: Claim) -> Iterator[Row]:

@@ -52,12 +52,12 @@ theorem = Theorem(
     rf"a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
         r"of the hit, with $D, b, c, d$ of its theorem: $|D|^2R_2^2 \le 16d$, so that the ray passes $C$ within 97 % "
-        r"of $R_2$; $4R_2^2 \le |E - C|^2 \le 2^{40}R_2^2$; $2^{-40} \le |D|^2 \le 2^{100}$, $2^{-20} \le R_2 \le 2^{50}$; "
-        r"$b > 0$: B is before the eye",
+        r"of $R_2$; $4R_2^2 \le |E - C|^2 \le 2^{40}R_2^2$; $2^{-40} \le |D|^2 \le 2^{100}$, $2^{-20} \le R_2 \le "
+        r"2^{50}$; $b > 0$: B is before the eye",
         r"of the normal $1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than $N + \beta g$",
-        r"of a cosine and of the highlights $|N'_i| \le 1 + 2^{-40}$, of Phong's (phong) also $|\omega_i|$, $|\hat v_i|$ and "
-        r"$|N' \cdot \omega|$; of a cosine $2^{-40} \le |L - P|^2 \le 2^{900}$, of Blinn's base $2^{-40} \le |h|^2 \le "
-        r"2^{900}$, squared $2^{-40} \le |h|^2 \le 2^{400}$, a distance from $2^{-20}$ to $2^{200}$",
+        r"of a cosine and of the highlights $|N'_i| \le 1 + 2^{-40}$, of Phong also $|\omega_i|$, $|\hat v_i|$ and "
+        r"$|N' \cdot \omega|$; of a cosine $2^{-40} \le |L - P|^2 \le 2^{900}$, of Blinn's base $2^{-40} \le |h|^2 "
+        r"\le 2^{900}$, squared $2^{-40} \le |h|^2 \le 2^{400}$, a distance from $2^{-20}$ to $2^{200}$",
         r"of a share: light and albedo are at most $2^{20}$; they, the weights and what they add to are not negative",
         "nothing overflows",
         "each stage is of its own float64 inputs",

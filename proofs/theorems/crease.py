@@ -63,8 +63,8 @@ theorem = Theorem(
     and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
-        r"ridges in $u$ where $|\sin\pi k_v v| = 1$; elsewhere that is a factor of each height and, off the creases, of the "
-        "slope",
+        r"ridges in $u$ where $|\sin\pi k_v v| = 1$; elsewhere that is a factor of each height and, off the creases, "
+        "of the slope",
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
     claims=(_value, _centre, _period, _factors, _slopes),
@@ -154,8 +154,9 @@ _near_tent = Claim(
     squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
 )
-_error = straddled - slope_after
-_mirrored = Claim("mirrored", equation((straddled + slope_after).subs(delta, -delta), -_error), epsilon > 0)
+_mirrored = Claim(
+    "mirrored", equation((straddled + slope_after).subs(delta, -delta), -(straddled - slope_after)), epsilon > 0
+)
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
@@ -204,7 +205,7 @@ rms = Theorem(
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
-        r"Minkowski's inequality joins the two (assumed): the RMS of a sum differs from one part's by at most the other's",
+        "assumed: Minkowski's inequality joins the two, RMS of a sum and of one part differ by at most the other's",
     ),
     steps={
         r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$": (
