@@ -73,8 +73,8 @@ difference_bound = Theorem(
             _lights
         ),
         "and the clip adds nothing;": _clip,
-        r"""so if each of up to five lights, one after the other, adds no more, $|\Delta I| \le L\,|\beta||\Delta g|$ with
-        $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.""": _all_lights,
+        r"""so if each of up to five lights, one after the other, adds no more, $|\Delta I| \le L\,|\beta||\Delta g|$
+        with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.""": _all_lights,
     },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
