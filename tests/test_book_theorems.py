@@ -13,7 +13,7 @@ from book.assembly.contents import page_files
 from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
-from book.extension.printed_claims import rows
+from book.extension.printed_claims import rows, tex
 from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems
@@ -60,6 +60,7 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         shown = statement.get_text().strip().replace("’", "'")
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
         assert (statement in card.details.select("p")) == bool(card.select(".brief"))  # folded, if words stand for it
+        assert len(card.select(".given dd")) == sum(len(claim.given) for claim in theorem.rounded)
         claims = chain.from_iterable(clause.claims for clause in theorem.clauses)
         for shown, claim in zip(card.select("details > .claim"), [*claims, *theorem.rounded], strict=True):
             assert shown.dl["aria-label"] == f"Claim {claim.name}" and len(shown.dl.select("dd")) <= OPEN
@@ -92,6 +93,53 @@ def test_certificates_are_downloads_and_scripts_run_with_nothing_but_python(site
     for id, path in certified.items():
         assert (folder / f"{id}.json").read_bytes() == path.read_bytes()
         python("-I", "-S", folder / f"{id}.py", cwd=tmp_path, timeout=60)
+
+
+# Words that say no more than the claims
+
+
+def numbers(*texts):
+    """Return the numbers of TeX, those below 1 turned over, but no index and no exponent of what is no number."""
+    powers = re.findall(r"(?<![\d_^])(?<!\^\{)(\d+)(?:\^\{?-?(\d+))?", " ".join(texts))
+    return {int(base) ** int(power or 1) for base, power in powers}
+
+
+def lacking(theorem, cut):
+    """Return what claims of float64 are called, and have to be given, that their theorem lacks without some words.
+
+    A hypothesis that names some of the claims is one of these alone. 0 and 1 may be said otherwise.
+    """
+    words, *hypotheses = texts = [text.replace(cut, "").lower() for text in (theorem.words, *theorem.hypotheses)]
+    names = [claim.name.partition("_")[0] for claim in theorem.rounded]
+    missing = {name for name in (*names, "overflows") if name not in " ".join(texts)}
+    for name, claim in zip(names, theorem.rounded, strict=True):
+        given = [text for text in hypotheses if name in text or not any(map(text.count, names))]
+        missing |= numbers(*map(tex, claim.given)) - numbers(words, *given) - {0, 1}
+    return missing
+
+
+CUTS = {
+    "no such words": set(),
+    "light and albedo are at most $2^{20}$": {2**20},
+    "exact gradient of sine, ridges and rings": {"sine", "ridges"},
+    "10^{-285}$": {10**285},
+    "2^{52}": {2**52},
+    "nothing overflows": {"overflows"},
+}
+
+
+@pytest.mark.parametrize("cut", CUTS)
+def test_a_card_has_the_name_and_every_number_of_a_claim_of_float64(cut):
+    """And that nothing overflows; without these words it is refused."""
+    assert set().union(*(lacking(each, cut) for each in THEOREMS.values() if each.rounded)) == CUTS[cut]
+
+
+def test_what_is_taken_from_analysis_is_called_assumed():
+    """A theorem's name, a rule, a limit, what is argued elsewhere or done by hand."""
+    for text in chain.from_iterable(theorem.hypotheses for theorem in THEOREMS.values()):
+        assert "assumed" in text or not re.search(
+            r"theorem has|rules? (?:for|of d)|inequality|\\to |by hand|argued", text
+        )
 
 
 # What does not build

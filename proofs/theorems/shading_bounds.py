@@ -67,14 +67,14 @@ difference_bound = Theorem(
             _lights
         ),
         "and the clip adds nothing;": _clip,
-        r"""so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of up to
-        five lights.""": _all_lights,
+        r"""so if each of up to five lights, one after the other, adds no more, $|\Delta I| \le L\,|\beta||\Delta g|$
+        with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.""": _all_lights,
     },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
         "the same chamber: the same point and the same lights",
         r"""$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$
-        with $q = p$ (Blinn) or $2p$ (Phong), as is argued""",
+        with $q = p$ (Blinn) or $2p$ (Phong), as is argued (assumed)""",
     ),
     steps={
         r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
