@@ -8,6 +8,8 @@ import pytest
 import book.__main__ as command_line
 from book.assembly import report, stamps, watch, website
 from book.extension import pages
+from tests.processes import run
+from verify.sources import ROOT
 
 
 def test_theorems_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
@@ -78,3 +80,53 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
 def test_unknown_figure_is_a_usage_error(stamped, capsys):
     assert command_line.main(["figures", "no_such_figure"]) == 2
     assert "no figure is called no_such_figure; there are: " in capsys.readouterr().err
+
+
+PYTHON = """#!/bin/sh
+case "$1 $2" in
+"-c "*version_info*) exit {refuses} ;;
+"-c "*) echo {version} ;;
+--version*) echo "Python {version}" ;;
+"-m venv") rm -rf .venv && mkdir -p .venv/bin && cp "$0" .venv/bin/python ;;
+*) echo "{version} installs $8" >> installed ;;
+esac
+"""
+
+
+@pytest.fixture
+def make(tmp_path):
+    """A function: arguments → what make prints where there are three Pythons, one of them too old, and two locks."""
+    for name, refuses in (("3.11", 0), ("3.13", 0), ("3.9", 1)):
+        (tmp_path / f"python{name}").write_text(PYTHON.format(version=name, refuses=refuses))
+        (tmp_path / f"python{name}").chmod(0o755)
+    for lock in ("requirements.lock", "requirements-book.lock"):
+        (tmp_path / lock).write_text(lock)
+    shutil.copy(ROOT / "Makefile", tmp_path)
+    environment = {"PATH": f"{tmp_path}:/usr/bin:/bin"}
+    return lambda *given, status=0: "".join(run("make", *given, cwd=tmp_path, env=environment, status=status))
+
+
+def test_an_environment_is_of_the_python_that_is_named(make, tmp_path):
+    of = lambda: run(tmp_path / ".venv/bin/python", "--version", cwd=tmp_path)[0].split()[1]  # noqa: E731
+    make("PYTHON=python3.11", "environment-book")
+    assert of() == "3.11"
+    make("PYTHON=python3.13", "environment-book")
+    assert of() == "3.13"
+    make("environment-book")  # no Python is named
+    assert of() == "3.13"
+    for wrong in ("python3.9", "python2.0"):
+        assert f"'{wrong}' is " in make(f"PYTHON={wrong}", "environment-book", status=2)
+        assert of() == "3.13"
+    assert (tmp_path / "installed").read_text().splitlines() == [
+        f"{version} installs requirements-book.lock" for version in ("3.11", "3.13")
+    ]
+
+
+def test_each_lock_is_installed_where_nothing_has_it(make, tmp_path):
+    for target in ("environment-book", "environment-book", "environment", "environment-book", "environment"):
+        make("PYTHON=python3.11", target)
+    (tmp_path / "requirements-book.lock").write_text("new")
+    (tmp_path / "requirements.lock").write_text("new, too")
+    make("PYTHON=python3.11", "environment-book")
+    locks = ("requirements-book", "requirements", "requirements-book")
+    assert (tmp_path / "installed").read_text().splitlines() == [f"3.11 installs {lock}.lock" for lock in locks]
