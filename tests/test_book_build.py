@@ -51,11 +51,34 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(tmp_path, monkeyp
     with watch.builder(tmp_path, html.parent) as build:
         build()
         before = (html / "api.html").stat().st_mtime_ns
-        for words in ("Two zebras", "{no-such-role}`a`", "Three zebras"):
+        for words, wrong in {
+            "Two zebras": "",
+            "{no-such-role}`a`": "no-such-role",
+            "$\\no$": "\\no",
+            "Three zebras": "",
+        }.items():
             (tmp_path / "s1.md").write_text(f"(s1)=\n# Bumps\n\n{words}.\n")
-            build()
+            assert wrong in (said := build()) and bool(said) == bool(wrong)
+            (tmp_path / "index.md").write_text(f"# Page\n\n{words and 'Another'} edit.\n\n```{{bibliography}}\n```\n")
+            assert build() == said  # of a page that is as wrong as it was
     assert "Three zebras" in (html / "s1.html").read_text("utf-8")
     assert before == (html / "api.html").stat().st_mtime_ns
+
+
+def test_a_watched_page_shows_what_is_wrong_until_it_is_not(browser, tmp_path):
+    (tmp_path / "index.html").write_text("<html><body class='a'><p>before</p></body></html>")
+    site = watch.Site(tmp_path, 0)
+    tab = browser.new_page()
+    tab.goto(f"http://localhost:{site.server_port}/")
+    assert tab.inner_text("body").strip() == "before"
+    for words, wrong in {"once": "s1.md:3: WARNING: <no> & such", "twice": ""}.items():
+        (tmp_path / "index.html").write_text(f"<html><body class='a'><p>{words}</p></body></html>")
+        site.wrong = wrong
+        site.built += 1
+        tab.get_by_text(words).wait_for()
+        assert tab.inner_text(".wrong") == wrong
+    tab.close()
+    site.shutdown()
 
 
 def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):

@@ -18,7 +18,8 @@ LIGHT = ["index", *(f"s{n}" for n in range(1, 10))]
 FORMULA = re.compile("(?s)<math .*?</math>")
 BAR = '<mo stretchy="false" lspace="0" rspace="0">|</mo>'
 SET = {
-    r"k\sin x": '<mi>k</mi><mspace width="0.1667em"/><mrow><mi>sin</mi><mo lspace="0.1667em">\u2061</mo><mi>x</mi></mrow>',
+    r"k\sin x": '<mi>k</mi><mspace width="0.1667em"/><mrow><mi>sin</mi><mo lspace="0.1667em">\u2061</mo><mi>x</mi>'
+    "</mrow>",
     r"2^{-40}": '<msup><mn>2</mn><mrow><mo lspace="0" rspace="0">−</mo><mn>40</mn></mrow></msup>',
     r"\mathrm{a\_b} + \mathrm{c}": '<mi>a_b</mi><mo>+</mo><mi mathvariant="normal">c</mi>',
     "N'_x": "<msubsup><mi>N</mi><mi>x</mi><mo>′</mo></msubsup>",

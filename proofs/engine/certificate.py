@@ -101,14 +101,12 @@ def _is_stale(theorem, theorems):
 
 def main(arguments: list[str]) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
-    from tqdm import tqdm  # not above: who calls `prove` may have no more than four packages
-
     theorems, failed = all_theorems(), False
     named = [a for a in arguments if a != "--all"] or [id for id, theorem in theorems.items() if theorem.claims]
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
-    for id in tqdm(named, unit="theorem", leave=False, disable=None):
+    for id in named:
         theorem = theorems[id]
         if "--all" not in arguments and not _is_stale(theorem, theorems):
             continue
@@ -118,13 +116,13 @@ def main(arguments: list[str]) -> int:
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
-            tqdm.write(f"{id}: {'; '.join(wrong)}")
+            print(f"{id}: {'; '.join(wrong)}", flush=True)
             failed = True
             continue
         unfinished = path_of(theorem).with_suffix(".unfinished")
         unfinished.write_text(text(theorem, found), encoding="utf-8")
         unfinished.replace(path_of(theorem))
-        tqdm.write(f"{id}: {sum(len(cases) for _, cases in found)} statements")
+        print(f"{id}: {sum(len(cases) for _, cases in found)} statements", flush=True)
     return int(failed)
 
 
