@@ -108,7 +108,8 @@ def watch(port: int) -> None:
     shutil.copytree(website.SITE, FOLDER / "html")  # whose sources have their pages
     pages = page_files(website.BOOK).values()
     with builder(website.BOOK, FOLDER) as build, suppress(KeyboardInterrupt):
-        site, seen = Site(FOLDER / "html", port), {}
+        site = Site(FOLDER / "html", port)
+        seen: dict[Path, int] = {}
         print(f"The book is at http://localhost:{port}; Ctrl-C ends this", flush=True)
         while True:
             if seen != (seen := {page: page.stat().st_mtime_ns for page in pages if page.exists()}):
