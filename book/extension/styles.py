@@ -1,5 +1,6 @@
 """The style sheets of the theme and its extensions without what no page uses: three quarters of them."""
 
+import os
 import re
 from pathlib import Path
 
@@ -41,8 +42,8 @@ def pruned(css: str, names: set[str]) -> str:
 
 @on("build-finished", priority=900)
 def prune(app: Sphinx, error: Exception | None) -> None:
-    """Write every style sheet anew, once all pages are there."""
-    if error or app.builder.name != "html":
+    """Write every style sheet anew, once all pages are there; who watches one of them waits for no other."""
+    if error or app.builder.name != "html" or "BOOK_WATCHED" in os.environ:
         return
     site, names = Path(app.outdir), set()
     for unused in UNUSED:
