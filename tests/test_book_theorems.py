@@ -50,7 +50,7 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         theorem, title = THEOREMS[id], card.select_one(".theorem-title").extract()
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
-            formula.replace_with(f"${formula.annotation.get_text()}$")
+            formula.replace_with(f"${formula['data-tex']}$")
         whole = proofs.entries[id]["shown"] == "formal"
         words = [word.extract().get_text() for word in card.select(".grade-word")]
         assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * whole

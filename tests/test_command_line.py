@@ -139,6 +139,15 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
     assert contents(tmp_path) == {}
 
 
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_without_tqdm_a_terminal_is_told_what_is_under_way(is_terminal, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "tqdm", None)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: is_terminal)
+    for name, options in {"eps": ["--eps", "1e-3"], "frames": ["--eps", "1e-3", "--workers", "1"]}.items():
+        assert run("sweep", "--size", "8", "--no-facts", *options) == 0
+        assert capsys.readouterr().err == (f"{name} …\n" if is_terminal else "")
+
+
 LONG = "a" * 300 + ".png"
 LARGE = "+".join(f"sinpi({number}*u)" for number in range(90))
 REFUSED = {

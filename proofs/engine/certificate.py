@@ -102,8 +102,6 @@ def _is_stale(theorem, theorems):
 
 def main(arguments: list[str] | None = None) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
-    from tqdm import tqdm  # not above: who calls `prove` may have no more than four packages
-
     theorems, failed = all_theorems(), False
     parser = argparse.ArgumentParser("python -m proofs.engine.certificate", description=__doc__.split("\n\n")[1])
     parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")
@@ -113,7 +111,7 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
-    for id in tqdm(named, unit="theorem", leave=False, disable=None):
+    for id in named:
         theorem = theorems[id]
         if not options.all and not _is_stale(theorem, theorems):
             continue
@@ -123,13 +121,13 @@ def main(arguments: list[str] | None = None) -> int:
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
-            tqdm.write(f"{id}: {'; '.join(wrong)}")
+            print(f"{id}: {'; '.join(wrong)}", flush=True)
             failed = True
             continue
         unfinished = path_of(theorem).with_suffix(".unfinished")
         unfinished.write_text(text(theorem, found), encoding="utf-8")
         unfinished.replace(path_of(theorem))
-        tqdm.write(f"{id}: {sum(len(cases) for _, cases in found)} statements")
+        print(f"{id}: {sum(len(cases) for _, cases in found)} statements", flush=True)
     return int(failed)
 
 

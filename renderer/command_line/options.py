@@ -158,7 +158,15 @@ def method_of(options: Namespace) -> GradientMethod:
 
 
 def progress_bar(**options: Any) -> Callable:
-    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second."""
-    from tqdm import tqdm
+    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second.
 
-    return partial(tqdm, delay=1.0, disable=not (sys.stderr and sys.stderr.isatty()), leave=False, **options)
+    Without tqdm the terminal is told alone what is under way.
+    """
+    is_shown = bool(sys.stderr and sys.stderr.isatty())
+    try:
+        from tqdm import tqdm
+    except ImportError:
+        if is_shown:
+            print(f"{options['desc']} …", file=sys.stderr)
+        return iter
+    return partial(tqdm, delay=1.0, disable=not is_shown, leave=False, **options)
