@@ -3,16 +3,16 @@ PYTHON ?= python3
 BIN := .venv/bin
 RUN := $(BIN)/python
 
-.PHONY: help environment book watch test verify formal figures single pdf release-notes release same-bytes bench evidence clean
+.PHONY: help python environment environment-book book watch test verify formal figures single pdf release-notes release same-bytes bench evidence clean
 .DEFAULT_GOAL := help
 
 help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-book: environment ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
+book: environment-book ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
 	@$(RUN) -m book
 
-watch: environment ## show the book at localhost:8000, and each edited page as soon as it is saved  (python -m book watch)
+watch: environment-book ## show the book at localhost:8000, and each edited page as soon as it is saved  (python -m book watch)
 	@$(RUN) -m book watch
 
 test: environment ## run every test, the proofs' included  (pytest verify tests)
@@ -21,35 +21,32 @@ test: environment ## run every test, the proofs' included  (pytest verify tests)
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2
 
-formal: environment ## let Coq check proofs/formal/, and record what it accepted  (python -m verify.formal)
+formal: environment-book ## let Coq check proofs/formal/, and record what it accepted  (python -m verify.formal)
 	@$(RUN) -m verify.formal
 
-figures: environment ## draw the figures that changed  (python -m book figures)
+figures: environment-book ## draw the figures that changed  (python -m book figures)
 	@$(RUN) -m book figures
 
-single: environment ## the whole chapter as one HTML file that can be mailed  (python -m book single)
+single: environment-book ## the whole chapter as one HTML file that can be mailed  (python -m book single)
 	@$(RUN) -m book single
 
-pdf: environment ## the chapter for printing, by the installed Chromium  (python -m book pdf)
+pdf: environment-book ## the chapter for printing, by the installed Chromium  (python -m book pdf)
 	@$(RUN) -m book pdf
 
-release-notes: environment ## say what moved since the last release  (python -m book release-notes)
+release-notes: environment-book ## say what moved since the last release  (python -m book release-notes)
 	@$(RUN) -m book release-notes
 
-release: environment ## write releases/VERSION.json and its pictures  (python -m book release)
+release: environment-book ## write releases/VERSION.json and its pictures  (python -m book release)
 	@$(RUN) -m book release
 
-same-bytes: environment ## build from a clean clone elsewhere and compare every byte  (python -m book same-bytes)
+same-bytes: environment-book ## build from a clean clone elsewhere and compare every byte  (python -m book same-bytes)
 	@$(RUN) -m book same-bytes
 
-bench: environment ## measure times on this machine and write them with its name  (python -m verify.benchmark)
+bench: environment-book ## measure times on this machine and write them with its name  (python -m verify.benchmark)
 	@$(RUN) -m verify.benchmark
 	@$(RUN) -m verify.benchmark.work_precision
-	@$(RUN) -m verify.benchmark.texture
-	@$(RUN) -m verify.benchmark.machines
-	@$(RUN) -m verify.benchmark.own
 
-evidence: book ## measure anew every record whose code has changed, hours if need be  (python -m verify.evidence)
+evidence: environment book ## measure anew every record whose code has changed, hours if need be  (python -m verify.evidence)
 	@$(RUN) -m verify.evidence
 
 clean: ## remove what was built; the environment stays
@@ -57,17 +54,26 @@ clean: ## remove what was built; the environment stays
 	@find . -path ./.venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +
 	@echo "removed what was built"
 
+environment: python ## create .venv and install what requirements.lock names: all that the tests need, too
+	@$(call install,requirements.lock,requirements.lock)
+
+environment-book: python ## the same of requirements-book.lock, which is a part of it: enough for the book
+	@$(call install,requirements-book.lock,requirements.lock requirements-book.lock)
+
 # The environment keeps a copy of the lock that it was installed from, so that there is nothing to do while they agree.
-environment: ## create .venv and install exactly what requirements.lock names, where that is not done yet
-	@if ! $(RUN) -c "" 2>/dev/null; then \
+define install
+for lock in $(2); do cmp -s $$lock .venv/requirements.lock && exit; done; \
+echo "Installing what $(1) names (a minute the first time)"; \
+$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r $(1) && cp $(1) .venv/requirements.lock
+endef
+
+# A Python that is named is the environment's: one that another Python made is made anew.
+python:
+	@asked='import sys; print(sys.version)'; there=$$($(RUN) -c "$$asked" 2>/dev/null); \
+	if [ -z "$$there" ] || { [ "$(origin PYTHON)" != file ] && [ "$$there" != "$$($(PYTHON) -c "$$asked" 2>/dev/null)" ]; }; then \
 	  $(PYTHON) -c "import sys; sys.exit(sys.version_info < (3, 11))" 2>/dev/null || { \
 	    echo "This needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) --version 2>&1 || true)." >&2; \
 	    echo "Name another one: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }; \
 	  echo "Creating .venv with $$($(PYTHON) --version)"; \
 	  $(PYTHON) -m venv --clear .venv; \
-	fi
-	@if ! cmp -s requirements.lock .venv/requirements.lock; then \
-	  echo "Installing what requirements.lock names (a minute the first time)"; \
-	  $(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock && \
-	  cp requirements.lock .venv/requirements.lock; \
 	fi

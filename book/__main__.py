@@ -13,6 +13,7 @@ from filelock import FileLock
 
 from book.assembly import report, stamps, website
 from book.editions import files
+from renderer.command_line.signals import first_signal_stops, say_stopped
 from verify import evidence
 from verify.records import RECORDS
 
@@ -41,7 +42,7 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
 
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
-    verbs = top.add_subparsers(dest="verb", metavar="VERB")
+    verbs = top.add_subparsers(dest="verb", metavar="[VERB]")
     made = {verb: verbs.add_parser(verb, help=words) for verb, words in VERBS.items()}
     made["figures"].add_argument("ids", nargs="*", metavar="ID", help="only these figures")
     made["figures"].add_argument("--force", action="store_true", help="draw them even if nothing changed")
@@ -108,19 +109,23 @@ def run(options: argparse.Namespace) -> int:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line.
+    """The exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line,
+    130 after Ctrl-C, 143 after SIGTERM.
 
     What a figure raises is not caught: its author needs the whole traceback.
     """
     options = parser().parse_args(arguments)
     try:
-        return run(options)
+        with first_signal_stops():
+            return run(options)
     except subprocess.CalledProcessError as error:
         print(f"book: failed with status {error.returncode}; what went wrong is above", file=sys.stderr)
         return 1
     except stamps.Refused as error:
         print(f"book: {error}", file=sys.stderr)
         return error.status
+    except KeyboardInterrupt as stop:
+        return say_stopped("book", stop)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@ declare const Simulator: SimulatorParts;
 declare const Ideas: IdeasParts;
 declare var Chapter: ChapterPages;
 declare const SearchText: Record<string, [string, string][]>;
-declare const SearchFormulas: Record<string, string>;
 declare const Scorer: SearchScorer;
 declare const Search: SphinxSearch;
 declare const Stemmer: SphinxStemmer;

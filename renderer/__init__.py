@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # what _HOMES says, for type checkers
     from renderer.generate.own import (
         HeightField as HeightField,
-        LightModel as LightModel,
         cospi as cospi,
         k_u as k_u,
         k_v as k_v,
@@ -29,7 +28,6 @@ _HOMES = {
     "Frame": "picture.frame",
     "HeightField": "generate.own",
     "Light": "scene.scene",
-    "LightModel": "generate.own",
     "Scene": "scene.scene",
     "central": "scene.methods",
     "central4": "scene.methods",

@@ -1,7 +1,7 @@
 """Checks of what is given: an error names the argument, its value and what is allowed."""
 
 import math
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from numbers import Integral
 from typing import Any, TypeVar
@@ -30,9 +30,14 @@ def extra(name: str) -> Iterator[None]:
 
 
 def check_number(name: str, value: Any, low: float = -math.inf, high: float = math.inf) -> float:
-    """Return `value` as a float, or raise ValueError unless it is a finite number in [low, high]."""
+    """Return `value` as a float, or raise ValueError unless it is a finite number in [low, high].
+
+    A truth value, a complex number, a text and a buffer of bytes are none, in an array without axes neither.
+    """
     try:
-        number = math.nan if isinstance(value, (str, bytes, bool)) else float(value)
+        array = np.asarray(value)
+        kinds = "iuf" if array is value else "iufO"  # O: a fraction, say
+        number = math.nan if array.ndim or array.dtype.kind not in kinds else float(value)
     except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not math.isfinite(number) or not low <= number <= high:
@@ -40,14 +45,20 @@ def check_number(name: str, value: Any, low: float = -math.inf, high: float = ma
     return number
 
 
+def check_items(name: str, value: Any, allowed: str) -> tuple:
+    """Return what a sequence holds, or raise ValueError where it has no order, or is a text: `allowed` says what is."""
+    try:
+        ordered = None if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)) else value
+        return tuple(ordered)  # type: ignore[arg-type]  # a TypeError
+    except TypeError:
+        raise not_allowed(name, value, allowed) from None
+
+
 def check_triple(name: str, value: Any, low: float = -math.inf, high: float = math.inf) -> tuple[float, ...]:
     """Return `value` as a tuple of three floats, or raise ValueError."""
-    try:
-        items = () if isinstance(value, (str, bytes)) else tuple(value)
-    except TypeError:
-        items = ()
-    if len(items) != 3:
-        raise not_allowed(name, value, f"three finite numbers from {low:g} to {high:g}")
+    allowed = f"three finite numbers from {low:g} to {high:g}"
+    if len(items := check_items(name, value, allowed)) != 3:
+        raise not_allowed(name, value, allowed)
     return tuple(check_number(f"{name}[{i}]", item, low, high) for i, item in enumerate(items))
 
 

@@ -5,6 +5,7 @@ NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes
 """
 
 from renderer.operations import (
+    Constant,
     binary_exponent,
     elementary,
     floor,
@@ -14,10 +15,10 @@ from renderer.operations import (
     nan,
     pi,
     power_of_two,
-    ratio,
     rint,
     sign,
     sqrt,
+    sum_of_half_turns,
     where,
 )
 
@@ -216,7 +217,7 @@ def image_x(column, width, height, half):
 
 
 def image_y(row, height, half):
-    return half * (ratio(-3.0, 20.0) + (height - 2.0 * row - 1.0) / height)
+    return half * (Constant(-0.15) + (height - 2.0 * row - 1.0) / height)
 
 
 def silhouette_of_a(eye, radius):
@@ -260,7 +261,7 @@ def ambient_term(ka, ambient):
 
 
 def floor_albedo(floor_dark, floor_tint):
-    floor_base = where(floor_dark > 0.0, ratio(3.0, 20.0), ratio(17.0, 20.0))
+    floor_base = where(floor_dark > 0.0, Constant(0.15), Constant(0.85))
     floor_red = floor_base * (1.0 - floor_tint)
     floor_blue = floor_base
     return floor_red, floor_blue
@@ -268,7 +269,7 @@ def floor_albedo(floor_dark, floor_tint):
 
 def visible_surface(x, y, eye, radius, ball_center_x, ball_center_y, ball_center_z, ball_radius, ball_on, floor_on):
     rho_raw = sqrt(x * x + y * y)
-    rho = where(rho_raw >= ratio(1.0, 1e+150) * eye, rho_raw, 0.0)
+    rho = where(rho_raw >= Constant(1e-150) * eye, rho_raw, 0.0)
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / sqrt(tangent_squared)
     discriminant_a = tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette)
@@ -286,7 +287,7 @@ def visible_surface(x, y, eye, radius, ball_center_x, ball_center_y, ball_center
 
 def angles_on_a(x, y, eye, radius):
     rho_raw = sqrt(x * x + y * y)
-    rho = where(rho_raw >= ratio(1.0, 1e+150) * eye, rho_raw, 0.0)
+    rho = where(rho_raw >= Constant(1e-150) * eye, rho_raw, 0.0)
     tangent_squared = (eye - radius) * (eye + radius)
     rho_silhouette = eye * radius / sqrt(tangent_squared)
     discriminant_a = tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette)
@@ -535,7 +536,7 @@ def gradient_ridges(u, v, k_u, k_v):
 
 
 def kink_ridges(sin_phi, u, v, k_u, k_v):
-    kink = where((abs(sinpi(*two_product(k_u, u))) < ratio(3.0, 100.0)) | (abs(sinpi(*two_product(k_v, v))) < ratio(3.0, 100.0)) | (sin_phi <= 0.0), 1.0, 0.0)
+    kink = where((abs(sinpi(*two_product(k_u, u))) < Constant(0.03)) | (abs(sinpi(*two_product(k_v, v))) < Constant(0.03)) | (sin_phi <= 0.0), 1.0, 0.0)
     return kink
 
 
@@ -646,9 +647,9 @@ def central4(height, u, v, k_u, k_v, epsilon):
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_u = h_u_plus - h_u_minus
-    h_u = ratio(1.0, 12.0) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+    h_u = Constant(0.08333333333333333) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), ratio(1.0, 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
     return h_u, h_v
 
 
@@ -663,7 +664,7 @@ def central4_in_v(height, u, v, k_u, k_v, epsilon):
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), ratio(1.0, 12.0) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
     return h_v
 
 

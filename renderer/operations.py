@@ -23,28 +23,24 @@ class Constant(float):
 
     def __new__(cls, value: float, error: float | None = None) -> "Constant":
         constant = super().__new__(cls, value)
-        constant.error = math.ulp(value) / 2 if error is None else error
+        constant.error = math.ulp(value) / 2 + math.ulp(0.0) if error is None else error
         return constant
 
     def __neg__(self):
         return Constant(-float(self), self.error)
 
     def __mul__(self, other):
-        """With a literal: its product; with anything else, what that makes of a float."""
-        if type(other) is not float:
+        """With a literal or another constant: their product; with anything else, what that makes of a float."""
+        if type(other) not in (float, Constant):
             return NotImplemented if hasattr(other, "machine") else float(self) * other
-        product = float(self) * other
-        return Constant(product, abs(other) * self.error * (1 + 2**-50) + math.ulp(product) / 2)
+        product, off = Constant(float(self) * float(other)), getattr(other, "error", 0.0)
+        moved = (abs(other) + off) * self.error + abs(self) * off
+        return Constant(product, moved * (1 + 2**-50) + product.error)
 
     __rmul__ = __mul__
 
 
 pi = Constant(math.pi)
-
-
-def ratio(above: float, below: float) -> Constant:
-    """Return a rational number that float64 does not hold."""
-    return Constant(above / below)
 
 
 def elementary(kernel: Callable) -> Any:
@@ -93,6 +89,24 @@ def maximum(a: Number, b: Number) -> Number:
 def minimum(a: Number, b: Number) -> Number:
     """Return the smaller of two numbers."""
     return where(b < a, b, a)
+
+
+@elementary
+def add_half_turns(a: Number, b: Number) -> tuple[Number, Number]:
+    """Return a sum less whole turns, as it is rounded, and what rounding took from it (Knuth)."""
+    a, b = (number - 2.0 * rint(0.5 * number) for number in (a, b))
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def sum_of_half_turns(*parts: tuple[Number, Number]) -> tuple[Number, Number]:
+    """Return such a sum of numbers in two parts each: only their small parts' sum is rounded."""
+    (total, rest), *others = parts
+    for number, small in others:
+        total, lost = add_half_turns(total, number)
+        rest = rest + small + lost
+    return add_half_turns(total, rest)
 
 
 @elementary

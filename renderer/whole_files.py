@@ -4,8 +4,11 @@ The other name is `.STEM-????????-unfinished.SUFFIX`, of a file that its writer 
 was left by a writer that was killed, and whoever writes into that folder next removes it.
 """
 
+import errno
 import os
 import secrets
+import stat
+import warnings
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
@@ -26,7 +29,7 @@ BEYOND = 2**30  # a byte that no checkpoint reaches
 def named(name: str, path: str | Path) -> Path:
     """Return `path` as a Path, or raise ValueError, which calls it `name`, where it is what no file's name can be."""
     if not isinstance(path, str | os.PathLike) or "\0" in str(path):
-        raise not_allowed(name, path, "a file's name, without the character 0")
+        raise not_allowed(name, path, "a file's name, without the character 0, and no file object")
     return Path(path)
 
 
@@ -39,13 +42,32 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
     path, shown = named(name, path), str(path)
     if path.suffix.lower() not in suffixes:
         raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
-    if os.path.isdir(path) or not os.path.isdir(path.parent):  # unlike Path's, False for a name that is too long
+    if os.path.isdir(path) or not os.path.isdir(
+        os.path.dirname(os.path.realpath(path))
+    ):  # unlike Path's, False for a name that is too long
         raise not_allowed(name, shown, "a file in a folder that exists")
     try:
-        with _unfinished(path):
+        with _unfinished(_place(path)[0]):
             return path
     except OSError as error:
         raise not_allowed(name, shown, f"a file that can be written ({error.strerror})") from None
+
+
+def _place(path):
+    """Return the file that a path leads to, links followed, and its mode: None where there is none yet.
+
+    Renaming asks for the folder's permission alone. Raises OSError on what is no file, or may not be written.
+    """
+    place = Path(os.path.realpath(path))
+    if not os.path.lexists(place):
+        return place, None
+    status = os.stat(place)
+    mode = status.st_mode
+    if not stat.S_ISREG(mode) or not mode & 0o222 or not os.access(place, os.W_OK):  # root may write what nobody may
+        raise OSError(errno.EACCES, "it is read-only, or no regular file", path)
+    if status.st_nlink > 1:
+        warnings.warn(f"{path} has other names (hard links), which keep what is there now", stacklevel=2)
+    return place, stat.S_IMODE(mode)
 
 
 @contextmanager
@@ -110,21 +132,25 @@ def remove_abandoned(folder: str | Path) -> None:
 
 
 @contextmanager
-def whole_file(path: str | Path, mode: int = 0o666) -> Iterator[str]:
+def whole_file(path: str | Path, mode: int | None = None) -> Iterator[str]:
     """Yield a temporary file name beside `path`; rename it to `path` at the end, or remove it on an error.
 
-    mode: who may read and write it, as the user's mask lets them.
+    A link is followed, and stays. Other names of the same file (hard links) keep the old content, with a warning.
+    mode: who may read and write it, as the user's mask lets them; by default those who may already, or everybody.
+    Raises OSError where `path` is neither absent nor a file that may be written.
     """
-    path = Path(path)
-    remove_abandoned(path.parent)
-    with _unfinished(path, mode) as file:
+    place, kept = _place(path)
+    remove_abandoned(place.parent)
+    with _unfinished(place, mode or kept or 0o666) as file:
+        if kept and not mode:
+            os.chmod(file.name, kept)
         yield str(file.name)
         if not fcntl:
             file.close()
-        os.replace(file.name, path)
+        os.replace(file.name, place)
 
 
-def write_whole(path: Path, *parts: bytes, mode: int = 0o666) -> None:
+def write_whole(path: Path, *parts: bytes, mode: int | None = None) -> None:
     """Write a file so that nobody ever sees half of it; its folder is made if there is none. mode: see `whole_file`."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path, mode) as name, open(name, "wb") as file:

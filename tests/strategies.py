@@ -6,6 +6,7 @@ The quick profile is the default and gives the same examples every time; HYPOTHE
 import math
 import os
 
+import numpy as np
 from hypothesis import HealthCheck, settings
 from hypothesis.strategies import (
     SearchStrategy,
@@ -143,17 +144,19 @@ looks = sampled_from(_looks).flatmap(lambda look: scenes(**look))
 
 NUMBER_FIELDS = ("radius", "eye", "ball_radius", "ka", "kd", "ks", "shininess", "floor_tint", "ku", "kv", "beta")
 TRIPLE_FIELDS = ("ball_center", "ambient", "albedo_a", "albedo_b")
-not_numbers = sampled_from([math.nan, math.inf, -math.inf, "1", b"1", None, True, (), [1.0], 1j, 10**400])
-not_triples = one_of(
-    sampled_from([None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]),
-    tuples(just(0.1), not_numbers, just(0.1)),
-)
+NOT_NUMBERS = [math.nan, math.inf, -math.inf, "1", b"1", None, True, (), [1.0], 1j, 10**400]
+NOT_NUMBERS += [bytearray(b"1"), np.complex64(1), np.bool_(1)]
+NOT_NUMBERS += [np.array(value, kind) for value in ("1", True, 1j) for kind in (None, object)]
+NOT_TRIPLES = [None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]
+NOT_TRIPLES += [bytearray(3), memoryview(b"abc"), {0, 0.5, 1}, {}.fromkeys((0, 0.5, 1))]
+not_numbers = sampled_from(NOT_NUMBERS)
+not_triples = one_of(sampled_from(NOT_TRIPLES), tuples(just(0.1), not_numbers, just(0.1)))
 unknown_names = one_of(text(max_size=5), none(), integers()).filter(lambda n: n not in (*FIELDS, *MODELS))
 rejected_fields = one_of(
     tuples(sampled_from(NUMBER_FIELDS), not_numbers),
     tuples(sampled_from(TRIPLE_FIELDS), not_triples),
     tuples(sampled_from(["field", "model"]), unknown_names),
     tuples(sampled_from(["ball", "floor"]), sampled_from([None, "yes", 2, math.nan, ()])),
-    tuples(just("lights"), sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,)])),
+    tuples(just("lights"), sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,), {}, set(), b""])),
 )
 """(field, value): a value that no Scene accepts for that field."""

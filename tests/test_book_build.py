@@ -8,6 +8,8 @@ import pytest
 import book.__main__ as command_line
 from book.assembly import report, stamps, watch, website
 from book.extension import pages
+from tests.processes import run
+from verify.sources import ROOT
 
 
 def test_theorems_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):
@@ -49,14 +51,37 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(tmp_path, monkeyp
     with watch.builder(tmp_path, html.parent) as build:
         build()
         before = (html / "api.html").stat().st_mtime_ns
-        for words in ("Two zebras", "{no-such-role}`a`", "Three zebras"):
+        for words, wrong in {
+            "Two zebras": "",
+            "{no-such-role}`a`": "no-such-role",
+            "$\\no$": "\\no",
+            "Three zebras": "",
+        }.items():
             (tmp_path / "s1.md").write_text(f"(s1)=\n# Bumps\n\n{words}.\n")
-            build()
+            assert wrong in (said := build()) and bool(said) == bool(wrong)
+            (tmp_path / "index.md").write_text(f"# Page\n\n{words and 'Another'} edit.\n\n```{{bibliography}}\n```\n")
+            assert build() == said  # of a page that is as wrong as it was
     assert "Three zebras" in (html / "s1.html").read_text("utf-8")
     assert before == (html / "api.html").stat().st_mtime_ns
 
 
-def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
+def test_a_watched_page_shows_what_is_wrong_until_it_is_not(browser, tmp_path):
+    (tmp_path / "index.html").write_text("<html><body class='a'><p>before</p></body></html>")
+    site = watch.Site(tmp_path, 0)
+    tab = browser.new_page()
+    tab.goto(f"http://localhost:{site.server_port}/")
+    assert tab.inner_text("body").strip() == "before"
+    for words, wrong in {"once": "s1.md:3: WARNING: <no> & such", "twice": ""}.items():
+        (tmp_path / "index.html").write_text(f"<html><body class='a'><p>{words}</p></body></html>")
+        site.wrong = wrong
+        site.built += 1
+        tab.get_by_text(words).wait_for()
+        assert tab.inner_text(".wrong") == wrong
+    tab.close()
+    site.shutdown()
+
+
+def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_built_again(stamped, monkeypatch):
     places = {"SITE": "html", "INDEX": "html/index.html", "WORK": "work", "CACHES": "caches"}
     for name, place in places.items():
         monkeypatch.setattr(website, name, stamped / place)
@@ -73,8 +98,71 @@ def test_failed_build_leaves_the_old_site_and_no_stamp(stamped, monkeypatch):
         website.build()
     assert website.INDEX.read_text() == "old"
     assert stamps.read("site") is None
+    page = website.SITE / "s2.html"
+
+    def whole(folder, cache):
+        made = folder / "_build" / "html"
+        made.mkdir(parents=True)
+        for name in (".buildinfo", website.INDEX.name, page.name):
+            (made / name).write_text("whole")
+
+    monkeypatch.setattr(website, "build_into", whole)
+    for spoil in (website.build, page.unlink, lambda: page.write_text("who")):
+        spoil()
+        website.build()
+        assert page.read_text() == "whole"
 
 
 def test_unknown_figure_is_a_usage_error(stamped, capsys):
     assert command_line.main(["figures", "no_such_figure"]) == 2
     assert "no figure is called no_such_figure; there are: " in capsys.readouterr().err
+
+
+PYTHON = """#!/bin/sh
+case "$1 $2" in
+"-c "*version_info*) exit {refuses} ;;
+"-c "*) echo {version} ;;
+--version*) echo "Python {version}" ;;
+"-m venv") rm -rf .venv && mkdir -p .venv/bin && cp "$0" .venv/bin/python ;;
+*) echo "{version} installs $8" >> installed ;;
+esac
+"""
+
+
+@pytest.fixture
+def make(tmp_path):
+    """A function: arguments → what make prints where there are three Pythons, one of them too old, and two locks."""
+    for name, refuses in (("3.11", 0), ("3.13", 0), ("3.9", 1)):
+        (tmp_path / f"python{name}").write_text(PYTHON.format(version=name, refuses=refuses))
+        (tmp_path / f"python{name}").chmod(0o755)
+    for lock in ("requirements.lock", "requirements-book.lock"):
+        (tmp_path / lock).write_text(lock)
+    shutil.copy(ROOT / "Makefile", tmp_path)
+    environment = {"PATH": f"{tmp_path}:/usr/bin:/bin"}
+    return lambda *given, status=0: "".join(run("make", *given, cwd=tmp_path, env=environment, status=status))
+
+
+def test_an_environment_is_of_the_python_that_is_named(make, tmp_path):
+    of = lambda: run(tmp_path / ".venv/bin/python", "--version", cwd=tmp_path)[0].split()[1]  # noqa: E731
+    make("PYTHON=python3.11", "environment-book")
+    assert of() == "3.11"
+    make("PYTHON=python3.13", "environment-book")
+    assert of() == "3.13"
+    make("environment-book")  # no Python is named
+    assert of() == "3.13"
+    for wrong in ("python3.9", "python2.0"):
+        assert f"'{wrong}' is " in make(f"PYTHON={wrong}", "environment-book", status=2)
+        assert of() == "3.13"
+    assert (tmp_path / "installed").read_text().splitlines() == [
+        f"{version} installs requirements-book.lock" for version in ("3.11", "3.13")
+    ]
+
+
+def test_each_lock_is_installed_where_nothing_has_it(make, tmp_path):
+    for target in ("environment-book", "environment-book", "environment", "environment-book", "environment"):
+        make("PYTHON=python3.11", target)
+    (tmp_path / "requirements-book.lock").write_text("new")
+    (tmp_path / "requirements.lock").write_text("new, too")
+    make("PYTHON=python3.11", "environment-book")
+    locks = ("requirements-book", "requirements", "requirements-book")
+    assert (tmp_path / "installed").read_text().splitlines() == [f"3.11 installs {lock}.lock" for lock in locks]

@@ -49,9 +49,9 @@ def book(tmp_path, monkeypatch):
 
 def test_a_page_shows_figures_and_numbers_and_says_which_are_stale(book):
     times = "{number}`bench:%s.time_ms .1f` ms{spread}`bench:%s.time_ms|.0f`, no{spread}`bench:%s.quick_ms`."
-    labels = [f"```{{benchmark-label}} {name}\n```\n\n{times % (3 * (name,))}" for name in ("machines", "frames")]
+    labels = [f"{times % (3 * (name,))}\n\n```{{benchmark-label}} {name}\n```" for name in ("machines", "frames")]
     figures = [FIGURE % (id, id) for id in ("sweep", "old")]
-    html, warnings = one_page.build(book, "\n\n".join([*labels, *figures, "See {numref}`fig-sweep`."]))
+    html, warnings = one_page.build(book, "\n\n".join([*labels, "## Figures", *figures, "See {numref}`fig-sweep`."]))
     assert warnings == ""
     mark = '<abbr class="stale" title="{}">{}</abbr>'
     for stale, since in (("", ""), (mark.format(STALE["frames"], "†"), "; the code has changed since")):
@@ -86,6 +86,58 @@ def test_unknown_numbers_are_refused_with_a_list_of_known_ones(book):
         "```{benchmark-label} none\n```": "unknown benchmark 'none'; there are: frames, machines",
     }
     one_page.refused(book, mistakes)
+
+
+LABELLED = """| {number}`bench:frames.quick_ms` |
+|---|
+| {number}`sweep.flips` |
+
+```{benchmark-label} frames
+```
+
+{number}`bench:machines.quick_ms`
+
+```{benchmark-label} machines
+Of machines.
+```
+
+## In a table
+
+| {number}`bench:frames.time_ms` |
+|---|
+
+```{benchmark-label} machines
+```
+
+## Behind a label, from a figure that is drawn from a record
+
+```{benchmark-label} machines
+```
+
+{number}`old.flips`, {number}`bench:machines.time_ms`
+
+## Two labels
+
+{number}`bench:machines.quick_ms`, {number}`bench:frames.quick_ms`
+
+```{benchmark-label} machines
+```
+
+```{benchmark-label} frames
+```
+
+### And none
+
+{number}`old.flips`
+"""
+
+
+def test_a_number_under_the_label_of_another_record_is_refused(book):
+    html, warnings = one_page.build(book, LABELLED)
+    wrong = re.findall(r"index\.md:(\d+): ERROR: :number:`(\S+)` is not of machines, whose label it has", warnings)
+    assert [id for _, id in wrong] == ["bench:frames.time_ms", "old.flips"] and warnings.count("ERROR") == 2
+    assert all(id in LABELLED.splitlines()[int(line) - 3] for line, id in wrong)
+    assert "Of machines. Measured on two cores" in html
 
 
 @pytest.mark.parametrize(

@@ -103,11 +103,36 @@ def test_reason_to_draw_again(stamped, monkeypatch):
     monkeypatch.setattr(draw, "GENERATED", stamped)
     entry, before = Registered("curve", curve), {"book/drawing/style.py": "0", "python": "3.11"}
     assert draw.why_redraw(entry, before) == "new"
-    stamps.write("figures/curve", {"files": ["curve.svg"], "sources": before})
-    assert draw.why_redraw(entry, before) == "curve.svg is missing"
-    (stamped / "curve.svg").touch()
+    stamps.write("figures/curve", {})
+    assert draw.why_redraw(entry, before) == "interrupted"
+    path = stamped / "curve.svg"
+    path.write_text("<svg>")
+    stamps.write("figures/curve", {"files": draw.files_of([path.name]), "sources": before})
     assert draw.why_redraw(entry, before) is None
     assert draw.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
+    path.write_text("<sv")
+    assert draw.why_redraw(entry, before) == "curve.svg changed"
+    path.unlink()
+    assert draw.why_redraw(entry, before) == "curve.svg is missing"
+
+
+INTERRUPTED = """
+import os, signal, sys
+from pathlib import Path
+from book.__main__ import main, stamps
+from book.drawing import draw
+
+stamps.STAMPS = draw.GENERATED = Path(sys.argv[1])
+draw.zip = lambda *lists, strict: os.killpg(0, signal.SIGINT) or zip(*lists, strict=strict)
+sys.exit(main(["figures", "crease", "accepted_scenes"]))
+"""
+
+
+def test_drawing_that_is_interrupted_ends_in_one_line_and_says_so_next_time(tmp_path):
+    """Ctrl-C reaches every process, when the others have begun."""
+    _, told = python("-c", INTERRUPTED, tmp_path, status=130, start_new_session=True)
+    assert told == "book: interrupted\n"
+    assert (tmp_path / "figures" / "crease.json").read_text() == "{}\n"
 
 
 # Where a figure comes from
@@ -138,7 +163,7 @@ def broken():
 
 
 def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamped, monkeypatch):
-    figures = {id: draw.all_figures()[id] for id in ("accepted_scenes", "crease")}
+    figures = {id: draw.all_figures()[id] for id in ("edited_formulas", "crease")}
 
     def drawn(processes):
         monkeypatch.setattr(draw, "PROCESSES", processes)
@@ -151,7 +176,7 @@ def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamp
     with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
         drawn(2)
     assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
-    assert stamps.read("figures/broken") is None
+    assert not stamps.read("figures/broken")
     one, two = (contents(stamped / f"by_{processes}") for processes in (1, 2))
     assert one == two and len(one) > 2
 

@@ -1,32 +1,46 @@
 """What pages have beside their words: formulas as MathML, style sheets without what no page uses, a policy."""
 
 import re
+from html import escape, unescape
 
 import pytest
+from fontTools.ttLib import TTFont
+from math_core import LatexError
 
 from book.editions.document import POLICY as MAILED
-from book.extension import mathematics
+from book.extension.mathematics import typeset
 from book.extension.scripts import POLICY
 from book.extension.styles import NAMED, NESTED, pruned
 from verify.sources import ROOT
 
 HEAVIEST = 1_000_000  # bytes: a page, its scripts, style sheets and fonts, as they are before a server compresses them
 LIGHT = ["index", *(f"s{n}" for n in range(1, 10))]
+FORMULA = re.compile("(?s)<math .*?</math>")
 BAR = '<mo stretchy="false" lspace="0" rspace="0">|</mo>'
-SPACE = '<mspace width="0.167em" />'
 SET = {
-    r"k\sin x": f"<mrow><mi>k</mi>{SPACE}<mi>sin</mi><mo>\u2061</mo>{SPACE}<mi>x</mi></mrow>",
-    r"\cos(-x)": '<mrow><mi>cos</mi><mo>\u2061</mo><mo stretchy="false">(</mo><mo form="prefix">−</mo><mi>x</mi>'
-    '<mo stretchy="false">)</mo></mrow>',
-    "N'_x": '<msub><mrow><mi>N</mi><mpadded width="0"><mo>′</mo></mpadded></mrow><mi>x</mi></msub>',
-    "|g|/2": f'<mrow>{BAR}<mi>g</mi>{BAR}<mo lspace="0" rspace="0">/</mo><mn>2</mn></mrow>',
+    r"k\sin x": '<mi>k</mi><mspace width="0.1667em"/><mrow><mi>sin</mi><mo lspace="0.1667em">\u2061</mo><mi>x</mi>'
+    "</mrow>",
+    r"2^{-40}": '<msup><mn>2</mn><mrow><mo lspace="0" rspace="0">−</mo><mn>40</mn></mrow></msup>',
+    r"\mathrm{a\_b} + \mathrm{c}": '<mi>a_b</mi><mo>+</mo><mi mathvariant="normal">c</mi>',
+    "N'_x": "<msubsup><mi>N</mi><mi>x</mi><mo>′</mo></msubsup>",
+    "|g|/2": f'{BAR}<mi>g</mi>{BAR}<mo lspace="0" rspace="0">/</mo><mn>2</mn>',
+    r"0.1\ldots < t": "<mn>0.1</mn><mi>…</mi><mo>&lt;</mo><mi>t</mi>",
 }
 
 
 def test_formulas_have_the_spaces_of_print_and_carry_their_tex():
-    for (tex, said), typeset in zip(SET.items(), mathematics.typeset([(tex, False) for tex in SET]), strict=True):
-        note = f'<annotation encoding="application/x-tex">{tex}</annotation>'
-        assert typeset == f"<math><semantics>{said}{note}</semantics></math>"
+    for tex, said in SET.items():
+        assert typeset(tex) == f'<math data-tex="{escape(tex)}">{said}</math>'
+    for wrong in (r"\foo", "{x", r"\frac{1}", "x^1^2"):
+        with pytest.raises(LatexError):
+            typeset(wrong)
+
+
+def test_the_font_has_every_letter_of_the_formulas(site):
+    letters = TTFont(ROOT / "book" / "static" / "formulas.woff").getBestCmap()
+    needed = {letter for page in site.rglob("*.html") for formula in FORMULA.findall(page.read_text("utf-8"))
+              for letter in unescape(re.sub("<[^>]*>", "", formula))}  # fmt: skip
+    assert len(needed) > 100 and [letter for letter in needed if ord(letter) not in letters] == []
 
 
 def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(html_of):
@@ -34,7 +48,7 @@ def test_every_formula_of_the_site_is_set_and_no_tex_stands_in_the_text(html_of)
     for name in (*LIGHT, "lemmas", "findings", "seed"):
         article = re.search(r"(?s)<article.*</article>", html_of(name))[0]
         count += article.count("<math")
-        text = re.sub(r"(?s)<(pre|code|script|annotation)\b.*?</\1>|<[^>]*>", "", article)
+        text = re.sub(r"(?s)<(pre|code|script)\b.*?</\1>|<[^>]*>", "", article)
         assert not re.search(r"\\[(\[a-z]", text), name
     assert count > 3000
 
@@ -106,5 +120,5 @@ def test_a_formula_is_copied_as_tex(visit):
         const [formula] = document.querySelectorAll('.bd-article p math'), clipboardData = new DataTransfer();
         getSelection().selectAllChildren(formula.closest('p'));
         document.dispatchEvent(new ClipboardEvent('copy', { clipboardData }));
-        return [clipboardData.getData('text/plain'), formula.querySelector('annotation').textContent]; }""")
+        return [clipboardData.getData('text/plain'), formula.dataset.tex]; }""")
     assert f"${copied[1]}$" in copied[0] and copied[0].split()[0].isalpha()

@@ -3,6 +3,7 @@
 import html
 import re
 from itertools import chain
+from unittest.mock import Mock
 
 import pytest
 from sympy import evaluate, pi, symbols
@@ -12,13 +13,15 @@ from book.assembly.contents import page_files
 from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
-from book.extension.printed_claims import rows
+from book.extension.printed_claims import rows, tex
 from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.half_turns import sinpi
 from tests import one_page
 from tests.processes import python
+from verify import formal, test_theorems as checked
+from verify.checkers.grades import Examination
 from verify.sources import ROOT
 
 THEOREMS = all_theorems()
@@ -47,14 +50,17 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         theorem, title = THEOREMS[id], card.select_one(".theorem-title").extract()
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
-            formula.replace_with(f"${formula.annotation.get_text()}$")
-        for word in card.select(".grade-word"):
-            word.decompose()
+            formula.replace_with(f"${formula['data-tex']}$")
+        whole = proofs.entries[id]["shown"] == "formal"
+        words = [word.extract().get_text() for word in card.select(".grade-word")]
+        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * whole
+        assert not (whole and theorem.expected == "argued")
         (statement,) = card.select(".statement")
         assert not card.details.has_attr("open")
         shown = statement.get_text().strip().replace("’", "'")
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
         assert (statement in card.details.select("p")) == bool(card.select(".brief"))  # folded, if words stand for it
+        assert len(card.select(".given dd")) == sum(len(claim.given) for claim in theorem.rounded)
         claims = chain.from_iterable(clause.claims for clause in theorem.clauses)
         for shown, claim in zip(card.select("details > .claim"), [*claims, *theorem.rounded], strict=True):
             assert shown.dl["aria-label"] == f"Claim {claim.name}" and len(shown.dl.select("dd")) <= OPEN
@@ -87,6 +93,53 @@ def test_certificates_are_downloads_and_scripts_run_with_nothing_but_python(site
     for id, path in certified.items():
         assert (folder / f"{id}.json").read_bytes() == path.read_bytes()
         python("-I", "-S", folder / f"{id}.py", cwd=tmp_path, timeout=60)
+
+
+# Words that say no more than the claims
+
+
+def numbers(*texts):
+    """Return the numbers of TeX, those below 1 turned over, but no index and no exponent of what is no number."""
+    powers = re.findall(r"(?<![\d_^])(?<!\^\{)(\d+)(?:\^\{?-?(\d+))?", " ".join(texts))
+    return {int(base) ** int(power or 1) for base, power in powers}
+
+
+def lacking(theorem, cut):
+    """Return what claims of float64 are called, and have to be given, that their theorem lacks without some words.
+
+    A hypothesis that names some of the claims is one of these alone. 0 and 1 may be said otherwise.
+    """
+    words, *hypotheses = texts = [text.replace(cut, "").lower() for text in (theorem.words, *theorem.hypotheses)]
+    names = [claim.name.partition("_")[0] for claim in theorem.rounded]
+    missing = {name for name in (*names, "overflows") if name not in " ".join(texts)}
+    for name, claim in zip(names, theorem.rounded, strict=True):
+        given = [text for text in hypotheses if name in text or not any(map(text.count, names))]
+        missing |= numbers(*map(tex, claim.given)) - numbers(words, *given) - {0, 1}
+    return missing
+
+
+CUTS = {
+    "no such words": set(),
+    "light and albedo are at most $2^{20}$": {2**20},
+    "exact gradient of sine, ridges and rings": {"sine", "ridges"},
+    "10^{-285}$": {10**285},
+    "2^{52}": {2**52},
+    "nothing overflows": {"overflows"},
+}
+
+
+@pytest.mark.parametrize("cut", CUTS)
+def test_a_card_has_the_name_and_every_number_of_a_claim_of_float64(cut):
+    """And that nothing overflows; without these words it is refused."""
+    assert set().union(*(lacking(each, cut) for each in THEOREMS.values() if each.rounded)) == CUTS[cut]
+
+
+def test_what_is_taken_from_analysis_is_called_assumed():
+    """A theorem's name, a rule, a limit, what is argued elsewhere or done by hand."""
+    for text in chain.from_iterable(theorem.hypotheses for theorem in THEOREMS.values()):
+        assert "assumed" in text or not re.search(
+            r"theorem has|rules? (?:for|of d)|inequality|\\to |by hand|argued", text
+        )
 
 
 # What does not build
@@ -154,8 +207,19 @@ def test_evidence_in_words():
         "witness": [{"points": 1000, "digits": 50}],
         "mutants": [killed, spared],
     }
-    entry |= {"shown": "formal", "formal": {"printed": {"a": "x = x"}, "statements": {}, "here": False}}
+    entry |= {
+        "shown": "formal",
+        "formal": {"printed": {"a": "x = x"}, "statements": {}, "when": "recorded on 2026-11-27"},
+    }
     assert evidence_line(entry | {"side_conditions": [{"edges": ["x = 0"]}]}) == (
-        "Formal: 1 statement in Coq, recorded, not re-checked here; proved: 4 certificates, checked by two kernels; "
+        "Formal: 1 statement in Coq, recorded on 2026-11-27; proved: 4 certificates, checked by two kernels; "
         "1 of 2 false variants refuted; 1,000 samples at 50 digits; 1 edge test"
     )
+
+
+def test_why_a_theorem_fails_is_handed_on_to_the_table_at_the_end(monkeypatch):
+    failed, entries = Examination("hit", "proved", (), problems=["no certificate\n  of a"]), []
+    monkeypatch.setattr(checked.proof_checker, "examine", lambda *_: failed)
+    with pytest.raises(AssertionError):
+        checked.test_theorem("unit_length", entries.append, Mock())
+    assert entries[0]["reason"] == "no certificate"

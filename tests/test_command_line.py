@@ -68,6 +68,13 @@ def test_image(name, tmp_path, capsys):
         assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
 
 
+def test_a_step_that_float64_loses_is_told_in_one_line(tmp_path, capsys):
+    assert run("image", "--size", 8, "--gradient", "forward", "--eps", "1e-17", "--out", tmp_path / "a.png") == 0
+    assert re.fullmatch(
+        r"symbolic-rendering image: warning: eps = 1e-17 is below 2\^-53, .*\n", capsys.readouterr().err
+    )
+
+
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
@@ -99,7 +106,7 @@ def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path
     kept, compare = tmp_path / "a.jsonl", grid.compare_batch
 
     def ended(batch, *arguments):
-        if len(batch) < 16:
+        if len(batch) < 8:
             raise error
         return compare(batch, *arguments)
 
@@ -132,10 +139,20 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
     assert contents(tmp_path) == {}
 
 
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_without_tqdm_a_terminal_is_told_what_is_under_way(is_terminal, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "tqdm", None)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: is_terminal)
+    for name, options in {"eps": ["--eps", "1e-3"], "frames": ["--eps", "1e-3", "--workers", "1"]}.items():
+        assert run("sweep", "--size", "8", "--no-facts", *options) == 0
+        assert capsys.readouterr().err == (f"{name} …\n" if is_terminal else "")
+
+
 LONG = "a" * 300 + ".png"
+LARGE = "+".join(f"sinpi({number}*u)" for number in range(90))
 REFUSED = {
     "image": {
-        "--out a.jpg": "out = 'a.jpg' is not allowed: a file name that ends in .png or .npz or .npy or .tif or",
+        "--out a.jpg": "out = 'a.jpg' is not allowed: a file name that ends in .png or .tif or .tiff or",
         "--out ''": "out = '' is not allowed: a file name that ends in",
         "--out nowhere/a.png": "out = 'nowhere/a.png' is not allowed: a file in a folder that exists",
         "--out a.npz --bounds ./a.npz": "bounds = './a.npz' is not allowed: another file than --out",
@@ -145,7 +162,10 @@ REFUSED = {
         "--out a.npy --bounds a.npz": "bounds = 'a.npz' is not allowed: no --out that is drawn in bands",
         "--gradient foo": "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'",
         "--field SINE": f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}",
-        "--eps -1e-3": "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5",
+        "--eps 1e-2": "eps = 0.01 is not allowed: none beside the exact gradient",
+        "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
+        f"--field-expression {LARGE}": "field = --field-expression is not allowed: at most 1000 operations",
+        "--gradient central --eps -1e-3": "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5",
         "--beta -inf": "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100",
         "--crop 0,0,9,9": "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers",
         "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
@@ -185,7 +205,8 @@ REFUSED = {
         "--again a.png --field-expression v": "again = 'a.png' is not allowed: no --field-expression beside it",
         "--again a.npz --crop 0,0,1,1": "again = 'a.npz' is not allowed: no --crop beside it",
         "--again a.npz --eps 0.1": "again = 'a.npz' is not allowed: no --eps beside it",
-        "--field-expression -u*v": "expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1",
+        "--field-expression -u*v": "expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1, "
+        "{v: 1/7, k_u: 2, k_v: 1}, without --field-seam",
         '--field-expression "u\'"': 'expression = "u\'" is not allowed: no formula has the letter',
         "--field-seam": "field-seam = True is not allowed: given with --field-expression",
     },

@@ -1,18 +1,23 @@
 """CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
 
 import re
+import runpy
 import shutil
 import sys
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from tests.processes import run, settings_without
-from verify.sources import ROOT
+from verify.sources import PACKAGES, ROOT, files_in, is_test
 
 EXAMPLES = ROOT / "tests" / "examples"
+DOCUMENTS = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "Makefile")]
+RUNS = '\nif __name__ == "__main__":'
+CALLED = re.compile(rf"-m\s+((?:{'|'.join(PACKAGES)})\b[\w.]*\b)")
 
 
 def shell(folder, line, status=0):
@@ -29,6 +34,23 @@ def walked(folder, example, left_out):
     lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
     lines = filter(None, (line.partition("#")[0].strip() for line in lines))
     return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
+
+
+def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):
+    """What a source or a document calls, and every module that runs by itself."""
+    commands = set()
+    for path in (*DOCUMENTS, *(path for package in PACKAGES for path in files_in(ROOT / package) if not is_test(path))):
+        if path.suffix in (".py", ".md", ""):
+            text, module = path.read_text("utf-8"), ".".join(path.relative_to(ROOT).with_suffix("").parts)
+            commands.update(CALLED.findall(text), [module] * (RUNS in text))
+    for writes in ("os.replace", "pathlib.Path.write_text", "pathlib.Path.write_bytes"):
+        monkeypatch.setattr(writes, None)
+    monkeypatch.setattr("signal.signal", Mock())  # a command that ends lets no signal hinder it
+    monkeypatch.setattr("sys.argv", ["", "--help"])
+    for command in commands:
+        with pytest.raises(SystemExit, check=lambda end: end.code == 0):
+            runpy.run_module(command, run_name="__main__")
+        assert capsys.readouterr().out.startswith("usage: "), command
 
 
 @pytest.mark.parametrize(

@@ -88,6 +88,24 @@ def test_a_frame_is_an_array_and_says_what_it_is():
     assert repr(frame.stage).startswith(f"Stage({frame.raster}, Geometry(eye=4.0, ") and "\n" not in repr(frame.stage)
 
 
+def test_saving_over_a_file_keeps_its_links_and_mode_and_asks_whether_it_may_be_written(tmp_path):
+    place, link, pipe = (tmp_path / name for name in ("new.png", "link.png", "pipe.png"))
+    link.symlink_to(place)
+    FRAME.save(link)  # which leads to nothing yet
+    place.write_bytes(b"")
+    place.chmod(0o606)
+    (tmp_path / "other").hardlink_to(place)
+    with pytest.warns(UserWarning, match="other names"):
+        FRAME.save(link)
+    assert link.is_symlink() and shows(place, FRAME) and place.stat().st_mode & 0o777 == 0o606
+    place.chmod(0o440)
+    os.mkfifo(pipe)
+    for path in (link, pipe):
+        assert "it is read-only, or no regular file" in rejection(FRAME.save, path)
+        with pytest.raises(OSError, match="read-only"):
+            whole_files.write_whole(path)
+
+
 WRITE_FOR_EVER = """
 import sys, time
 from renderer.whole_files import whole_file

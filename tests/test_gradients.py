@@ -1,13 +1,15 @@
 """The gradient of the height field: both exact forms, creases, the pole, the steps that float64 cannot take."""
 
+import re
 from dataclasses import replace
 from itertools import product
+from unicodedata import numeric
 
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from book.figures.binades import STEPS
+from book.figures.binades import NAMES, STEPS
 from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
 from renderer.kernels import FIELDS
 from tests.strategies import steps, wave_numbers
@@ -62,7 +64,10 @@ def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflow
 
 @pytest.mark.parametrize("step", STEPS)
 def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step):
-    """Where the theorem says that a slope dies, the renderer's is 0."""
+    """Where the theorem says that a slope dies, the renderer's is 0; a figure's label has the first such number."""
+    for power, sign in re.findall(r"= 0\$: (\S+) ([<≤])", " ".join(NAMES[step])):
+        first = 1 / int(power[-4:-2]) if "{" in power else numeric(power)
+        assert dies([first, np.nextafter(first, 1)], step).tolist() == [sign == "≤", True]
     at = render(SINE, 256, 256, central(step)).data_on_a
     for axis in "uv":
         counted, lost = at[f"h_{axis}"] == 0, dies(at[axis], step)

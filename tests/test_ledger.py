@@ -11,7 +11,7 @@ from sphinx.errors import ExtensionError
 from book.extension.ledger import require_ledger
 from book.ledger import check
 from book.ledger.check import Run, faults_in, last_run
-from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, BadLedger, load, relation
+from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, load, relation
 from renderer.picture.differences import Interval
 from tests.processes import python
 from verify.sources import ROOT
@@ -72,10 +72,7 @@ def faults(tmp_path):
         (tmp_path / "claims").mkdir(exist_ok=True)
         (tmp_path / "claims" / "some.toml").write_text(TRUE.replace(old, new, 1))
         (tmp_path / "places.toml").write_text('[places]\ncell3 = "Cell 3"\n')
-        try:
-            return faults_in(load(tmp_path), RUN)
-        except BadLedger as error:
-            return error.faults
+        return faults_in(load(tmp_path), RUN)
 
     return of_changed
 
@@ -83,7 +80,7 @@ def faults(tmp_path):
 def test_a_true_ledger_has_no_faults_and_a_grade_that_fell_is_one(faults, monkeypatch):
     assert faults() == []
     monkeypatch.setitem(RUN.entries["no_flips"], "grade", "failed")
-    assert faults() == ["flips: evidence no_flips: grade: proved is expected, the run made it failed"]
+    assert faults() == ["some.toml: flips: evidence no_flips: grade: proved is expected, the run made it failed"]
 
 
 HOLDS, SOURCE = 'verdict = "holds"', '{ source = "Blinn1978" }'
@@ -97,7 +94,8 @@ REFUSED = {
         ('merit = "{number}`sweep.flips` flips"', "", "flips: 'merit' is a required"),
         ('is = "== 0"', 'is = "about 0"', "flips evidence 1 is: 'about 0' is not a 'relation': allowed is one of =="),
         (SOURCE, '{ hearsay = "x" }', "falls evidence 3: {'hearsay': 'x'} is not valid"),
-        ('words = "No', "words = No", "some.toml:"),
+        ('words = "No', "words = No", "Invalid value"),
+        ('"{number}`sweep.flips` flips"', '"some flips"', "flips merit: 'some flips': it has to show a {number}"),
     ],
     "evidence that the run does not bear out": [
         ('"no_flips"', '"no_flip"', "flips: evidence no_flip: theorem: no theorem has this id"),
@@ -133,8 +131,13 @@ REFUSED = {
 def test_what_is_refused(faults, what):
     for old, new, fault in REFUSED[what]:
         found = faults(old, new)
-        assert any(line.startswith(fault) for line in found), found
+        assert any(line.removeprefix("some.toml: ").startswith(fault) for line in found), found
         assert what != "orphans" or len(found) == 1
+
+
+def test_all_faults_of_a_claim_are_told_at_once_with_its_file(faults):
+    found = faults('words = "No pixel changes its chamber."\nwhere = "s3"', 'where = "s33"')
+    assert len(found) == 2 and all(line.startswith("some.toml: flips: w") or "'words'" in line for line in found)
 
 
 def test_relations():

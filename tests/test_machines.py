@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import Light, Scene, central, exact, forward, kernels, render
+from renderer import HeightField, Light, Scene, central, exact, forward, k_v, kernels, render, sinpi, u, v
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -27,6 +27,7 @@ SCENES = {  # beside those that are drawn at random below
     "five_lights": (Scene(lights=tuple(Light((3.0 * n - 6, 4, 9), (0.3, 0.4, 0.2)) for n in range(5))), exact()),
     "largest": (Scene(ku=2.0**20, kv=-(2.0**20), beta=1e100, ka=1e6, kd=1e6, ks=1e6, shininess=1e6), exact()),
     "least": (Scene(ku=5e-324, kv=1e-300, beta=-5e-324, shininess=1e-3), exact("general")),
+    "sum": (Scene(field=HeightField("sum", sinpi(62 * u + 3 * k_v * v))), exact()),
     "near": (Scene(radius=4 * (1 - 1e-9), ball=False, lights=(Light((9, 9, 9)),)), exact()),
     "tiny": (Scene(1e-60, 4e-60, False, lights=(Light((5e-60, 5e-60, 1e-59)),)), central(1e-3)),
     "huge": (Scene(1e60, 4e60, False, lights=(Light((5e60, 5e60, 1e61)),)), exact()),

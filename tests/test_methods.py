@@ -1,11 +1,22 @@
-"""Gradient methods: what may not be asked of the exact one."""
+"""Gradient methods: what may not be asked of the exact one, and a step that is too small."""
 
-from renderer import exact
-from renderer.scene.methods import GradientMethod
+import pytest
+
+from renderer import central, central4, exact, forward
+from renderer.scene.methods import GradientMethod, difference
 from tests.refusals import rejection
 
 
 def test_the_exact_gradient_has_no_step():
     said = rejection(GradientMethod, "exact", 1e-3)
-    assert said == "eps = 0.001 is not allowed: None for the exact gradient"
+    assert said == "eps = 0.001 is not allowed: none beside the exact gradient, which takes no step"
     assert rejection(exact, "fast") == "form = 'fast' is not allowed: one of 'auto', 'general', 'algebraic'"
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_step_that_float64_loses_is_told_but_for_a_sweep():
+    for method in (central, forward, central4):
+        method(2.0**-53)
+        difference(method.__name__, 1e-17)
+        with pytest.warns(UserWarning, match="below 2"):
+            method(1e-17)

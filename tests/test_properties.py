@@ -1,14 +1,17 @@
-"""What holds for every scene that is accepted, bit for bit: that nothing but the bump bumps, and that scale is none."""
+"""Properties of every accepted scene: it is drawn in range, nothing but the bump bumps, and scale does not matter."""
 
+import math
+import warnings
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from hypothesis import given, strategies as st
 from numpy.testing import assert_array_equal
 
-from renderer import Light, render
+from renderer import Light, Scene, exact, pixel, render
 from renderer.kernels import FIELDS
-from tests.strategies import methods, rasters, scaled_triple, scenes
+from tests.strategies import methods, rasters, rejected_fields, scaled_triple, scenes
 
 FLOOR = 3
 DARK = 128
@@ -42,3 +45,53 @@ def test_powers_of_two_scale_all_lengths(scene, size, method, n):
     assert_array_equal(one.chambers & ~np.uint8(DARK), other.chambers & ~np.uint8(DARK))
     kept = one.chambers & 3 != FLOOR
     assert_array_equal(one.rgb[kept], other.rgb[kept])
+
+
+def check(frame, record=None):
+    """Raise AssertionError if anything of a frame, or of a pixel's record, is not a number in range."""
+    assert frame.rgb.min() >= 0 and frame.rgb.max() <= 1  # false for NaN
+    on_a = frame.stage.on_a
+    for name, plane in frame.surface_data.items():
+        assert (np.isfinite(plane) == on_a).all(), name
+    u, v = (frame.surface_data[name][on_a] for name in "uv")
+    assert ((u >= 0) & (u < 1) & (v >= 0) & (v < 0.5)).all()
+    if record:
+        assert all(map(math.isfinite, (*record.point, *record.rgb))), record
+        assert abs(math.hypot(*record.normal) - 1) <= (1e-6 if record.surface == "B" else 1e-14), record
+        for light in record.lights:
+            assert abs(light.mu) <= 1 + 1e-6, record
+            assert all(0 <= number < math.inf for number in (light.specular, *light.adds)), record
+
+
+@given(scenes(), rasters(12), methods)
+def test_every_accepted_scene_is_drawn_in_range(scene, size, method):
+    """With warnings as errors; a pixel is looked at before the clip, which would turn NaN into 0."""
+    with warnings.catch_warnings(), np.errstate(all="raise"):
+        warnings.simplefilter("error")
+        frame = render(scene, *size, method)
+        seen = np.argwhere(frame.chambers & 3)
+        row, column = seen[len(seen) // 2].tolist() if len(seen) else (None, None)
+        check(frame, pixel(scene, *size, column, row, method) if len(seen) else None)
+
+
+def test_one_bad_number_is_found():
+    """In the picture, and behind the clip."""
+    frame, record = render(Scene(), 8, 8, exact()), pixel(Scene(), 8, 8, 4, 4)
+    check(frame, record)
+    good = frame.rgb[0, 0, 0]
+    for value in (np.nan, np.inf, -1e-9, 1 + 1e-9):
+        frame.rgb[0, 0, 0] = value
+        with pytest.raises(AssertionError):
+            check(frame)
+    frame.rgb[0, 0, 0] = good
+    object.__setattr__(record.lights[0], "mu", float("nan"))
+    with pytest.raises(AssertionError):
+        check(frame, record)
+
+
+@given(scenes(), rejected_fields)
+def test_every_other_value_is_refused(scene, rejected):
+    """With a ValueError that names the field."""
+    name, value = rejected
+    with pytest.raises(ValueError, match="radius|ball" if name in ("radius", "ball_radius", "ball_center") else name):
+        replace(scene, **{name: value})

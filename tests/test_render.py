@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from renderer import Light, LightModel, Scene, exact, gradient_at, height_at, pixel, render, stage_of
+from renderer import Light, Scene, exact, gradient_at, height_at, pixel, render, stage_of
 from renderer.machines import native, numpy_rows
 from renderer.picture import views
 from renderer.picture.differences import difference_on_a, distance_on_a
@@ -128,12 +128,10 @@ REFUSED = {
     "into = 'frame'": lambda: default(into="frame"),
     "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
     "ball = 1 is not allowed: True or False": lambda: Scene(ball=1),
-    "program = None is not allowed: a Program": lambda: Scene(model=LightModel("none", None)),
     "scene = 'ridges' is not allowed: a Scene": lambda: Stage("ridges", Raster(8, 8)),
     "raster = (8, 8) is not allowed: a Raster": lambda: Stage(DEFAULT, (8, 8)),
     "path = None is not allowed: a file's name": lambda: default().save(None),
     "out = b'a.npy' is not allowed: a file's name": lambda: stream(DEFAULT, 8, 8, b"a.npy"),
-    "progress = None is not allowed: a function": lambda: stream(DEFAULT, 8, 8, "a.npy", progress=None),
     "steps = 0.001 is not allowed: a sequence of numbers": lambda: sweep(DEFAULT, 8, 8, 1e-3),
     "reference = None is not allowed: a Frame": lambda: difference_on_a(default(), None),
     "frame = Frame(Raster(width=8,": lambda: distance_on_a(default(), render(DEFAULT, 8, 9)),

@@ -9,7 +9,7 @@ from hypothesis import given
 from renderer import Light, Scene
 from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
-from tests.strategies import rejected_fields
+from tests.strategies import NOT_NUMBERS, NOT_TRIPLES, rejected_fields
 
 INSIDE_B = (0.5, 0.5, 1.3)
 
@@ -21,6 +21,11 @@ def test_a_rejection_names_field_and_value(rejected):
     assert text.startswith(name)
     shown = text.partition(" = ")[2].rpartition(" is not allowed: ")[0]
     assert shown in {repr(value), *(repr(item) for item in (value if isinstance(value, tuple) else ()))}
+
+
+def test_whatever_is_no_number_and_no_sequence_of_three_is_refused():
+    for name, values in (("beta", NOT_NUMBERS), ("albedo_a", NOT_TRIPLES)):
+        assert all(rejection(Scene, **{name: value}).startswith(f"{name} = {value!r} ") for value in values)
 
 
 def test_an_array_is_refused_in_one_line():
@@ -58,5 +63,14 @@ def test_a_crop_has_pixels_and_all_of_them_are_the_rasters():
 
 def test_a_crop_of_other_things_than_four_whole_numbers_is_rejected():
     allowed = "(left, top, width, height), whole numbers, inside the raster of 8 x 6"
-    for crop in ((0, 0, 1), (0, 0, math.inf, 1), (0, 0, 1.0, 1), (0, 0, True, 1), "0011", 7):
+    for crop in (
+        (0, 0, 1),
+        (0, 0, math.inf, 1),
+        (0, 0, 1.0, 1),
+        (0, 0, True, 1),
+        {0, 1, 2, 3},
+        bytes((0, 0, 1, 1)),
+        "0011",
+        7,
+    ):
         assert rejection(Raster, 8, 6, crop) == f"crop = {crop!r} is not allowed: {allowed}"

@@ -1,6 +1,13 @@
 """The search, offline: the index is a script beside the pages, so it works from a folder as from a server."""
 
+import re
 from urllib.parse import quote_plus
+from xml.etree import ElementTree
+
+import pytest
+
+from book.extension.mathematics import typeset
+from book.extension.search import in_a_line
 
 # Two words, one of the prose, of a caption, a Greek letter, one of a theorem's card; and where each has to be found.
 FOUND = {
@@ -51,3 +58,23 @@ def test_chapter_comes_first_and_results_follow_what_is_typed(visit):
     )
     tab.wait_for_function("location.search === '?q=silhouette'")
     assert tab.locator("#search-results ul.search").count() == 1
+
+
+@pytest.mark.parametrize(
+    ("tex", "text"),
+    [
+        (r"2^{-40} \le x^2", "2⁻⁴⁰≤x²"),
+        (r"N'_x + f''", "N_x′+f″"),
+        (r"\frac{1}{1 - x}", "1/(1−x)"),
+        (r"\sqrt{a + b}\, e^{i\theta}", "√(a+b) e^(iθ)"),
+        (r"\sin x = 0.5\ldots", "sin x=0.5…"),
+        (r"\varepsilon_{\mathrm{mach}}", "ε_mach"),
+    ],
+)
+def test_a_formula_that_is_found_stands_in_the_line(tex, text):
+    assert in_a_line(ElementTree.fromstring(typeset(tex))) == text
+
+
+def test_no_markup_is_sent_to_search_in(site):
+    texts = (site / "_static" / "search-text.js").read_text("utf-8")
+    assert "ε" in texts and not re.search("<m[a-z]+[ >]", texts) and "\\\\(" not in texts

@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import expect
 
 from proofs.formulas.step_bounds import TERMS
-from tests.tabs import PHONE, becomes, go, says, settled, slide, state
+from tests.tabs import PHONE, becomes, go, next_frame, says, settled, slide, state
 from tests.test_checker import FORBIDDEN, SILENT
 
 OPTIONS = {"reduced_motion": "reduce", "permissions": ["clipboard-read", "clipboard-write"]}
@@ -398,7 +398,8 @@ def test_a_hidden_page_has_no_worker(tab):
     tab.evaluate(hide, True)
     assert tab.is_visible(".sim-play")  # the experiment waits
     slide(tab, "beta", 1.9)
-    tab.wait_for_timeout(300)
+    becomes(tab, beta=1.9)
+    next_frame(tab)
     assert not tab.workers and "beta=0&" in tab.evaluate("Simulator.running.shown()")
     tab.evaluate(hide, False)
     settled(tab)

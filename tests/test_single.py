@@ -73,6 +73,8 @@ def test_edition_is_made_when_the_site_changed_or_it_is_not_there(stamped, capsy
     assert [times(site) for site in "1122"] == [1, 1, 2, 2] and "skipped" in capsys.readouterr().out
     place.unlink()
     assert times("2") == 3
+    place.write_bytes(b"<ht")
+    assert times("2") == 4
 
 
 def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothing_would_be_loaded(mailed):

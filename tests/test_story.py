@@ -12,6 +12,7 @@ READ = ("s1", "s2", "s3", "s4")
 PICTURES = "figure, .simulator"
 ASIDE = "script, style, pre, .headerlink, .provenance, .theorem details, section[id^=exercises]"
 """What is not read on the way: code, proofs in their cards, exercises after a page's end."""
+RMS = r"\{number\}`(\w+)\.\w*rms"
 WORDS_AT_MOST, WAY_AT_MOST = 7250, 350  # the chapter's length before it had these pictures
 
 
@@ -61,3 +62,21 @@ def test_a_lucky_dip_is_called_one():
     assert 5 * least < near < look_up(BOOK, "work_precision", "central_error")
     cited = {page.stem: text for page in BOOK.glob("ch*/*.md") if "u_curve.least" in (text := page.read_text("utf-8"))}
     assert [*cited] == ["s3"] and "is a dip" in cited["s3"]
+
+
+OVER = {"frontier_wall": "points"}
+"""{figure: over what its root mean squares are}, but for pictures, which have channels"""
+
+
+def unnamed(text):
+    """Return the figures whose root mean squares a page cites, and its paragraph has no word for what they are over."""
+    cited = ((id, re.sub("`.*?`", "", block)) for block in text.split("\n\n") for id in re.findall(RMS, block))
+    return [id for id, words in cited if OVER.get(id, "channels") not in words]
+
+
+def test_a_root_mean_square_says_over_what_it_is():
+    wrong = (
+        "Of the channel that differs most {number}`three_pictures.rms_channels`, of points {number}`stacking.a_rms`."
+    )
+    assert unnamed(f"{wrong}\n\nOver the channels: {{number}}`stacking.b_rms`.") == ["three_pictures", "stacking"]
+    assert not any(unnamed(page.read_text("utf-8")) for page in BOOK.glob("ch*/*.md"))

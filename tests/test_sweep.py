@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from renderer import Scene
+from renderer import Scene, render
 from renderer.picture.differences import certain_digits
 from renderer.picture.facts import facts
 from renderer.picture.sweep import HEADINGS, sweep, table, write_csv
@@ -31,6 +31,18 @@ def test_a_table_has_certain_digits_alone(rows, tmp_path):
             assert text[name] == certain_digits(lower, upper, 15)
             assert lower <= row[name] <= upper
     assert [text["rms"] == "" for text in read] == [False] * 5 + [True]
+
+
+def test_a_chamber_that_differs_is_counted_as_a_flip(monkeypatch):
+    def flipping(*arguments, **options):
+        frame = render(*arguments, **options)
+        if frame.method.eps:
+            frame.stage.chambers = frame.chambers ^ (frame.chambers > 0) * 128
+        return frame
+
+    monkeypatch.setattr("renderer.picture.sweep.render", flipping)
+    (row,) = sweep(Scene(floor=False), 16, 16, (1e-2,))
+    assert row.flips == (render(Scene(floor=False), 16, 16).chambers > 0).sum() > 0
 
 
 def test_facts():

@@ -1,6 +1,7 @@
 """The package as `pip install .` gives it: in an empty environment it draws and checks, without the repository."""
 
 import os
+import re
 import sys
 import tarfile
 import tomllib
@@ -11,6 +12,7 @@ from sysconfig import get_path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
@@ -19,6 +21,7 @@ from verify.sources import ROOT, imported
 
 SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 PROJECT = SETTINGS["project"]
+LOCKS = ("requirements-book.lock", "requirements.lock")
 LARGEST = 1.5e6  # bytes
 SCRIPT = """
 import multiprocessing
@@ -139,7 +142,7 @@ def needed(requirements):
     waiting, found = [Requirement(text) for text in requirements], set()
     while waiting:
         one = waiting.pop()
-        name = one.name.lower().replace("_", "-")
+        name = canonicalize_name(one.name)
         if name == PROJECT["name"]:
             waiting += [Requirement(text) for extra in one.extras for text in PROJECT["optional-dependencies"][extra]]
         elif name not in found and (one.marker is None or one.marker.evaluate({"extra": ""})):
@@ -148,12 +151,20 @@ def needed(requirements):
     return found
 
 
+def test_the_book_s_lock_is_a_part_of_the_other_and_has_all_that_the_book_needs():
+    pins = [set(re.findall(r"^([\w.-]+)==([^\s;]+)", (ROOT / name).read_text("utf-8"), re.MULTILINE)) for name in LOCKS]
+    assert pins[0] < pins[1]
+    for extra, pinned in zip(("book", "test"), pins, strict=True):
+        wanted = needed([*PROJECT["dependencies"], f"{PROJECT['name']}[{extra}]"])
+        assert wanted <= {name for name, _ in pinned}
+
+
 def test_the_extra_of_the_book_has_all_that_the_book_imports():
     names = {
         name.split(".")[0] for path in (ROOT / "book").rglob("*.py") for name in imported(path.read_text("utf-8"))[0]
     }
     homes = packages_distributions()
     book = {PROJECT["name"]} | needed([*PROJECT["dependencies"], f"{PROJECT['name']}[book]"])
-    lacking = {n for n in names & homes.keys() if not book & {home.lower().replace("_", "-") for home in homes[n]}}
+    lacking = {n for n in names & homes.keys() if not book & set(map(canonicalize_name, homes[n]))}
     assert "filelock" in names and "sphinx" in names
     assert lacking == set()

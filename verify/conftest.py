@@ -8,6 +8,7 @@ import pytest
 from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
 from verify import formal
+from verify.checkers import theorem_files
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
 from verify.sources import ROOT
@@ -15,7 +16,9 @@ from verify.sources import ROOT
 REPORT = ROOT / "book" / "_generated" / "proofs.json"
 EVIDENCE = []
 TOOK = {}
-"""The evidence that tests' reports carry, and {theorem: how long it took}, in the process that controls the workers"""
+COQ = set()
+"""In the process that controls the workers: the evidence that tests' reports carry, {theorem: how long it took}, and
+whether Coq agreed with its record in this run"""
 
 
 def pytest_addoption(parser):
@@ -24,9 +27,14 @@ def pytest_addoption(parser):
     group.addoption(
         "--search", action="store_true", help="find every certificate anew instead of reading the stored ones"
     )
-    group.addoption("--fresh", action="store_true", help="measure anew what theorems measure")
     if not any("--long" in option.names() for option in parser._anonymous.options):
         group.addoption("--long", action="store_true", help="also what takes minutes")
+
+
+def pytest_configure(config):
+    """Read the files of theorems before any of them is run: one that is a program could change what judges it."""
+    if refused := theorem_files.refused():
+        raise pytest.UsageError("a file of theorems is data: " + "; ".join(refused))
 
 
 def pytest_ignore_collect(collection_path, config):
@@ -73,7 +81,7 @@ def pytest_collection_modifyitems(config, items):
 def record_evidence(record_property):
     """Return a function that hands a theorem's evidence to the controlling process, workers or none.
 
-    took: how the time is told, "kept" where the evidence was; by default that since the test began.
+    took: how the time is told; by default that since the test began.
     """
     start = time.perf_counter()
 
@@ -86,6 +94,8 @@ def record_evidence(record_property):
 
 def pytest_runtest_logreport(report):
     properties = dict(report.user_properties)
+    if report.passed and "coq" in properties:
+        COQ.add(properties["coq"])
     if report.when == "call" and "evidence" in properties:
         EVIDENCE.append(json.loads(properties["evidence"]))
         TOOK[EVIDENCE[-1]["id"]] = properties["took"]
@@ -93,7 +103,7 @@ def pytest_runtest_logreport(report):
 
 def _results():
     """Return the entries of the report in order of the ids."""
-    return graded(EVIDENCE, formal.proved_here(all_theorems().values()))
+    return graded(EVIDENCE, formal.proved(all_theorems().values()) if COQ else ())
 
 
 def pytest_sessionfinish(session, exitstatus):

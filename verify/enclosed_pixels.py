@@ -14,15 +14,44 @@ from tqdm import tqdm
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
-from renderer import Light, exact, render
+from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.accuracy.pixels import compared
 from verify.records import command
-from verify.strict import random_raster, random_scene
 
 EACH = 6  # pixels of a picture at random, and as many of the largest bounds
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)
+
+
+def random_scene(random: np.random.Generator) -> Scene:
+    """Return a scene of scales far apart: B may contain, cut, touch or miss everything, lights may be low or below."""
+    while True:
+        radius = 10.0 ** random.uniform(-2, 2)
+        center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
+        positions = random.normal(size=(random.integers(0, 6), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
+        try:
+            return Scene(
+                radius=radius,
+                eye=radius * 10.0 ** random.uniform(0.01, 2),
+                ball=bool(random.uniform() < 0.9),
+                floor=bool(random.uniform() < 0.9),
+                ball_radius=radius * 10.0 ** random.uniform(-2, 1),
+                ball_center=center,
+                lights=tuple(Light(tuple(p), None if random.uniform() < 0.1 else (1, 1, 1)) for p in positions),
+            )
+        except ValueError:
+            continue  # B around the eye, or a light inside a body
+
+
+def random_raster(random: np.random.Generator) -> tuple[int, int, tuple[int, int, int, int] | None]:
+    """Return (width, height, crop): odd and even sizes, one in three cropped."""
+    width, height = (int(n) for n in random.integers(1, 90, 2))
+    if random.uniform() < 2 / 3:
+        return width, height, None
+    left, top = int(random.integers(0, width)), int(random.integers(0, height))
+    wide, high = (int(random.integers(1, n + 1)) for n in (width - left, height - top))
+    return width, height, (left, top, wide, high)
 
 
 def errors(frame: Frame, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:

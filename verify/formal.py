@@ -17,6 +17,7 @@ import sys
 import tempfile
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from datetime import date
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -159,10 +160,16 @@ def accepted_here() -> bool:
     return bool(record()) and KEPT.is_file() and KEPT.read_text(encoding="utf-8") == seen()
 
 
-def proved_here(theorems: Iterable[Theorem]) -> set[str]:
-    """Return the ids of the theorems that Coq has proved whole on this machine: none on a record's word."""
-    accepted = record() if accepted_here() else {}
+def proved(theorems: Iterable[Theorem]) -> set[str]:
+    """Return the ids of the theorems that Coq has proved whole, on the record's word: to be asked once Coq agreed."""
+    accepted = record()
     return {theorem.id for theorem in theorems if whole(theorem, accepted.get(theorem.id))}
+
+
+def when() -> str:
+    """Return where, or on which day, Coq accepted what the record says. No grade rests on what is KEPT here."""
+    day = json.loads(RECORD.read_text(encoding="utf-8"))["date"]
+    return "accepted here" if accepted_here() else f"recorded on {day}, not re-checked here"
 
 
 def _asked(folder: Path, *command: str) -> str:
@@ -236,7 +243,8 @@ def main() -> None:
     else:
         table = compile_files(*asked.file, again=asked.coqchk)
         if not asked.file:
-            text = json.dumps({"sources": coq_hashes(), "theorems": table}, indent=1, ensure_ascii=False)
+            content = {"date": date.today().isoformat(), "sources": coq_hashes(), "theorems": table}
+            text = json.dumps(content, indent=1, ensure_ascii=False)
             write_whole(RECORD, f"{text}\n".encode())
             write_whole(KEPT, seen().encode())
     for theorem, entry in table.items():

@@ -33,9 +33,9 @@ PROSE = {".md", ".bib"}
 class Record:
     """A record: NAME.json in `folder`, and the run that writes it.
 
-    command: what Python is given to measure it. begins: the files whose imports are the run's code, and folders of
-    which it may reach everything. packages: the libraries that it names. needs: those without which it would leave
-    something out.
+    command: what Python is given to measure it. begins: patterns of the files whose imports are the run's code, and
+    folders of which it may reach everything. packages: the libraries that it names. needs: those without which it
+    would leave something out.
     """
 
     name: str
@@ -67,30 +67,14 @@ RECORDS = {
             "-m tests.measure_pages",
             ("tests/measure_pages.py", "book/simulator_module.py", "book/static"),
         ),
-        Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer")),
-        Record("machines", BENCHMARKS, "-m verify.benchmark.machines", ("verify/benchmark/machines.py",)),
-        Record(
-            "own",
-            BENCHMARKS,
-            "-m verify.benchmark.own",
-            ("verify/benchmark/own.py", "renderer"),
-            ("numpy", "llvmlite", "zlib-ng"),
-        ),
-        Record("texture", BENCHMARKS, "-m verify.benchmark.texture", ("verify/benchmark/texture.py",)),
+        Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer/__main__.py")),
         Record(
             "work_precision",
             RESULTS,
             "-m verify.benchmark.work_precision",
             ("verify/benchmark/work_precision.py",),
             ("numpy", "llvmlite", "mpmath"),
-            ("autograd", "jax", "scipy", "numdifftools"),
-        ),
-        Record(
-            "accepted_scenes",
-            RESULTS,
-            "-m tests.accepted_scenes",
-            ("tests/accepted_scenes.py",),
-            ("numpy", "llvmlite", "hypothesis"),
+            ("jax",),
         ),
         Record(
             "enclosed_pixels",
@@ -99,7 +83,13 @@ RECORDS = {
             ("verify/enclosed_pixels.py",),
             ("numpy", "llvmlite", "python-flint"),
         ),
-        Record("edited_formulas", RESULTS, _CAMPAIGN, ("proofs", "renderer", "verify"), ("sympy", "mpmath")),
+        Record(
+            "edited_formulas",
+            RESULTS,
+            _CAMPAIGN,
+            ("proofs", "conftest.py", "verify/conftest.py", "verify/**/test_*.py", "verify/checkers/stale.py"),
+            ("sympy", "mpmath"),
+        ),
     )
 }
 
@@ -145,13 +135,13 @@ def code_of(name: str) -> dict[str, str]:
     Data beside the code are of it, and tests where the run is about them; prose, comments and records never are.
     """
     reached: set[Path] = set()
-    for begin in (ROOT / begin for begin in RECORDS[name].begins):
+    for begin in (path for pattern in RECORDS[name].begins for path in ROOT.glob(pattern)):
         reached |= {*sources.files_in(begin)} if begin.is_dir() else sources.reachable(begin)
     records = {ROOT / folder for folder in (RESULTS, BENCHMARKS)}
     code = sources.code_hashes(path for path in reached if path.suffix not in PROSE and path.parent not in records)
     lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
-    pins = dict(re.findall(r"^([\w.-]+)==([^\s;\\]+)", lock, re.MULTILINE))
-    return code | {package: pins[package] for package in RECORDS[name].packages if package in pins}
+    pins = [re.findall(rf"^{package}==([^\s;\\]+)", lock, re.MULTILINE) for package in RECORDS[name].packages]
+    return code | {p: " ".join(found) for p, found in zip(RECORDS[name].packages, pins, strict=True) if found}
 
 
 def _seal(content):

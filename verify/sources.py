@@ -64,10 +64,12 @@ def code_hashes(paths: Iterable[Path]) -> dict[str, str]:
     return file_hashes(paths, lambda path: without_prose(path).encode() if path.suffix == ".py" else path.read_bytes())
 
 
-def file_hashes(paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes) -> dict[str, str]:
+def file_hashes(
+    paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes, root: Path = ROOT
+) -> dict[str, str]:
     """Path from the root → hash of its content, for files that exist."""
     found = sorted(path for path in set(paths) if path.is_file())
-    return {path.relative_to(ROOT).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
+    return {path.relative_to(root).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
 
 
 @cache
@@ -91,7 +93,7 @@ def difference(before: dict[str, str], now: dict[str, str]) -> str | None:
     """What differs between two tables of hashes, in a few words; None if nothing does."""
     changed = [name for name in sorted(before.keys() | now.keys()) if before.get(name) != now.get(name)]
     more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
-    return f"{changed[0]} changed{more}" if changed else None
+    return f"{changed[0]} {'changed' if changed[0] in now else 'is missing'}{more}" if changed else None
 
 
 def key(table: dict) -> str:

@@ -17,7 +17,7 @@ from proofs.formulas.symbols import real
 from renderer.generate import statements as printing
 from renderer.generate.statements import mutants, proposition
 from renderer.whole_files import write_whole
-from verify import formal, survey, vernacular
+from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
 from verify.test_campaign import draw, edited, everywhere, sites
 
@@ -66,13 +66,14 @@ def test_coq_is_not_asked_about_statements_that_nobody_printed(written):
 
 
 @needs_coq
-def test_coq_accepts_what_the_record_says(request):
+def test_coq_accepts_what_the_record_says(request, record_property):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
     alone = request.config.getoption("long")
     if alone or not formal.accepted_here():
         said = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
         assert said == formal.compile_files(said=None if alone else said)
         write_whole(formal.KEPT, formal.seen().encode())
+        record_property("coq", "agreed")
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
 
@@ -230,18 +231,24 @@ def test_every_name_that_is_given_by_hand_is_asked_for():
         assert "Fail Check sin." in survey.names_asked(vernacular.named(text), ())
 
 
-def test_a_record_that_coq_did_not_write_here_proves_nothing(tmp_path, monkeypatch):
-    """Neither without what Coq said here, nor with what it said of another record; `record` itself is no witness."""
+def test_a_record_that_coq_did_not_write_here_is_told_by_its_day_and_raises_no_grade(tmp_path, monkeypatch):
+    """Nor does what is kept here, which anybody can write: the run asks whether Coq agreed in it."""
     theorems, kept, record = all_theorems().values(), tmp_path / "formal", tmp_path / "record.json"
     record.write_bytes(formal.RECORD.read_bytes())
     monkeypatch.setattr(formal, "KEPT", kept)
     monkeypatch.setattr(formal, "RECORD", record)
-    assert formal.record() and not formal.accepted_here() and not formal.proved_here(theorems)
+    day = json.loads(record.read_text("utf-8"))["date"]
+    assert formal.record() and formal.when() == f"recorded on {day}, not re-checked here"
     kept.write_text(formal.seen())
-    assert formal.accepted_here()
-    assert len(proved := formal.proved_here(theorems)) > 40 and not proved & formal.PARTLY.keys()
+    assert formal.when() == "accepted here"
+    assert len(proved := formal.proved(theorems)) > 40 and not proved & formal.PARTLY.keys()
+    cited = {"id": "truncation_bound", "grade": "proved", "uses": [], "cited_lemmas": [{"source": "DLMF"}]}
+    monkeypatch.setattr(conftest, "EVIDENCE", [cited])
+    for agreed, line in ((set(), "proved, given DLMF"), ({"agreed"}, "proved")):
+        monkeypatch.setattr(conftest, "COQ", agreed)
+        assert [entry["grade_line"] for entry in conftest._results()] == [line]
     record.write_bytes(record.read_bytes() + b" ")
-    assert formal.record() and not formal.accepted_here() and not formal.proved_here(theorems)
+    assert formal.record() and not formal.accepted_here()
 
 
 TRUE = survey.SEPARATOR

@@ -110,12 +110,15 @@ def test_a_seam_may_be_asked_for_and_a_name_is_given_once():
         by_name([first, replace(first)])
 
 
-def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch):
+def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch, capsys):
     monkeypatch.setitem(HEIGHT_FIELDS, "odd_one", AnyField("odd_one", atan(v)))
     words = re.escape("height_odd_one is not allowed: it calls atan, which no kernel has")
     with pytest.raises(ValueError, match=words):
         write_all({tmp_path / "first": str, tmp_path / "kernels.py": kernels_source})
     assert not [*tmp_path.iterdir()]
+    for told in ("wrote", "unchanged"):
+        write_all({tmp_path / "first": str})
+        assert capsys.readouterr().out == f"{told} first: 0 lines\n"
 
 
 # What bounds a central difference's error, on the pages and in the simulator

@@ -18,7 +18,7 @@ FILES = {
     "proofs/table.json": "[1]",
     "proofs/words.md": "Words.",
     "proofs/test_law.py": "assert True\n",
-    "requirements.lock": "numpy==1.0 \\\n    --hash=a\npillow==1.0\n",
+    "requirements.lock": "numpy==1.0 \\\n    --hash=a\npillow==1.0\nnumpy==2.0\n",
 }
 FAKE = {
     name: Record(name, RESULTS, f"-m verify.{module}", (f"verify/{module}.py",), ("numpy",))
@@ -62,6 +62,7 @@ def test_a_record_is_stale_if_its_code_changed_and_only_then(project):
         ("verify/run.py", "law(2)", "law(3)", "verify/run.py changed"),
         ("proofs/table.json", "[1]", "[2]", "proofs/table.json changed"),
         ("requirements.lock", "numpy==1.0", "numpy==1.1", "numpy changed"),
+        ("requirements.lock", "numpy==2.0", "numpy==2.1", "numpy changed"),
         ("proofs/law.py", "# why", "# because", None),
         ("proofs/law.py", "Its words.", "Other\n\n    words.", None),
         ("proofs/words.md", "Words", "Others", None),
@@ -141,3 +142,10 @@ def test_only_what_is_stale_is_measured_and_what_was_written_before_an_interrupt
     assert "measured anew: sums\n" in written and "still stale: ones: its run was stopped" in written
     with pytest.raises(SystemExit, match="2"):
         evidence.main(["nothing"])
+
+
+def test_a_help_text_makes_no_campaign_stale():
+    """Records begin at files: the campaign runs the checks, which call no command line."""
+    for name, reached in (("edited_formulas", False), ("frames", True)):
+        assert ("renderer/command_line/options.py" in records.code_of(name)) == reached
+    assert "verify/checkers/test_attacks.py" in records.code_of("edited_formulas")

@@ -3,7 +3,7 @@
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from verify.checkers import measured, measurement_cache, proof_checker
+from verify.checkers import measured, proof_checker
 from verify.checkers.grades import NOT_RECHECKED
 from verify.checkers.known_bad import wrong_verdicts
 
@@ -18,7 +18,7 @@ def _checkers_that_refuse_what_is_false():
 
 @pytest.mark.parametrize("theorem_id", THEOREMS)
 def test_theorem(theorem_id, record_evidence, pytestconfig):
-    theorem, took = THEOREMS[theorem_id], None
+    theorem = THEOREMS[theorem_id]
     if library := measured.library_for(theorem_id):
         reason = f"needs {library}"
         left_out = {"id": theorem.id, "expected": theorem.expected, "uses": [], "grade": NOT_RECHECKED, "killed": "0/0"}
@@ -28,11 +28,7 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         points = proof_checker.LONG_POINTS if pytestconfig.getoption("--long") else proof_checker.POINTS
         found = proof_checker.examine(theorem, THEOREMS, pytestconfig.getoption("search"), points)
     else:
-        key = measurement_cache.key_of(theorem)
-        found = None if pytestconfig.getoption("fresh") else measurement_cache.read(theorem, key)
-        took = "kept" if found else None
-        if found is None:
-            found = measured.examine(theorem, THEOREMS)
-            measurement_cache.keep(found, key)
-    record_evidence(found.record | {"killed": f"{found.mutants_killed}/{found.mutants}"}, took)
+        found = measured.examine(theorem, THEOREMS)
+    reason = {"reason": found.problems[0].splitlines()[0]} if found.problems else {}
+    record_evidence(found.record | reason | {"killed": f"{found.mutants_killed}/{found.mutants}"})
     assert found.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *found.problems])

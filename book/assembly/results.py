@@ -18,11 +18,12 @@ class UnknownResult(ValueError):
 
 def result_file(book: Path, id: str) -> Path:
     """The JSON file behind an id; ids with the prefix `bench:` are committed benchmarks."""
+    name = id.removeprefix(BENCHMARK_PREFIX)
     if id.startswith(BENCHMARK_PREFIX):
-        folder, what = book.parent / records.BENCHMARKS, "benchmark"
+        record = records.RECORDS.get(name)
+        folder, what = book.parent / (record.folder if record else records.BENCHMARKS), "benchmark"
     else:
         folder, what = book / "_generated", "figure"
-    name = id.removeprefix(BENCHMARK_PREFIX)
     path = folder / f"{name}.json"
     if "/" in name or not path.is_file():
         known = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"
@@ -34,11 +35,15 @@ def load_result(book: Path, id: str) -> dict:
     return table_in(result_file(book, id))
 
 
+def records_of(book: Path, id: str) -> list[str]:
+    """The names of the records that an id's numbers come from: none for a figure that is computed in the build."""
+    read = {result_file(book, id).relative_to(book.parent).as_posix(), *load_result(book, id).get("reads", ())}
+    return [name for name, record in records.RECORDS.items() if record.path in read]
+
+
 def remark(book: Path, id: str) -> str | None:
     """What has to be said beside the numbers of an id where the code has changed since they were measured; or None."""
-    read = {result_file(book, id).relative_to(book.parent).as_posix(), *load_result(book, id).get("reads", ())}
-    said = [records.remark(name) for name, record in records.RECORDS.items() if record.path in read]
-    return "; ".join(filter(None, said)) or None
+    return "; ".join(filter(None, map(records.remark, records_of(book, id)))) or None
 
 
 def look_up(book: Path, id: str, key: str) -> int | float | str | Interval:

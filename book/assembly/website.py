@@ -47,10 +47,15 @@ def environment(cache: Path) -> dict[str, str]:
     }
 
 
+def built() -> dict[str, str]:
+    """One hash of all the site's files."""
+    return {"site": stamps.key(stamps.file_hashes(SITE.rglob("*"), root=SITE))}
+
+
 def build() -> None:
-    """Build the site if anything that it is made from changed."""
+    """Build the site if anything that it is made from changed, or a file of its own."""
     now = site_hashes()
-    if stamps.read("site") == now and INDEX.is_file():
+    if stamps.read("site") == now | built():
         print("  skipped: nothing that it is made from has changed")
         return
     stamps.remove("site")
@@ -64,7 +69,7 @@ def build() -> None:
     shutil.rmtree(SITE, ignore_errors=True)
     made.rename(SITE)
     shutil.rmtree(WORK)
-    stamps.write("site", now)
+    stamps.write("site", now | built())
 
 
 def build_into(folder: Path, cache: Path) -> None:

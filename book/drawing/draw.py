@@ -6,11 +6,12 @@ Each is kept by the hashes of all that it can depend on.
 import importlib
 import inspect
 import pkgutil
+import signal
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from itertools import repeat
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 
 from book.assembly import report, stamps
@@ -48,15 +49,23 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
         now = figure_hashes(entry)
         if reason := "asked for" if force else why_redraw(entry, now):
             families.setdefault(source_file(entry).stem, []).append((entry, now, reason))
-            stamps.remove(f"figures/{entry.id}")
+            stamps.write(f"figures/{entry.id}", {})  # begun
     waiting = [families[name] for name in sorted(families, key=LONGEST.__contains__, reverse=True)]
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
         run = pool.map if PROCESSES > 1 and len(waiting) > 1 else map
-        for family, drawn in zip(waiting, run(_draw_family, waiting, repeat(GENERATED)), strict=True):
-            for (entry, sources, reason), (files, seconds) in zip(family, drawn, strict=True):
-                stamps.write(f"figures/{entry.id}", {"files": files, "sources": sources})
-                print(f"  drew {entry.id} ({reason}), {seconds:.1f} s", flush=True)
+        interrupt = signal.signal(signal.SIGINT, signal.SIG_IGN)  # what begins now takes it over: it is ended below
+        results = run(_draw_family, waiting, repeat(GENERATED))
+        signal.signal(signal.SIGINT, interrupt)
+        try:
+            for family, drawn in zip(waiting, results, strict=True):
+                for (entry, sources, reason), (files, seconds) in zip(family, drawn, strict=True):
+                    stamps.write(f"figures/{entry.id}", {"files": files_of(files), "sources": sources})
+                    print(f"  drew {entry.id} ({reason}), {seconds:.1f} s", flush=True)
+        except KeyboardInterrupt:
+            for child in active_children():
+                child.terminate()
+            raise
     count = sum(map(len, waiting))
     print(f"  {count} drawn, {len(ids or figures) - count} up to date")
     return count
@@ -94,10 +103,14 @@ def figure_hashes(entry: Registered) -> dict[str, str]:
     return stamps.hashes([*code, *map(stamps.ROOT.joinpath, entry.reads), stamps.LOCK_FILE])
 
 
+def files_of(names: Iterable[str]) -> dict[str, str]:
+    """The hash of each of a figure's files, by its name; nothing of one that is missing."""
+    return stamps.file_hashes(map(GENERATED.joinpath, names), root=GENERATED)
+
+
 def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
     """The reason to draw the figure again, in a few words; None when it is up to date."""
     stamp = stamps.read(f"figures/{entry.id}")
-    if stamp is None:
-        return "new"
-    missing = [name for name in stamp["files"] if not (GENERATED / name).is_file()]
-    return f"{missing[0]} is missing" if missing else difference(stamp["sources"], now)
+    if not stamp:
+        return "new" if stamp is None else "interrupted"
+    return difference(stamp["sources"], now) or difference(stamp["files"], files_of(stamp["files"]))

@@ -3,6 +3,7 @@
 `python -m book.drawing.palette` writes `book/static/palette.css`; a test fails when the file is out of date.
 """
 
+import argparse
 import re
 from pathlib import Path
 
@@ -83,5 +84,6 @@ def css() -> str:
 
 
 if __name__ == "__main__":
+    argparse.ArgumentParser("python -m book.drawing.palette", description=__doc__).parse_args()
     CSS_FILE.write_text(css(), encoding="utf-8")
     print(f"wrote {CSS_FILE.name}")

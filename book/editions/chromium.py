@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from playwright.sync_api import Browser, Page, sync_playwright
-from pypdfium2 import PdfDocument
 
 from book.assembly.stamps import Refused
 
@@ -28,6 +27,7 @@ FOOTER = (
     'margin: 0 18mm; width: 100%"><span class="title"></span><span class="pageNumber"></span></div>'
 )
 DATE = b"D:20250101000000+00'00'"  # the date that the site is told too
+TITLE = re.compile(rb"/Title (?:<FEFF([0-9A-F]+)>|\(((?:\\.|[^\\)])*)\))")  # in UTF-16, or in ASCII
 NODE = re.compile(rb"node\d{8}")  # by which a table's cells name their heads
 MOVES = re.compile(r"<script [^>]*data-moves=.*?</script>", re.DOTALL)
 
@@ -91,15 +91,20 @@ def printed(tab: Page) -> bytes:
                 outline=True,
             )
         )
-        both = enumerate(zip(outline(pdf), headings, strict=True))
-        twice = [number for number, (title, heading) in both if title == 2 * "".join(heading.split())]
+        found = titles(pdf)
+        twice = [number for number, heading in enumerate(headings) if 2 * "".join(heading.split()) in found]
         if not twice:
             return pdf
 
 
-def outline(pdf: bytes) -> list[str]:
-    """The titles in a file's outline, without blanks."""
-    return ["".join(entry.get_title().split()) for entry in PdfDocument(pdf).get_toc()]
+def titles(pdf: bytes) -> set[str]:
+    """The titles in the outline of a file that Chromium wrote, without blanks."""
+    found = TITLE.findall(pdf)
+    ascii_or_wide = [
+        re.sub(rb"\\(.)", rb"\1", text).decode("ascii") or bytes.fromhex(wide.decode()).decode("utf-16-be")
+        for wide, text in found
+    ]
+    return {"".join(title.split()) for title in ascii_or_wide}
 
 
 def print_chapter(single: str) -> bytes:

@@ -186,5 +186,4 @@ def document(site: Path) -> str:
     put_pages(chapter)
     put_head(chapter)
     put_scripts(chapter)
-    text = chapter.shell.decode(formatter=Addresses(EntitySubstitution.substitute_xml)).strip() + "\n"
-    return text.replace(' encoding="application/x-tex"', "")  # of thousands of formulas, each with one annotation
+    return chapter.shell.decode(formatter=Addresses(EntitySubstitution.substitute_xml)).strip() + "\n"

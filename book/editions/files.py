@@ -37,11 +37,11 @@ def printed(site: Path = website.SITE) -> bytes:
 def make(name: str, place: Path, content: Callable[[], bytes]) -> None:
     """Write an edition, which appears whole or not at all, unless it is up to date."""
     site = stamps.read("site")
-    if site is not None and stamps.read(name) == site and place.is_file():
+    if site is not None and stamps.read(name) == site | stamps.file_hashes([place], root=place.parent):
         print("  skipped: the site has not changed")
         return
     stamps.remove(name)
     made = content()
     stamps.write_whole(place, made)
-    stamps.write(name, site)
+    stamps.write(name, site | stamps.file_hashes([place], root=place.parent))
     print(f"  {len(made) / 1e6:.1f} MB")

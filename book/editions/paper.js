@@ -78,10 +78,12 @@ async function put_on_paper(names) {
     const formulas = find_all(document, "math").map((formula) => {
       const block = formula.closest("li, dd, td, th, p, figcaption, .theorem, div, section") ?? document.body;
       const { paddingLeft, paddingRight } = getComputedStyle(block);
+      const parts = document.createRange(); // a displayed formula is itself as wide as its block
+      parts.selectNodeContents(formula);
       const room = block.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
       return {
         formula,
-        share: room / width_of(find_element(formula, "semantics")),
+        share: room / parts.getBoundingClientRect().width,
         size: parseFloat(getComputedStyle(formula).fontSize)
       };
     });

@@ -18,7 +18,7 @@ docstrings                 autodoc reads them as plain text (interface.py)
 a cell's output            joined before it is merged (pages.py)
 screen readers             lists and tables that they understand (scripts.py)
 a sentence found           shown by the search, with its section (search.py)
-formulas                   typeset as MathML when the book is built (mathematics.py, presentation.py)
+formulas                   typeset as MathML when the book is built (mathematics.py)
 the theme                  its style sheets without what no page uses (styles.py), what a page may load (scripts.py)
 the simulator              compiled into the site (pages.py)
 """

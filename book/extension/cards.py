@@ -34,7 +34,7 @@ from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled,
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
-from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, WORDS, Here, certificate, kind, module_and_line
+from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -129,7 +129,6 @@ TEMPLATES.globals.update(
     GRADES=GRADES,
     OPEN=OPEN,
     PARTLY=formal.PARTLY,
-    WORDS=WORDS,
     point=point,
     rows=rows,
 )

@@ -45,6 +45,5 @@ def evidence_line(entry: dict) -> str:
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
         said = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
-        recorded = "" if entry["formal"]["here"] else ", recorded, not re-checked here"
-        line = f"formal: {count(said, 'statement')} in Coq{recorded}; {line}"
+        line = f"formal: {count(said, 'statement')} in Coq, {entry['formal']['when']}; {line}"
     return line[0].upper() + line[1:]

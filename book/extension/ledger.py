@@ -1,6 +1,6 @@
 """The ledger of claims on pages; a ledger that does not stand fails the build (see book/ledger/__init__.py).
 
-:::{ledger-verdicts}           what the verdicts mean, with the number of claims that have each
+:::{ledger-verdicts}           what the verdicts mean, with the numbers of claims, and of their points
 :::
 :::{ledger-findings}           the findings by name
 :::
@@ -11,7 +11,6 @@
 """
 
 import re
-from collections import Counter
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -52,7 +51,7 @@ _LOOKS = (
     Look("corrected", "↻", "corrected", "Corrected", "part of it is so, and the entry says which."),
     Look("conditional", "◐", "true if", "True with a condition", "it is so under a condition, which the entry names."),
     Look("holds", "✓", "true", "True", "it is so."),
-    Look("outside", "–", "outside", "Outside this chapter", "it is about other chapters, and was not checked."),
+    Look("outside", "–", "outside", "Outside this chapter", "it is about what is not here, and was not checked."),
 )
 LOOKS = dict(zip(VERDICTS, _LOOKS, strict=True))
 
@@ -144,8 +143,7 @@ def test_address(node: str) -> str:
 
 @directive("ledger-verdicts")
 def verdicts(here: SphinxDirective) -> Nodes:
-    counts = Counter(claim.verdict for claim in ledger_of(here.env.app).claims)
-    return [filled("verdicts", counts=counts)]
+    return [filled("verdicts", claims=ledger_of(here.env.app).claims)]
 
 
 @directive("ledger-findings")

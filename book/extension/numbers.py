@@ -11,16 +11,21 @@
 A number that was measured before the code changed has a mark, †, and the page says at its end at which commit it was.
 
 ```{benchmark-label} frame
+The words before the label, if any.
 ```
+
+A label stands behind what it is about: in its section, a number of a record has to be of one that the next labels name,
+or the last ones. So no time stands under another run's date.
 """
 
+from itertools import chain, groupby, pairwise
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, remark
+from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, records_of, remark
 from book.extension.elements import TEMPLATES, Nodes, directive, on, role
 from renderer.picture.differences import Interval
 
@@ -66,7 +71,10 @@ def number(here: SphinxRole) -> Nodes:
     value = look_up(book, id, key)
     words = isinstance(value, str)
     marked = [] if words else mark(book, id)
-    return [nodes.inline(here.rawtext, "", *typeset(value, spec), *marked, classes=[] if words else ["number"])]
+    classes, sources = [] if words else ["number"], records_of(book, id)
+    node = nodes.inline(here.rawtext, "", *typeset(value, spec), *marked, classes=classes, records=sources)
+    here.set_source_info(node)
+    return [node]
 
 
 @role("spread")
@@ -80,9 +88,25 @@ def spread(here: SphinxRole) -> Nodes:
     return [nodes.Text(" ("), *low, nodes.Text(" to "), *high, nodes.Text(")")]
 
 
-@directive("benchmark-label", arguments=1)
+@directive("benchmark-label", arguments=1, content=True)
 def benchmark_label(here: SphinxDirective) -> Nodes:
-    return [nodes.paragraph("", measured(Path(here.env.srcdir), here.arguments[0]), classes=["benchmark-label"])]
+    record = here.arguments[0]
+    text = " ".join([*here.content, measured(Path(here.env.srcdir), record)])
+    return [nodes.paragraph("", text, classes=["benchmark-label"], record=record)]
+
+
+@on("doctree-read")
+def hold_numbers_to_their_labels(app: Sphinx, document: nodes.document) -> None:
+    """Refuse a number under the label of a record that it is not from."""
+    for section in document.findall(nodes.section):
+        blocks = [block for block in section if not isinstance(block, nodes.section)]
+        runs = [[*run] for _, run in groupby(blocks, lambda block: "record" in block)]
+        for run, labels in pairwise(runs + runs[-2:-1]):
+            named = {label.get("record") for label in labels}
+            for node in chain.from_iterable(block.findall(nodes.inline) for block in run):
+                if not named.issuperset(node.get("records", ())):
+                    words = f"{node.rawsource} is not of {', '.join(named)}, whose label it has"
+                    document.reporter.error(words, base_node=node)
 
 
 TEMPLATES.globals.update(number=typeset)

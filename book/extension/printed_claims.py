@@ -57,21 +57,17 @@ class ClaimPrinter(LatexPrinter):
         name = tex_name(symbol.name)
         return f"({name})" if name.startswith((r"\cos", r"\sin")) else name
 
+    def _print_Integer(self, number):
+        power = int(number).bit_length() - 1
+        return f"2^{{{power}}}" if power > 16 and number == 2**power else str(number)
+
 
 DIGIT = re.compile(r"(?<!cases)([)}]|\\pi) (?=\d)")  # a factor that begins with one, but the first of a list of cases
-OVER = re.compile(r"\\frac\{(\w+)\}\{(\d{5,})\}")
 
 
 def tex(term: Basic | int) -> str:
-    """A term in TeX; a dot stands before a number in a product, and what is over a large power of 2 is times it."""
-    return DIGIT.sub(r"\1 \\cdot ", OVER.sub(_times, ClaimPrinter().doprint(term)))
-
-
-def _times(fraction):
-    count, whole = fraction[1], int(fraction[2])
-    if whole & (whole - 1):
-        return fraction[0]
-    return ("" if count == "1" else rf"{count} \cdot ") + f"2^{{-{whole.bit_length() - 1}}}"
+    """A term in TeX; a dot stands before a number in a product."""
+    return DIGIT.sub(r"\1 \\cdot ", ClaimPrinter().doprint(term))
 
 
 def rows(claim: AnyClaim | Rounded | Encloses, by_definition: tuple[str, ...] = (), refuted: bool = False) -> list[Row]:

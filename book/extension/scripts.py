@@ -9,7 +9,7 @@ from book.extension.elements import Page, on_page
 EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
 # A formula breaks nowhere inside, but would break between it and its punctuation.
-PUNCTUATED = re.compile(r"[“‘(\[]*<math>(?:(?!</math>).)*</math>(?:[.,;:?!)\]’”]+|[’-]\w+)")
+PUNCTUATED = re.compile(r"[“‘(\[]*<math [^>]*>(?:(?!</math>).)*</math>(?:[.,;:?!)\]’”]+|[’-]\w+)")
 # What an extension loads on every page, by a part of its name, and what the pages have that need it.
 NEEDED_BY = {
     "clipboard": "highlight",
@@ -19,7 +19,6 @@ NEEDED_BY = {
     "design-tabs": "sd-tab-set",
     "sphinx-design": "sd-",
     "mystnb": 'class="cell',
-    "proof": 'class="proof',
 }
 # The browser holds the page to it: nothing is sent or fetched, scripts and pictures are the book's own. A page that is
 # watched, `python -m book watch`, asks the server beside it whether it was built anew.

@@ -4,22 +4,22 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from xml.etree import ElementTree
 
 from docutils import nodes
 from sphinx.application import Sphinx
 
 from book.extension.elements import Filled, Page, on, on_page
-from book.extension.mathematics import mathml
+from book.extension.mathematics import typeset
 
 BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-FORMULA = re.compile(r"\\\((.*?)\\\)")
 SCRIPTS = ("search-text.js", "search.js")
 COMPACT = {"ensure_ascii": False, "separators": (",", ":")}
 
 
 def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
-    """A page's texts in order: the id of the section, and some words with their mathematics between \\( and \\)."""
+    """A page's texts in order: the id of the section, and some words."""
     for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
         for text in "".join(_words(node)).split(BREAK):
             if " " in (text := " ".join(text.split())):
@@ -28,7 +28,7 @@ def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
 
 def _words(node: nodes.Node) -> Iterator[str]:
     if isinstance(node, nodes.math):
-        yield f"\\({node.astext().strip()}\\)"
+        yield in_a_line(ElementTree.fromstring(typeset(node.astext().strip())))
     elif isinstance(node, nodes.raw):
         yield BREAK if BLOCK.match(node.astext()) else " "
     elif isinstance(node, nodes.superscript):
@@ -38,6 +38,23 @@ def _words(node: nodes.Node) -> Iterator[str]:
     else:
         for child in node.children:
             yield from _words(child)
+
+
+def in_a_line(part: ElementTree.Element) -> str:
+    """A formula's MathML as plain text: x², sin x, N_x′, 1/(1−x)."""
+    pieces = [*map(in_a_line, part)]
+    apart = [f"({text})" if len(child) else text for text, child in zip(pieces, part, strict=True)]
+    if part.tag == "mfrac":
+        return "/".join(apart)
+    if part.tag in ("msup", "msubsup"):
+        high = pieces[-1]
+        pieces[-1] = high.translate(RAISED) if re.fullmatch("[0-9−]+|[′″‴]", high) else f"^{apart[-1]}"
+    if part.tag in ("msub", "msubsup"):
+        pieces[1] = f"_{apart[1]}"
+    if part.tag == "msqrt":
+        pieces = ["√(", *pieces, ")"]
+    text = " " if part.tag == "mspace" else (part.text or "").replace("\N{FUNCTION APPLICATION}", " ")
+    return text + "".join(pieces)
 
 
 def _section(node: nodes.Node) -> str:
@@ -55,11 +72,8 @@ def keep_texts(app: Sphinx, document: nodes.document) -> None:
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
-        found = sorted({tex for page in pages.values() for _, text in page for tex in FORMULA.findall(text)})
-        kept = mathml(app.env, [(tex, False) for tex in found])
-        data = {"SearchText": pages, "SearchFormulas": {tex: kept[tex, False] for tex in found}}
-        scripts = [f"var {name} = {json.dumps(what, **COMPACT)};\n" for name, what in data.items()]
-        (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text("".join(scripts), encoding="utf-8")
+        text = f"var SearchText = {json.dumps(pages, **COMPACT)};\n"
+        (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text(text, encoding="utf-8")
 
 
 @on_page

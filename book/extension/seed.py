@@ -12,10 +12,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from book.extension.elements import Nodes, directive, filled, raw, section
 from book.extension.ledger import Entries
-from book.ledger.seed import parts
+from book.ledger.seed import RUN, parts
 
 HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
-PROGRAM = re.compile(r"\n· · paste into colab.new → Run\n(.*)", re.S)
 DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
 
@@ -28,7 +27,7 @@ def seed(here: SphinxDirective) -> Nodes:
     found = [nodes.container(classes=["seed"])]
     for place, text in parts().items():
         stand, name = [claim for claim in claims if claim.where == f"seed:{place}"], f"seed-{place.replace('.', '-')}"
-        verdicts = [filled("seed_claims", book=book, claims=stand, id=name)] if place else []
+        verdicts = [filled("seed_claims", book=book, claims=stand, id=name)]
         for piece in filter(str.strip, HEADING.split(text)):
             if HEADING.match(piece):
                 found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
@@ -40,12 +39,11 @@ def seed(here: SphinxDirective) -> Nodes:
 
 def _quoted(here: SphinxDirective, text: str) -> nodes.block_quote:
     """A piece of the text, its mathematics typeset; a program stays folded."""
-    program = PROGRAM.search(text)
-    words = PROGRAM.sub("\n", text)
-    words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words))
+    words, run, program = text.partition(RUN)
+    words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words + run))
     quote = nodes.block_quote()
     here.state.nested_parse(StringList(words.splitlines()), here.content_offset, quote)
     if program:
-        code = nodes.literal_block(program[1], program[1].rstrip(), language="none")
+        code = nodes.literal_block(program, program.rstrip(), language="none")
         quote += [raw("<details><summary>The program, as printed</summary>"), code, raw("</details>")]
     return quote

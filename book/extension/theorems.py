@@ -19,10 +19,14 @@ LEGEND = ("s1", "badges")  # the page and the id of what says what the badges me
 WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
 THEOREMS = stamps.ROOT / "proofs" / "theorems"
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
-    "formal": ("■", "F", "Coq's kernel accepts each claim as it is printed; a certificate or samples bear it out"),
+    "formal": (
+        "■",
+        "F",
+        "Coq's kernel accepted each claim as printed, here or on a day that is said; a certificate or samples agree",
+    ),
     "proved": ("●", "P", "two checkers accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
-    "argued": ("◐", "A", "as proved, but for the words in green, which no claim says"),
+    "argued": ("◐", "A", "as proved, but for words in green, which no claim says, or as what it uses is argued"),
     "certified": ("◆", "C", "enclosed in balls of exact width"),
     "measured": ("▲", "M", "sampled, with the worst case given"),
     "refuted": ("✕", "R", "false: an exact counterexample, accepted by two checkers"),
@@ -78,9 +82,10 @@ def load(book: Path) -> Proofs:
         entry["formal"] = said = accepted.get(id)
         if said:
             printed = statements(theorems[id])
-            said |= {"printed": {name: printed[name] for name in said["claims"]}, "here": report.asked()["Coq"]}
-        whole = formal.whole(theorems[id], said) and entry["grade"] in ("proved", "argued", "measured")
+            said |= {"printed": {name: printed[name] for name in said["claims"]}, "when": formal.when()}
+        whole = formal.whole(theorems[id], said) and entry["grade"] in ("proved", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
+        entry["word"] = f"Coq, {said['when']}" if whole else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
 
 

@@ -34,14 +34,11 @@ LABELS_APART = 10**0.3  # least ratio of the heights of two labels
 METHODS = {
     "exact, reduced argument": ("exact, this book", "symbolic", True, (8, 0)),
     "JAX": ("JAX", "symbolic", False, (-4, -11)),
-    "SymPy, NumPy": ("SymPy lambdify", "symbolic", False, (-4, 11)),
+    "SymPy, NumPy": ("by hand, NumPy", "symbolic", False, (-4, 11)),
     "complex step": ("complex step", "symbolic", False, (4, -11)),
-    "autograd": ("autograd", "symbolic", False, (4, 11)),
-    "forward": ("forward", "numeric", True, (8, 0)),
     "central": ("central", "numeric", True, (8, 0)),
     "central, 4th order": ("fourth order", "numeric", True, (8, 0)),
-    "scipy.differentiate": ("scipy.differentiate", "numeric", False, (-8, 0)),
-    "numdifftools": ("numdifftools", "numeric", False, (-8, 0)),
+    "Richardson, 8th order": ("Richardson, eighth order", "numeric", True, (8, 0)),
 }
 
 
@@ -122,12 +119,6 @@ LABEL = ("python", "date", "commit")
 
 def _counts(record) -> Drawing:
     return Drawing(numbers=record["numbers"] | {key: record["label"][key] for key in LABEL})
-
-
-@figure(record="accepted_scenes")
-def accepted_scenes(record: dict) -> Drawing:
-    """The committed long run over random accepted scenes: its counts and its label; numbers only."""
-    return _counts(record)
 
 
 @figure(record="edited_formulas")

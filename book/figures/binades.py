@@ -8,8 +8,9 @@ from matplotlib import patheffects
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, TITLE, canvas, pixel_picture, pixel_text
 from book.figures.chapter_scene import SCENE, SIZE, numeric, place
-from renderer import Scene, central, render
+from renderer import Scene, render
 from renderer.picture.views import image_view
+from renderer.scene.methods import difference
 from verify.accuracy.binades import dies
 
 COLUMNS = ((1e-16, 5e-17), (2e-17, 1e-17), (3e-18, 1e-18))  # one above the other: so they stay on a phone
@@ -18,11 +19,11 @@ RASTER, CROP = 360, (30, 4, 300, 300)  # sphere A and a little around it
 RIM = np.arccos(SCENE.radius / SCENE.eye) / np.pi  # v of the last circle that the eye sees
 NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h_v are 0; at which (u, v)
     1e-16: {"½ ≤ u < 1": (0.79, 0.31), "¼ ≤ u < ½": (0.38, 0.32), "⅛ ≤ u < ¼": (0.19, 0.32), "u < ⅛": (0.07, 0.27)},
-    5e-17: {"$h_u = 0$: ½ ≤ u": (0.78, 0.27)},
-    2e-17: {"$h_u = 0$: ¼ ≤ u": (0.38, 0.17), "$h_v = 0$: ¼ ≤ v": (0.75, 0.335)},
-    1e-17: {"$h_u = 0$: ⅛ ≤ u": (0.3, 0.27), "$h_v = 0$: ⅛ ≤ v": (0.77, 0.24)},
-    3e-18: {"$h_u = 0$: $^1\\!/_{32}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ ≤ v": (0.77, 0.24)},
-    1e-18: {"$h_u = 0$: $^1\\!/_{64}$ ≤ u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ ≤ v": (0.77, 0.24)},
+    5e-17: {"$h_u = 0$: ½ < u": (0.78, 0.27)},
+    2e-17: {"$h_u = 0$: ¼ < u": (0.38, 0.17), "$h_v = 0$: ¼ < v": (0.75, 0.335)},
+    1e-17: {"$h_u = 0$: ⅛ < u": (0.3, 0.27), "$h_v = 0$: ⅛ < v": (0.77, 0.24)},
+    3e-18: {"$h_u = 0$: $^1\\!/_{32}$ < u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ < v": (0.77, 0.24)},
+    1e-18: {"$h_u = 0$: $^1\\!/_{64}$ < u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ < v": (0.77, 0.24)},
 }
 HALO = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
 LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
@@ -53,7 +54,7 @@ def binades() -> Drawing:
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
         x, y = left * (side + GAP), top * (TITLE + side + GAP)
-        frame = render(Scene(field="sine"), RASTER, RASTER, central(step), crop=CROP, bounds=True)
+        frame = render(Scene(field="sine"), RASTER, RASTER, difference("central", step), crop=CROP, bounds=True)
         digits, power = (name := f"{step:.0e}").split("e-")
         ax = pixel_picture(fig, x, y + TITLE, image_view(frame))
         edges[name] = _edges(frame, step)

@@ -8,11 +8,12 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from book.drawing.style import panels
-from renderer import Scene, central, exact, render
+from renderer import Scene, exact, render
 from renderer.generate.creases import crease_point
 from renderer.picture.differences import rounded_up
 from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
+from renderer.scene.methods import difference
 
 SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene
@@ -31,7 +32,9 @@ def symbolic(field: str = "ridges", size: int = SIZE) -> Frame:
 @cache
 def numeric(field: str = "ridges", size: int = SIZE, eps: float = TELLING_EPS, bounds: bool = False) -> Frame:
     """Return the central-difference frame of a field on the chapter's scene."""
-    return render(Scene(field=field), size, size, central(eps), stage=symbolic(field, size).stage, bounds=bounds)
+    return render(
+        Scene(field=field), size, size, difference("central", eps), stage=symbolic(field, size).stage, bounds=bounds
+    )
 
 
 def on_picture(frame: Frame, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -1,31 +1,18 @@
-"""The displaced surface that a bump is not: normals, lights that leak, and what displacement moves."""
+"""The displaced surface that a bump is not: normals, lights that leak, and the silhouette that it would move."""
 
 import matplotlib
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    DASHED,
-    DOTTED,
-    SOLID,
-    colour_of,
-    curve,
-    decades,
-    label,
-    label_line_end,
-    panels,
-    plot,
-    slope_triangle,
-)
+from book.drawing.style import DASHED, DOTTED, SOLID, colour_of, curve, decades, panels, plot, slope_triangle
 from book.figures.chapter_scene import FINE, MARKED, SCENE, marked_by_light, symbolic
-from verify.accuracy.frontiers import boundaries, fiction
+from verify.accuracy.frontiers import fiction
 from verify.accuracy.orders import fitted_slope
 
 BETAS, SMALLEST = np.logspace(-3, -1.5, 13), slice(9)  # ... of which orders are fitted to
 MOST = 180  # degrees, the colours' upper end
-SHOWN, LARGEST, SIDE = 0.1, 0.35, 256  # two β, and the raster's side
-ORDERS = np.geomspace(0.01, 0.1, 5)
-LIGHTS = {name: np.array(light.position) for name, light in zip(("first", "second"), SCENE.lights, strict=True)}
+SIDE = 256  # of the raster
+LIGHTS = "first", "second"
 
 
 def _order(values):
@@ -109,62 +96,3 @@ def blinn_angles() -> Drawing:
     chapter, turned, _, blinn, _ = fiction.normals(SCENE, surface).values()
     apart = {"chapter": fiction.degrees(chapter, blinn), "turned": fiction.degrees(turned, blinn)}
     return Drawing(numbers={name: np.median(angles) for name, angles in apart.items()})
-
-
-def _edges():
-    """Return {"smooth" or "displaced": {curve: its x and y}} on the floor, the image plane: outline, shadows' edges."""
-    around, curves = np.linspace(-np.pi, np.pi, 721), {}
-    for kind, beta in (("smooth", 0.0), ("displaced", SHOWN)):
-        polar = {"outline": (boundaries.outline(boundaries.SCENE, around, beta), around)}
-        for name, light in LIGHTS.items():
-            azimuths = boundaries.away_from(light, 181)
-            polar[f"shadow_{name}"] = boundaries.edge(boundaries.SCENE, light, azimuths, beta), azimuths
-        curves[kind] = {name: {"x": s * np.cos(a), "y": s * np.sin(a)} for name, (s, a) in polar.items()}
-    return curves
-
-
-def _changed():
-    """Return the pixels whose first surface is another than without β: of all for each of ORDERS, and of B at most."""
-    plain = boundaries.first_surface(boundaries.SCENE, 0.0, SIDE)
-    pictures = np.array([boundaries.first_surface(boundaries.SCENE, beta, SIDE) for beta in (*ORDERS, LARGEST)])
-    counts, of_b = (
-        (found != right).sum(axis=(1, 2)) for found, right in ((pictures, plain), (pictures == 2, plain == 2))
-    )
-    return counts[:-1], of_b.max()
-
-
-def _draw_map(ax, edges):
-    """Draw the outline and the shadows' edges, smooth in grey and displaced in colour, with their names."""
-    for edge in edges["smooth"].values():
-        curve(ax, *edge.values(), "muted", linewidth=1, linestyle=(0, (4, 3)))
-    for name, role, at, text in (
-        ("outline", "ink", (0.0, 0.2), "outline"),
-        ("shadow_first", "difference", (-0.95, -1.5), "shadow, first light"),
-        ("shadow_second", "reference", (1.2, -1.2), "second light"),
-    ):
-        curve(ax, *edges["displaced"][name].values(), role)
-        label(ax, at, text, role, (0, 0), ha="center")
-    title = f"β = {SHOWN}; dashed, without"
-    ax.set(aspect="equal", xlim=(-1.6, 1.7), ylim=(-1.55, 1.3), xticks=[], yticks=[], title=title)
-
-
-@figure
-def frontier_boundaries() -> Drawing:
-    """The outline and the cast shadows of the displaced surface beside the smooth one's, and their shift against β."""
-    fig, (left, right) = plot("page", height=4.2, ncols=2, width_ratios=(1, 1.15))
-    data, (changed, of_b) = _edges(), _changed()
-    _draw_map(left, data)
-    numbers = {"shown": SHOWN, "beta": BETAS[-1], "side": SIDE, "changed": changed[-1], "changed_of_b": of_b,
-               "largest_beta": LARGEST, "order_of_order": fitted_slope(ORDERS, changed)}  # fmt: skip
-    for name, role in (("first", "difference"), ("second", "reference")):
-        moved, rest = boundaries.shadow_remainders(BETAS, LIGHTS[name])
-        curve(right, BETAS, moved, role)
-        curve(right, BETAS, rest, role, linestyle=DASHED)
-        data[name] = {"moved": moved, "left": rest}
-        numbers[name] = {"order": _order(moved), "left_order": _order(rest), "moved": moved[-1]}
-    for heights, text in zip(data["first"].values(), ("displaced\n− smooth", "less the\nfirst order"), strict=True):
-        label_line_end(right, BETAS[-1], heights[-1], text, "ink")
-    slope_triangle(right, 3e-3, 8e-4, 1, decades=0.4)
-    slope_triangle(right, 6e-3, 5e-5, 2, decades=0.4)
-    decades(right, 1, 1, xlabel="amplitude β", ylabel="shift of the shadow's edge, in $R$")
-    return Drawing(fig, numbers, data | {"beta": BETAS, "orders": {"beta": ORDERS, "changed": changed}})

@@ -2,8 +2,6 @@
 
 import math
 from collections.abc import Callable
-from functools import partial
-from types import ModuleType
 from unittest.mock import Mock, patch
 
 import numpy as np
@@ -13,13 +11,13 @@ from book.figures.chapter_scene import SIZE, numeric, symbolic
 from proofs.formulas.bump import normal_by_beta, perturbed
 from proofs.formulas.chart import seed_chart
 from proofs.formulas.symbols import normal
-from renderer import Scene, central, exact, gradient_at, pixel, render
+from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.generate.kernels import function_of
 from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.facts import SMOOTH_POINT
 from renderer.picture.views import to_bytes
 from verify.accuracy.orders import enclosed_slope
-from verify.benchmark.baselines import seed_loops
+from verify.benchmark.baselines.seed_loops import seed_program, seed_scene
 
 BETA, STEP = 0.35, 1e-7  # the seed's own, in its Cell 5
 PIXEL = (90, 120)  # on sphere A, off every clamp
@@ -28,11 +26,11 @@ SMALL = 128
 CLIFF = (1e-10, 1e-12, 1e-14)  # steps at which the error of a difference grows again
 
 
-def calls(gradient: Callable, holder: ModuleType, *names: str) -> int:
+def calls(gradient: Callable, holder: dict, *names: str) -> int:
     """Return how often one of the seed's gradients, at a chart point, calls the functions of these names."""
-    counted = {name: Mock(wraps=getattr(holder, name)) for name in names}
-    with patch.multiple(holder, **counted):
-        gradient(Scene(), 0.3, 0.4)
+    counted = {name: Mock(wraps=holder[name]) for name in names}
+    with patch.dict(holder, counted):
+        gradient(0.3, 0.4, seed_scene(Scene()))
     return sum(function.call_count for function in counted.values())
 
 
@@ -78,17 +76,18 @@ def seed_cells() -> Drawing:
     """The seed's cells, done again: counts, checks of derivatives, a chart point, a crease and the cliff."""
     one_sided, complex_step = normal_derivative_errors()
     u, v = chart_point(0.4, 0.35)
-    ways = {"central": partial(seed_loops.central_gradient, eps=1e-3), "exact": seed_loops.exact_gradient}
-    central_calls, exact_calls = (calls(way, math, "sin", "cos") for way in ways.values())
+    program, scene = seed_program(), seed_scene(Scene())
+    ways = {"central": program.grad_numeric, "exact": program.grad_exact}
+    central_calls, exact_calls = (calls(way, vars(math), "sin", "cos") for way in ways.values())
     slope, *others = (gradient_at(Scene(), *SMOOTH_POINT, method)[0] for method in (exact(), *map(central, CLIFF)))
     numbers = {
-        "heights": {name: calls(way, seed_loops, "height_of_field") for name, way in ways.items()},
+        "heights": {name: calls(way, way.__globals__, "height1") for name, way in ways.items()},
         "trigonometric_ratio": central_calls / exact_calls,
         "one_sided": one_sided,
         "complex_step": complex_step,
         "u_of_the_normal": u,
         "v_of_the_normal": v,
-        "slope_on_crease": abs(seed_loops.exact_gradient(Scene(), 0.125, SMOOTH_POINT[1])[0]),
+        "slope_on_crease": abs(program.grad_exact(0.125, SMOOTH_POINT[1], scene)[0]),
         "image_slope_ratio": image_slope_ratio(),
         "cliff": {f"{eps:.0e}": abs(other - slope) / abs(slope) for eps, other in zip(CLIFF, others, strict=True)},
     }
@@ -125,6 +124,16 @@ def clamp_taken(eps: float) -> float:
     return np.mean((v + eps) - (v - eps) < 2 * eps)
 
 
+def lit_from_behind() -> dict[str, int]:
+    """Return how many of A's pixels face away from a light behind it, and how many of them its highlight shows."""
+    numbers = {}
+    for p in (2, 32):
+        frame = render(Scene(kd=0, ka=0, beta=0, shininess=p, ball=False, lights=[Light((10, 0, -6))]), SIZE, SIZE)
+        unlit = frame.rgb[frame.light_cosines(0) < 0].max(axis=1)
+        numbers |= {"unlit": unlit.size, f"shining_{p}": sum(unlit > 2 * FIRST_LEVEL)}
+    return numbers
+
+
 @figure
 def seed_pictures() -> Drawing:
     """The seed's words on its pictures against the pictures: limits, what an eye sees, where the creases part."""
@@ -145,4 +154,4 @@ def seed_pictures() -> Drawing:
         "clamp_1e-3": clamp_taken(1e-3),
         "clamp_1e-6": clamp_taken(1e-6),
     }
-    return Drawing(numbers=numbers | flat_limits())
+    return Drawing(numbers=numbers | flat_limits() | lit_from_behind())

@@ -6,7 +6,6 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
 from proofs.formulas.certified import GENERAL_GRADIENT
 from renderer.operations import UNIT
-from verify.stability import symmetry
 from verify.stability.rows import SWEEPS, sweep
 
 LOWEST = 1e-18
@@ -80,45 +79,16 @@ def stability_near_far() -> Drawing:
 @figure
 def stability_wave_numbers() -> Drawing:
     """The error of the gradient over π max(1, |k|) against |k| up to 2^20, with two other ways to take the argument."""
-    naive, rounded = sweep("wave_numbers").others
+    naive, rounded = sweep("wave_numbers_sine").others
     fig, ax = plot(height=3.9)
     others = (naive, "libm, argument rounded", "left", 1e3, SOLID), (rounded, "", "", None, DASHED)
-    data = _draw(ax, "wave_numbers", others, 1e5)
+    data = _draw(ax, "wave_numbers_sine", others, 1e5)
     decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
     label_curve(
         ax, data["parameter"], 0.1 * data[rounded], 3e4, "reduced, but the\nproduct rounded", "numeric", "below"
     )
     names = [name for name in SWEEPS if name.startswith("wave_numbers")]
     return Drawing(fig, _numbers(*names) | {"allowed": GENERAL_GRADIENT * UNIT}, data)
-
-
-_SHADING = {  # sweep: (x label, y label, every how many decades, limits of y)
-    "amplitude": (r"amplitude $|\beta|$", "error of $N\u2032$", 100, (1e-18, 1e-13)),
-    "light_distance": ("light's distance, in radii", r"error of $\mu$", 6, (1e-18, 1e-5)),
-    "opposite_light": (r"$|\omega + \hat v|$", "error of the base", 4, (1e-18, 1e2)),
-    "shininess": ("shininess $p$", "error of base$^p$", 3, (1e-18, 1e-8)),
-}
-
-
-@figure
-def stability_shading() -> Drawing:
-    """Four errors of the shading with their bounds: against β, the light's distance, |ω + v|, the shininess."""
-    (fig, axes), data = plot(height=5.4, nrows=2, ncols=2), {}
-    for ax, (name, (across, up, every, limits)) in zip(axes.flat, _SHADING.items(), strict=True):
-        parameter = sweep(name).parameter
-        data[name] = _draw(ax, name, at=parameter[len(parameter) // 2])
-        decades(ax, every, 4, ylim=limits, xlabel=across, title=up)
-    return Drawing(fig, _numbers(*_SHADING, "opposite_light_phong"), data)
-
-
-@figure
-def stability_symmetry() -> Drawing:
-    """How far mirrored and turned scenes, and permuted lights, change the picture; numbers only."""
-    moved = [symmetry.difference(scene, move) for scene in symmetry.SCENES.values() for move in symmetry.MOVES]
-    largest, above, open_, flips = zip(*moved, strict=True)
-    numbers = {"pictures": len(moved), "largest": max(largest), "flips": sum(flips), "side": symmetry.SIDE}
-    numbers |= {"open": max(open_), "above": sum(above)}
-    return Drawing(numbers=numbers | {"permuted": symmetry.permuted_lights(symmetry.FIVE_LIGHTS)})
 
 
 @figure
@@ -129,4 +99,4 @@ def stability_totals() -> Drawing:
     sharpness = np.median([each.sharpness for each in swept])
     values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
     numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
-    return Drawing(numbers=numbers | _numbers("hit_of_b", "normal_of_b", "shadow"))
+    return Drawing(numbers=numbers)

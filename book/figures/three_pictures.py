@@ -42,8 +42,8 @@ def _column(pictures):
 
 
 def _sizes(field):
-    """Return the largest and the RMS difference of a field's pictures on A, were both exact."""
-    return dict(zip(("largest", "rms"), distance_on_a(*_frames(field, SIDE)), strict=True))
+    """Return the largest difference of a field's pictures on A, and the RMS over its channels, were both exact."""
+    return dict(zip(("largest", "rms_channels"), distance_on_a(*_frames(field, SIDE)), strict=True))
 
 
 @figure

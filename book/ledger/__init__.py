@@ -26,8 +26,10 @@ if its grade is `refuted` (`refutes = false`: it is the claim's opposite that wa
 `refutes = true`; a test and a source if the entry says so. A claim that is `false` or `corrected` needs evidence that
 refutes it, one that `holds` may have none.
 
-Every theorem needs a claim that rests on it. `python -m book.ledger` checks all of this against the last run (the
-site's build does so too), prints what is wrong by entry and field, and counts verdicts.
+Every theorem needs a claim that rests on it. Every clause of the seed, of four words or more, needs a claim at its
+place that quotes four words of it in a row, or an entry in unclaimed.toml; tests/test_seed.py asks for it. `python -m
+book.ledger` checks all else of this against the last run (the site's build does so too), prints what is wrong by entry
+and field, and counts verdicts.
 
     from book.ledger.entries import load
     load().claims                 # (LedgerClaim, …), in the order of the files

@@ -67,8 +67,8 @@ def standing() -> tuple[Ledger, Run]:
 
 def faults_in(ledger: Ledger, run: Run) -> list[str]:
     """Every fault, one line each: the entry, the field, what is wrong."""
-    of_claims = [f"{claim.id}: {fault}" for claim in ledger.claims for fault in _claim(claim, ledger, run)]
-    return [*of_claims, *_orphans(ledger, run)]
+    of_claims = [f"{c.file}: {c.id}: {fault}" for c in ledger.claims for fault in _claim(c, ledger, run)]
+    return [*ledger.faults, *of_claims, *(() if ledger.faults else _orphans(ledger, run))]
 
 
 def refutes(piece: Evidence, run: Run) -> bool:
@@ -83,7 +83,7 @@ def refutes(piece: Evidence, run: Run) -> bool:
 def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
     known, what = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
-    if place not in known:
+    if place and place not in known:
         yield f"where: {place!r} is no {what}; there are: {', '.join(known)}"
     broken = [f"evidence {piece.name}: {why}" for piece in claim.evidence if (why := _odd(piece, run))]
     yield from broken or _verdict(claim, run)

@@ -9,7 +9,7 @@ import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from jsonschema import Draft202012Validator, FormatChecker
 
@@ -90,12 +90,13 @@ class Evidence:
 
 @dataclass(frozen=True)
 class LedgerClaim:
-    """One entry; texts are MyST, "" where there is none."""
+    """One entry; texts are MyST, "" where there is none. Of one whose form is wrong no verdict, and what is right."""
 
-    id: str
-    words: str
-    where: str
-    verdict: str
+    id: str = ""
+    words: str = ""
+    where: str = ""
+    verdict: str = ""
+    file: str = ""
     so: str = ""
     merit: str = ""
     condition: str = ""
@@ -111,10 +112,11 @@ class LedgerClaim:
 
 @dataclass(frozen=True)
 class Ledger:
-    """All claims, and the places of the seed, with their names."""
+    """All claims, the places of the seed, with their names, and the faults that show without a run."""
 
     claims: tuple[LedgerClaim, ...]
     places: dict[str, str]
+    faults: tuple[str, ...] = ()
 
     def get(self, id: str) -> LedgerClaim:
         """The claim of an id; BadLedger if there is none."""
@@ -131,19 +133,19 @@ class Ledger:
 
 
 def load(folder: Path = FOLDER) -> Ledger:
-    """Read claims/*.toml and places.toml; BadLedger with every fault that shows without a run."""
+    """Read claims/*.toml and places.toml."""
     faults: list[str] = []
-    tables = []
+    claims = []
     for path in sorted((folder / "claims").glob("*.toml")):
-        in_file = _read(path, "file", faults).get("claim", ())
-        faults += [fault for table in in_file for fault in _faults("claim", table, table.get("id", path.name))]
-        tables += in_file
-    ids = [table.get("id") for table in tables]
+        for table in _read(path, "file", faults).get("claim", ()):
+            odd = dict(_faults("claim", table, f"{path.name}: {table.get('id')}"))
+            faults += odd
+            right = {field: value for field, value in table.items() if field not in odd.values()}
+            claims.append(_claim(right | {"file": path.name} | ({"verdict": ""} if odd else {})))
+    ids = [claim.id for claim in claims]
     faults += [f"{id}: id: two claims have it" for id in sorted({id for id in ids if id and ids.count(id) > 1})]
     places = _read(folder / "places.toml", "places", faults).get("places", {})
-    if faults:
-        raise BadLedger(faults)
-    return Ledger(tuple(map(_claim, tables)), places)
+    return Ledger(tuple(claims), places, tuple(faults))
 
 
 def _read(path: Path, kind: str, faults: list[str]) -> dict:
@@ -153,20 +155,23 @@ def _read(path: Path, kind: str, faults: list[str]) -> dict:
     except tomllib.TOMLDecodeError as error:
         faults.append(f"{path.name}: {error}")
         return {}
-    faults += _faults(kind, content, path.name)
+    faults += dict(_faults(kind, content, path.name))
     return content
 
 
-def _faults(kind: str, table: dict, name: str) -> Iterator[str]:
-    """What schema.json has against a table: its name, the field, the value, and what is allowed."""
+def _faults(kind: str, table: dict, name: str) -> Iterator[tuple[str, Any]]:
+    """What schema.json has against a table: its name, the field, the value, and what is allowed; and that field."""
     schema = {"$ref": f"#/$defs/{kind}", "$defs": SCHEMA["$defs"]}
     for error in Draft202012Validator(schema, format_checker=FORMATS).iter_errors(table):
         place = " ".join([name, *map(str, error.absolute_path)])
-        yield f"{place}: {error.message}" + (f": {said}" if (said := error.schema.get("description")) else "")
+        told = repr(error.instance) if error.validator == "pattern" else error.message
+        told = ": ".join(filter(None, [place, told, error.schema.get("description")]))
+        yield told, next(iter(error.absolute_path), "")
 
 
 def _claim(table: dict) -> LedgerClaim:
-    texts = {field: " ".join(value.split()) for field, value in table.items() if isinstance(value, str)}
+    known = table.keys() & LedgerClaim.__annotations__
+    texts = {field: " ".join(table[field].split()) for field in known if isinstance(table[field], str)}
     return LedgerClaim(
         **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
     )

@@ -1,20 +1,18 @@
 """The page that this chapter came as, seed.txt, cut at the places of places.toml."""
 
-from pathlib import Path
-
 from book.assembly.stamps import table_in
 from book.ledger.entries import FOLDER, BadLedger
 
 SEED = FOLDER / "seed.txt"
+RUN = "· · paste into colab.new → Run\n"  # before each program
 
 
-def parts(folder: Path = FOLDER) -> dict[str, str]:
-    """Place → its text, in order, "" for what stands before the first; BadLedger where a beginning is not found."""
-    text = (folder / SEED.name).read_text(encoding="utf-8")
-    begins = table_in(folder / "places.toml")["begins"]
-    texts, start, name = {}, 0, ""
-    for place, phrase in begins.items():
-        if (at := text.find(phrase, start + bool(name))) < 0:
-            raise BadLedger([f"places.toml: begins: {place}: seed.txt has no {phrase!r} after {name or 'its front'}"])
-        texts[name], start, name = text[start:at], at, place
-    return texts | {name: text[start:]}
+def parts() -> dict[str, str]:
+    """Place → its text, in order; BadLedger where a beginning is not found."""
+    text, texts = SEED.read_text(encoding="utf-8"), {}
+    for place, phrase in reversed(table_in(FOLDER / "places.toml")["begins"].items()):
+        text, begin, end = text.rpartition(phrase)
+        if not begin:
+            raise BadLedger([f"places.toml: begins: {place}: seed.txt has no {phrase!r} before the next place"])
+        texts[place] = begin + end
+    return dict(reversed(texts.items()))

@@ -1,4 +1,4 @@
-"""The releases that are kept in releases/: VERSION.json, and beside the two newest their pictures in VERSION/."""
+"""The releases that are kept in releases/: VERSION.json, and beside the newest its pictures in VERSION/."""
 
 import json
 import shutil
@@ -10,7 +10,6 @@ from book.assembly import stamps
 from book.releases import pictures, record
 
 RELEASES = stamps.ROOT / "releases"
-PICTURES_KEPT = 2  # the release that is made, and the one that it is compared with
 
 
 def versions() -> list[str]:
@@ -36,15 +35,15 @@ def read(version: str) -> dict:
 
 
 def write(now: dict) -> Path:
-    """Write a release's pictures, then its record; remove the pictures of releases that nothing is compared with."""
+    """Write a release's pictures, then its record; remove the pictures of older releases."""
     path = RELEASES / f"{now['version']}.json"
     folder = path.with_suffix("")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    for picture in now["pictures"].values():
-        pictures.archive(record.GENERATED / pictures.data_name(picture), folder)
+    for id, picture in now["pictures"].items():
+        pictures.archive(record.GENERATED / pictures.data_name(picture), pictures.archived(folder, id))
     text = json.dumps(now, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
     stamps.write_whole(path, text.encode())
-    for old in versions()[:-PICTURES_KEPT]:
+    for old in versions()[:-1]:
         shutil.rmtree(RELEASES / old, ignore_errors=True)
     return path

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from book.releases.pictures import CANVAS, arrays_of, data_name
+from book.releases.pictures import CANVAS, archived, arrays_of, data_name
 from book.releases.record import is_within
 from renderer.picture.differences import rms
 from verify.checkers.grades import STANDING
@@ -88,46 +88,31 @@ def how_far(old: int | float | str, new: int | float | str) -> str:
     return f"{100 * (new - old) / abs(old):+.3g} %" if old else "from zero"
 
 
-def pictures(before: dict, after: dict, archived: Path, generated: Path) -> list[Change]:
+def pictures(before: dict, after: dict, folder: Path, generated: Path) -> list[Change]:
     """Pictures added, removed, changed, and drawn otherwise from the same pixels or numbers.
 
-    `archived` is the folder of the release before, `generated` the one with the figures and data as drawn now.
+    `folder` is that of the release before, `generated` the one with the figures and data as drawn now.
     """
 
     def picture(id, old, new):
         if old["content"] != new["content"]:
-            yield _changed(id, arrays_of(archived / old["kept"]), arrays_of(generated / data_name(new)))
+            yield _changed(id, archived(folder, id), generated / data_name(new))
         elif old["files"] != new["files"]:
             names = sorted({name for name, _ in old["files"].items() ^ new["files"].items()})
-            what = "pixels" if new["kept"].endswith(".png") else "numbers"
-            yield Change(id, "drawn otherwise", f"the same {what}, other bytes: {', '.join(names)}")
+            yield Change(id, "drawn otherwise", f"of the same content, other bytes: {', '.join(names)}")
 
     return _compared(before, after, lambda picture: "", picture)
 
 
-def _changed(id: str, old: dict[str, np.ndarray], new: dict[str, np.ndarray]) -> Change:
-    before, after = (
-        ", ".join(f"{name} {'×'.join(map(str, array.shape))} {array.dtype.kind}" for name, array in arrays.items())
-        for arrays in (old, new)
-    )
-    if before != after:
-        return Change(id, "changed", f"other arrays: {before} → {after}")
-    if CANVAS in old:
-        apart = np.abs(old[CANVAS].astype(int) - new[CANVAS]).max(axis=2)
-        words = f"largest difference {apart.max()}/255, RMS {rms(apart):.3g}/255, {np.count_nonzero(apart):,} of "
-        words += f"{apart.size:,} pixels; the difference, largest white: {id}.png beside these notes"
-        return Change(id, "changed", words, difference=(apart * 255 // apart.max()).astype(np.uint8))
-    apart = np.concatenate([relative(old[name], new[name]).ravel() for name in old])
-    words = f"largest difference {apart.max():.3g} relative, RMS {rms(apart):.3g}, {np.count_nonzero(apart):,} of "
-    return Change(id, "changed", f"{words}{apart.size:,} plotted numbers")
-
-
-def relative(old: np.ndarray, new: np.ndarray) -> np.ndarray:
-    """The differences relative to the larger of two values; 1 where words, or one NaN, differ."""
-    if old.dtype.kind == "U":
-        return (old != new).astype(float)
-    old, new = old.astype(float), new.astype(float)
-    scale = np.maximum(np.abs(old), np.abs(new))
-    with np.errstate(invalid="ignore", divide="ignore"):
-        apart = np.where(old == new, 0.0, np.abs(old - new) / scale)
-    return np.where(np.isnan(old) & np.isnan(new), 0.0, np.nan_to_num(apart, nan=1.0, posinf=1.0))
+def _changed(id: str, before: Path, after: Path) -> Change:
+    if not before.is_file():
+        return Change(
+            id, "changed", "its pixels or plotted numbers; a build of the older version's tag has those before"
+        )
+    old, new = arrays_of(before)[CANVAS], arrays_of(after).get(CANVAS, np.empty(0))
+    if old.shape != new.shape:
+        return Change(id, "changed", f"another size: {old.shape} → {new.shape}")
+    apart = np.abs(old.astype(int) - new).max(axis=2)
+    words = f"largest difference {apart.max()}/255, RMS {rms(apart):.3g}/255, {np.count_nonzero(apart):,} of "
+    words += f"{apart.size:,} pixels; the difference, largest white: {id}.png beside these notes"
+    return Change(id, "changed", words, difference=(apart * 255 // apart.max()).astype(np.uint8))

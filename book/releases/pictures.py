@@ -1,7 +1,6 @@
-"""What a release keeps of a picture to be compared with: its pixels as one PNG, or the numbers that it plots."""
+"""The pixels of a release's pictures, kept as one lossless WebP each; of a plot the digest of its numbers is kept."""
 
 import hashlib
-import shutil
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +12,8 @@ CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no 
 
 
 def arrays_of(path: Path) -> dict[str, np.ndarray]:
-    """What is compared of a file of data, drawn or archived: {CANVAS: (height, width, 4) uint8}, or all its arrays."""
-    if path.suffix == ".png":
+    """The arrays of a file of data, drawn or archived: {CANVAS: (height, width, 4) uint8} of pictures, or all."""
+    if path.suffix in (".png", ".webp"):
         with Image.open(path) as image:
             return {CANVAS: np.asarray(image.convert("RGBA"))}
     arrays = read_data(path.name, path.read_bytes())
@@ -33,19 +32,15 @@ def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
     return np.asarray(canvas)
 
 
-def archive_file(data: Path) -> tuple[str, str]:
-    """The name under which a release keeps a figure's data, and the digest of the arrays in it."""
-    arrays = arrays_of(data)
-    return f"{data.stem}.png" if CANVAS in arrays else data.name, digest(arrays)
+def archived(folder: Path, id: str) -> Path:
+    """The file in which a release's folder keeps a picture."""
+    return folder / f"{id}.webp"
 
 
-def archive(data: Path, folder: Path) -> None:
-    """Write a figure's data into a release's folder."""
-    arrays = arrays_of(data)
-    if CANVAS in arrays:
-        Image.fromarray(arrays[CANVAS]).save(folder / f"{data.stem}.png", optimize=True)
-    else:
-        shutil.copy(data, folder)
+def archive(data: Path, target: Path) -> None:
+    """Write the pixels of a figure's data to a file; a plot has none."""
+    if CANVAS in (arrays := arrays_of(data)):
+        Image.fromarray(arrays[CANVAS]).save(target, lossless=True, quality=100, method=6, exact=True)
 
 
 def data_name(picture: dict) -> str:

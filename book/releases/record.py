@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from book.assembly import report, stamps
-from book.releases.pictures import archive_file
+from book.releases.pictures import arrays_of, digest
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 BENCHMARKS = stamps.ROOT / "verify" / "benchmark" / "results"
@@ -63,11 +63,11 @@ def _measured(path: Path) -> dict:
 
 
 def _digests(figure: dict) -> dict:
-    """The digests of a picture: of its files, and of the pixels or plotted numbers that a release keeps of it."""
-    name, content = archive_file(GENERATED / figure["data"])
+    """The digests of a picture: of its files, and of its pixels or of the numbers that it plots."""
+    content = digest(arrays_of(GENERATED / figure["data"]))
     paths = (path for path in GENERATED.glob(f"{figure['id']}.*") if path.suffix != ".json")
     files = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
-    return {"files": files, "kept": name, "content": content}
+    return {"files": files, "content": content}
 
 
 @cache

@@ -70,10 +70,7 @@
   /** Each row is an entry; a cell says what its column is called. @param {HTMLTableElement} table */
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
-    const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => {
-      const tex = head.querySelector("annotation")?.textContent ?? "";
-      return head.textContent.replace(tex, "").trim();
-    });
+    const names = Array.from(table.tHead?.rows[0].cells ?? [], (head) => head.textContent.trim());
     for (const cell of /** @type {HTMLTableCellElement[]} */ (find_all(table, "tbody td:not(:first-child)")))
       cell.dataset.column = cell.textContent.trim() && names[cell.cellIndex];
     table.classList.add("as-list");
@@ -107,8 +104,8 @@
   function copy(event) {
     const chosen = getSelection();
     const copied = chosen?.rangeCount && chosen.getRangeAt(0).cloneContents();
-    const formulas = copied ? copied.querySelectorAll("math:has(annotation)") : [];
-    for (const formula of formulas) formula.replaceWith(`$${find_element(formula, "annotation").textContent}$`);
+    const formulas = copied ? copied.querySelectorAll("math") : [];
+    for (const formula of formulas) formula.replaceWith(`$${formula.getAttribute("data-tex")}$`);
     if (!copied || !formulas.length) return;
     event.clipboardData?.setData("text/plain", copied.textContent);
     event.preventDefault();

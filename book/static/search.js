@@ -35,7 +35,7 @@ addEventListener("DOMContentLoaded", () => {
   /** @param {string} page */
   function best_sentence(page) {
     const [id, paragraph] = best_of(SearchText[page] ?? []);
-    const sentences = paragraph.split(/(?<=[.!?]) (?=[\p{Lu}\\“(])/u);
+    const sentences = paragraph.split(/(?<=[.!?]) (?=[\p{Lu}“(|√])/u);
     const [, text] = best_of(sentences.map((sentence) => [id, sentence]));
     return { id, text };
   }
@@ -43,12 +43,10 @@ addEventListener("DOMContentLoaded", () => {
   /** @param {string} text */
   function marked(text) {
     const paragraph = make_element("p", { class: "search-sentence" });
-    const parts = new RegExp(`\\\\\\(.*?\\\\\\)|${words.map(_escapeRegExp).join("|")}`, "giu");
+    const parts = new RegExp(words.map(_escapeRegExp).join("|"), "giu");
     let end = 0;
     for (const { 0: part, index } of text.matchAll(parts)) {
-      paragraph.append(text.slice(end, index));
-      if (part.startsWith("\\(")) paragraph.insertAdjacentHTML("beforeend", SearchFormulas[part.slice(2, -2)]);
-      else paragraph.append(make_element("mark", {}, part));
+      paragraph.append(text.slice(end, index), make_element("mark", {}, part));
       end = index + part.length;
     }
     paragraph.append(text.slice(end));

@@ -45,6 +45,7 @@ No key more or less, no proof left over, no text that is not JSON as `json.dumps
 writes it: proofs/certificates.schema.json has the grammar.
 """
 
+import argparse
 import sys
 from fractions import Fraction
 
@@ -99,18 +100,20 @@ def _is_stale(theorem, theorems):
         return True
 
 
-def main(arguments: list[str]) -> int:
+def main(arguments: list[str] | None = None) -> int:
     """Find and write certificates; return 0 if all were found and the kernel accepts them."""
-    from tqdm import tqdm  # not above: who calls `prove` may have no more than four packages
-
     theorems, failed = all_theorems(), False
-    named = [a for a in arguments if a != "--all"] or [id for id, theorem in theorems.items() if theorem.claims]
+    parser = argparse.ArgumentParser("python -m proofs.engine.certificate", description=__doc__.split("\n\n")[1])
+    parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")
+    parser.add_argument("--all", action="store_true", help="find every certificate anew")
+    options = parser.parse_args(arguments)
+    named = options.ids or [id for id, theorem in theorems.items() if theorem.claims]
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
-    for id in tqdm(named, unit="theorem", leave=False, disable=None):
+    for id in named:
         theorem = theorems[id]
-        if "--all" not in arguments and not _is_stale(theorem, theorems):
+        if not options.all and not _is_stale(theorem, theorems):
             continue
         try:
             found = evidence(theorem, theorems, prove)
@@ -118,15 +121,15 @@ def main(arguments: list[str]) -> int:
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
-            tqdm.write(f"{id}: {'; '.join(wrong)}")
+            print(f"{id}: {'; '.join(wrong)}", flush=True)
             failed = True
             continue
         unfinished = path_of(theorem).with_suffix(".unfinished")
         unfinished.write_text(text(theorem, found), encoding="utf-8")
         unfinished.replace(path_of(theorem))
-        tqdm.write(f"{id}: {sum(len(cases) for _, cases in found)} statements")
+        print(f"{id}: {sum(len(cases) for _, cases in found)} statements", flush=True)
     return int(failed)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
-from sympy import Basic, Symbol, sympify
+from sympy import Basic, Integer, Rational, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
 from proofs.engine.program import Program, Some, evaluated, flat, pairs
@@ -27,7 +27,7 @@ def at_least(left: Basic | int, right: Basic | int) -> Basic:
 @evaluated
 def number(value: Basic | int | str) -> Basic:
     """Return an exact number for a range or a point: arithmetic, of which no claim is made."""
-    return sympify(value).doit()
+    return Rational(value) if isinstance(value, str) else sympify(value, strict=True).doit()
 
 
 def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
@@ -94,8 +94,8 @@ class Claim(Parts):
     def __post_init__(self):
         super().__post_init__()
         vars(self).update(
-            shows=tuple(map(sympify, self.shows)),
-            given=tuple(map(sympify, self.given)),
+            shows=tuple(sympify(relation, strict=True) for relation in self.shows),
+            given=tuple(sympify(relation, strict=True) for relation in self.given),
             ranges=tuple(
                 (s, tuple(map(number, ends))) for several, ends in dict(self.ranges).items() for s in flat(several)
             ),
@@ -140,6 +140,16 @@ class Induction(Parts):
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
     given: Some = ()
     ranges: Any = ()
+
+    def of(self, number: int) -> Claim:
+        """Return what is claimed of one number: the states that are reached from the start, put in."""
+        states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
+        for before in range(number):
+            now = states | {self.n: Integer(before)}
+            states = {symbol: sympify(following).xreplace(now) for symbol, _, following in self.states}
+        now = states | {self.n: Integer(number)}
+        shows = [equation(*(side.xreplace(now) for side in shown.args)) for shown in self.shows]
+        return Claim(self.name, shows, self.given, ranges=self.ranges)
 
 
 @dataclass(frozen=True)

@@ -441,6 +441,15 @@ Definition straddling__every_crease : Prop :=
   sin (PI * m) = 0 ->
   Rabs (sin (delta + PI * m)) = Rabs (sin delta).
 
+Definition straddling__factor_of_height : Prop :=
+  forall k_u k_v u v : R,
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * u))))) * (Rabs (sin (v * PI * k_v))).
+
+Definition straddling__factor_of_slope : Prop :=
+  forall k_u k_v u v : R,
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 ->
+  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * u))))) * (sin (PI * ((1 / 2) * 1))) * (Rabs (sin (v * PI * k_v))).
+
 Definition straddling__slope_after : Prop :=
   forall delta k_u : R,
   1 * (sin (delta * PI * k_u)) > 0 ->
@@ -1944,6 +1953,16 @@ Definition pole__surface_gradient : Prop :=
   let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
   surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2.
 
+Definition pole__surface_gradient_differs : Prop :=
+  forall k_u theta : R,
+  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos theta) in
+  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
+  (1 - (1 / 4) * k_u ^ 2) ^ 2 > 0 ->
+  (sin (k_u * (theta + PI) / 2)) ^ 2 > 0 ->
+  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2 /\
+  ((1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2) ^ 2 > 0 /\
+  (surface_x * surface_x + surface_y * surface_y - (1 / 4) * k_u ^ 2) ^ 2 > 0.
+
 Definition pole__surface_gradient_0 : Prop :=
   forall theta : R,
   let surface_x := 0 / 2 * (cos (0 * (theta + PI) / 2)) * (-(sin theta)) + (sin (0 * (theta + PI) / 2)) * (cos theta) in
@@ -2647,6 +2666,12 @@ Definition crease_error_area__tent : Prop :=
   epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) + epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
   (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
   (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon) + (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) >= 0.
+
+Definition crease_error_area__mirrored : Prop :=
+  forall delta epsilon k_u : R,
+  epsilon > 0 ->
+  epsilon <> 0 /\
+  PI * k_u * (cos ((-delta) * PI * k_u)) + (sin ((-delta) * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon = -((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon - PI * k_u * (cos (delta * PI * k_u))).
 
 Definition crease_error_area__tents : Prop :=
   forall delta epsilon k_u : R,

@@ -6,10 +6,10 @@ theorem = Theorem(
     "binades",
     "The slope dies by binades",
     r"""For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where $0 <
-    \varepsilon < s/2$ (at $u = 2^k$: $\varepsilon \le s/4$), $\mathrm{fl}(u \pm \varepsilon) = u$, and the
-    computed $h_u$ is exactly 0 for every height; in $v$ the same, up to $v = 1$. At the tie $\varepsilon = s/2$,
-    for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where $m$ is even, and twice the slope of $h = u$
-    or $h = v$ where $m$ is odd. At the pole $v = 0$ the difference is that from 0 to $\varepsilon$, and at the
+    \varepsilon < s/2$ and $u > 2^k$, or $0 < \varepsilon \le s/4$ and $u = 2^k$, $\mathrm{fl}(u \pm \varepsilon) =
+    u$, and the computed $h_u$ is exactly 0 for every height; in $v$ the same, up to $v = 1$. At the tie $\varepsilon
+    = s/2$, for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where $m$ is even, and twice the slope of $h =
+    u$ or $h = v$ where $m$ is odd. At the pole $v = 0$ the difference is that from 0 to $\varepsilon$, and at the
     seam $u = 0$ half of it, since $u - \varepsilon$ becomes exactly 1.""",
     hypotheses=(
         r"$\varepsilon$ is a float64 number; at the pole $\varepsilon \le 1$, at the seam $\varepsilon \le 2^{-54}$",

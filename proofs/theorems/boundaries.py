@@ -40,9 +40,9 @@ theorem = Theorem(
         r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$": "look",
     },
     mutants=(
-        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=real("mu_0"), avoid=beta),
-        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1], avoid=beta),
-        variant("the colour ignores ε", _by_difference["central_ridges"], outputs=rgb[:1], avoid=epsilon),
+        variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=real("mu_0")),
+        variant("nor the colour", _unmoved["phong"], outputs=rgb[:1]),
+        variant("nor that of a difference", _by_difference["central_ridges"], outputs=rgb[:1]),
     ),
 )
 

@@ -82,7 +82,7 @@ inverse = Theorem(
     },
     mutants=(
         variant("N_x = + sin πv cos 2πu", _formula, negated(_formula)),
-        variant("whatever the sign of sin φ", _recovered, _recovered.shows[1:2], given=on_circles),
+        variant("whatever the sign of sin φ", _recovered, given=on_circles),
     ),
     side_conditions=SideCondition(
         r"$\sin\varphi > 0$", "recovered", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)

@@ -49,8 +49,9 @@ first_order = Theorem(
     factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"""Taylor's theorem: $h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$ and $h(0) = h - v
-        h_v + \tfrac12 v^2 b$ with $|a|, |b| \le \sup|h_{vv}|$ over $[0, v+\varepsilon]$""",
+        r"""assumed, as Taylor's theorem has it, and all that the claims know of $h$: $h(v+\varepsilon) = h +
+        \varepsilon h_v + \tfrac12\varepsilon^2 a$ and $h(0) = h - v h_v + \tfrac12 v^2 b$ with $|a|, |b| \le
+        \sup|h_{vv}|$ over $[0, v+\varepsilon]$""",
     ),
     claims=(_clamp, _first, _sharp, _at_zero),
     source="DLMF",
@@ -130,14 +131,15 @@ second_order = Theorem(
     hump may end inside the step. $w^3/6$ attains the bound.""",
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"""$s = v+\varepsilon$; the midpoint rule for $h(s) = \int_0^s h_v$: $h(s) = s h_v(s/2) + \tfrac1{24}s^3
-        a$, $|a| \le \sup|h_{vvv}|$""",
+        r"""assumed, and with the next but one all that the claims know of $h$: the midpoint rule for $h(s) = \int_0^s
+        h_v$, $s = v+\varepsilon$, that is $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, $|a| \le \sup|h_{vvv}|$""",
         r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up
         to $\pi k_v$""",
-        r"""the mean value theorem: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) + \tfrac12(s^2/4
-        - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
+        r"""assumed, as the mean value theorem has it: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) +
+        \tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
     ),
     claims=(_are_odd, _first_ridge, _second, _attained),
+    source="DLMF",
     steps={
         r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
         "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),
@@ -148,7 +150,7 @@ second_order = Theorem(
     mutants=(
         variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
         variant("h(0) = 0 is not needed", _second, lines=of_heights({h_v_plus: _upper, h_v_minus: here})),
-        variant("1 − v² is odd too", Claim("odd", equation((1 - v**2).subs(v, -v), v**2 - 1))),
+        variant("1 − v² is odd too", _are_odd, equation((1 - v**2).subs(v, -v), v**2 - 1)),
         variant(
             "w³/6 attains ε²/6 for v > 0",
             _attained,

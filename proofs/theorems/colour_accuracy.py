@@ -44,19 +44,22 @@ theorem = Theorem(
     "colour_accuracy",
     "What float64 loses at B's hit, and between the gradient and the colour",
     rf"With $\mu = 2^{{-53}}$, as float64 carries them out: B's hit $t_B$ is within ${HIT}\mu t_B$ of its exact value "
-    rf"away from B's outline; each component of $N'$ is within ${NORMAL}\mu$ "
+    rf"away from B's outline; each component of the bumped normal $N'$ is within ${NORMAL}\mu$ "
     rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; the "
-    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, and its "
-    rf"square, made of $h$ times a distance, within ${SQUARED}\mu$ of the square; that of "
+    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, and "
+    rf"squared, made of $h$ times a distance, within ${SQUARED}\mu$ of its square; that of "
     rf"Phong's within ${PHONG}\mu$ of $\max(0, (2(N' \cdot \omega)N' - \omega) \cdot \hat v)$; a light's share leaves "
     rf"a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
     hypotheses=(
         r"of the hit, with $D, b, c, d$ of its theorem: $|D|^2R_2^2 \le 16d$, so that the ray passes $C$ within 97 % "
-        r"of $R_2$; $2R_2 \le |E - C| \le 2^{20}R_2$; $2^{-20} \le |D|, R_2 \le 2^{50}$; $b > 0$: B is before the eye",
-        r"$1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than that",
-        r"$|N'_i| \le 1 + 2^{-40}$, and of Phong's highlight $|\omega_i|$, $|\hat v_i|$, $|N' \cdot \omega|$ as well",
-        r"$2^{-40} \le |L - P|^2, |h|^2 \le 2^{900}$; for the square $|h|^2 \le 2^{400}$, a distance from $2^{-20}$ "
-        r"to $2^{200}$; a light, its weights and what it adds to are not negative",
+        r"of $R_2$; $4R_2^2 \le |E - C|^2 \le 2^{40}R_2^2$; $2^{-40} \le |D|^2 \le 2^{100}$, $2^{-20} \le R_2 \le "
+        r"2^{50}$; $b > 0$: B is before the eye",
+        r"of the normal $1 \le |N + \beta g|^2 \le 2^{900}$, and no $\beta g_i$ is longer than $N + \beta g$",
+        r"of a cosine and of the highlights $|N'_i| \le 1 + 2^{-40}$, of Phong also $|\omega_i|$, $|\hat v_i|$ and "
+        r"$|N' \cdot \omega|$; of a cosine $2^{-40} \le |L - P|^2 \le 2^{900}$, of Blinn's base $2^{-40} \le |h|^2 "
+        r"\le 2^{900}$, squared $2^{-40} \le |h|^2 \le 2^{400}$, a distance from $2^{-20}$ to $2^{200}$",
+        r"of a share: light and albedo are at most $2^{20}$; they, the weights and what they add to are not negative",
+        "nothing overflows",
         "each stage is of its own float64 inputs",
     ),
     rounded=(

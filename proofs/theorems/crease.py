@@ -45,6 +45,10 @@ _centre = Claim(
     chain("beside", {difference: straddled, after: slope_after}).at({delta: S.Zero}),
 )
 _period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
+_factors = [
+    Claim(f"factor_of_{name}", equation(of, Abs(sin(pi * k_v * v)) * of.subs(half)), given)
+    for name, of, given in (("height", ridges.expression, ()), ("slope", ridges.gradient()[0], ridges.expression > 0))
+]
 _slopes = [
     Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
@@ -59,10 +63,11 @@ theorem = Theorem(
     and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
-        r"ridges in $u$, where $|\sin\pi k_v v| = 1$; elsewhere that factor multiplies both sides",
+        r"ridges in $u$ where $|\sin\pi k_v v| = 1$; elsewhere that is a factor of each height and, off the creases, "
+        "of the slope",
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
-    claims=(_value, _centre, _period, _slopes),
+    claims=(_value, _centre, _period, _factors, _slopes),
     steps={
         r"$|\sin(\pi m + x)| = |\sin x|$": r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike",
         r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$": (
@@ -149,6 +154,9 @@ _near_tent = Claim(
     squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
 )
+_mirrored = Claim(
+    "mirrored", equation((straddled + slope_after).subs(delta, -delta), -(straddled - slope_after)), epsilon > 0
+)
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
@@ -184,7 +192,7 @@ rms = Theorem(
     "The error beside the creases falls like √ε",
     {
         r"""Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is $\pi
-        k(|\delta|/\varepsilon - 1)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": _near_tent,
+        k(1 - |\delta|/\varepsilon)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": (_near_tent, _mirrored),
         r"""$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by
         $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
         at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
@@ -197,7 +205,7 @@ rms = Theorem(
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
-        r"Minkowski's inequality joins the two: the RMS of a sum differs from one part's by at most the other's",
+        "assumed: Minkowski's inequality joins the two, RMS of a sum and of one part differ by at most the other's",
     ),
     steps={
         r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$": (
@@ -207,6 +215,7 @@ rms = Theorem(
         r"it is $y/x - 1 + r$, $x r = x(1-\cos y) - (y - \cos x\sin y)$, so $|r| \le \tfrac23x^2$": (
             r"$0 \le x(1-\cos y) \le \tfrac12x^3$ and $0 \le y - \cos x\sin y \le \tfrac23x^3$"
         ),
+        r"before a crease the error is that after it, with the other sign": "both are odd in $\\delta$",
         r"away from the creases the error is below $\pi k\,x^2/6$": ("smooth there", "truncation_bound"),
         r"at the poles below $\pi k\,x^2/4$": ("odd there", "clamped_difference_of_odd"),
         r"$\int_0^\varepsilon(\delta/\varepsilon-1)^2\,d\delta = \varepsilon/3$": "differentiate the primitive",

@@ -102,7 +102,6 @@ _angle = Claim(
     _off_the_poles,
     _both,
 )
-_like_blinn = Claim("like_blinn", equation(dot(m, displaced), 1 + beta**2 * _metric), _off_the_poles, _both)
 
 difference_theorem = Theorem(
     "bump_is_not_displacement",
@@ -128,7 +127,7 @@ difference_theorem = Theorem(
             zero(h_u),
             at={**at_angle(0, 1), (beta, h): 0, (h_u, h_v): 1},
         ),
-        variant("the opposite sign, as Blinn's", _like_blinn),
+        variant("the opposite sign, as Blinn's", _angle, equation(dot(m, displaced), 1 + beta**2 * _metric)),
         variant(
             "without the metric",
             _angle,

@@ -17,18 +17,20 @@ _in_two = *_few, Abs(x * y) <= Pow(2, 21), not_tiny(x * y)
 theorem = Theorem(
     "enclosing_rules",
     "The rules of the enclosing machine",
-    r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
-    By the machine's rules the float64 results of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$, of the
-    whole number nearest to $x$, of $\sin\pi xy$, $\cos\pi xy$, $\operatorname{atan2}(y, x)/\pi$, $e^x$, $\ln x$ and of
-    a selection by $x < y$ are within their counts of the exact results, if the counts before are; each operation makes
-    a count too small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
+    r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64. By
+    the machine's rules the float64 results of a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$, floor
+    $\lfloor x \rfloor$, of the whole number nearest to $x$, of a sine $\sin\pi xy$, cosine $\cos\pi xy$, angle
+    $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$ and of a selection by $x < y$ are within
+    their counts of the exact results, if the counts before are; each operation makes a count too small by $2^{-49}$
+    of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
     hypotheses=(
-        "nothing overflows; of a product, a sine and a whole number the counts are at most $2^{60}$",
-        r"a divisor, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
-        r"of a sine $|xy| \le 2^{21}$, of $e^x$ $x \le 704$ and a count of at most $2^{55}$; of both what is not 0 is "
-        "above $10^{-285}$",
+        "nothing overflows; of a product, sine, cosine, floor and nearest number the counts are at most $2^{60}$; "
+        "neither what a root is of nor what that stands for is negative",
+        r"the divisor of a quotient, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
+        r"of a sine and a cosine $|xy| \le 2^{21}$, of an exponential $x \le 704$ and a count of at most $2^{55}$; of "
+        "these three what is not 0 is at least $10^{-285}$",
         r"of an angle $x^2 + y^2 \ge 2^{-10}$",
-        r"of $\ln x$ $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
+        r"of a logarithm $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
     ),
     rounded=[
         Encloses(name, RULES[f"enclosed_{name}"], given)

@@ -46,8 +46,8 @@ theorem = Theorem(
     },
     mutants=(
         variant("e_θ × e_φ = N (F3)", _right_handed, equations(cross(e_theta, e_phi), normal)),
-        variant("e_θ = ∂N/∂θ, without sin φ", _along_theta, equations(_theta, [Derivative(n, theta) for n in _n])),
-        variant("e_φ ⟂ N without θ's circle", _unit, zero(dot(e_phi, normal)), given=on_circles[1:]),
+        variant("e_θ = ∂N/∂θ, without sin φ", _along, equations(_theta, [Derivative(n, theta) for n in _n])),
+        variant("orthonormal without θ's circle", _unit, given=on_circles[1:]),
     ),
 )
 
@@ -103,7 +103,7 @@ stable = Theorem(
         variant("R cos φ = e t", _angles, equation(radius * cos_phi, eye * t_a)),
         variant("sin φ = ρ/R", _angles, equation(radius * sin_phi, rho)),
         variant("x and y swapped", _angles, equation(radius * sin_phi * cos_theta, t_a * y)),
-        variant("√(1 − N_z²) = sin φ, whatever its sign", _seed, _seed.shows[:1], given=on_circles, squares=sin_phi),
+        variant("√(1 − N_z²) = sin φ, whatever its sign", _seed, given=on_circles, squares=sin_phi),
     ),
     side_conditions=(
         SideCondition(r"$\sin\varphi > 0$", "seed_frame", fails=at_angle("3/5", "-4/5"), undefined=at_angle(1, 0)),

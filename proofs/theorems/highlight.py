@@ -221,7 +221,7 @@ from_one_root = Theorem(
         "$L \\ne P$",
         r"$\omega \ne -\hat v$, except in the last sentence",
         r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
-        taken from $k = |d|H$ by hand""",
+        taken from $k = |d|H$ by hand (assumed)""",
     ),
     claims=(_k, _cosine, _base_squared, _opposite),
     steps={

@@ -28,19 +28,20 @@ def off_the_axis(x_at: Expr) -> dict:
     return {x: x_at, y: 0, eye: "5/4", radius: "3/4"}
 
 
+def _apart(symbol, line):
+    if symbol in _APART:
+        line, condition = line.args[0]
+        yield _APART[symbol][0], where(condition, 1, 0)
+    yield symbol.xreplace(_NUMBERS), line.xreplace(_NUMBERS)
+
+
 @evaluated
 def met(program: Program) -> Program:
     """Return a program's lines with each hit, which is infinite where there is none, in two.
 
     hits_a is 1 where there is one, else 0; t_a is where: the value that the line has there, a real number.
     """
-    lines = {}
-    for symbol, line in program.definitions:
-        if symbol in _APART:
-            line, condition = line.args[0]
-            lines[_APART[symbol][0]] = where(condition, 1, 0)
-        lines[symbol.xreplace(_NUMBERS)] = line.xreplace(_NUMBERS)
-    return chain(program.name, lines)
+    return chain(program.name, dict(pair for line in program.definitions for pair in _apart(*line)))
 
 
 hit_of_a, hit_of_b = met(camera.hit_of_a), met(camera.hit_of_b)

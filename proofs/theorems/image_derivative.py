@@ -91,12 +91,13 @@ theorem = Theorem(
         r"""Along $N' + s\,\partial_\beta N'$, at $s = 0$: $\mu' = \partial_\beta N'\cdot\omega$ and $\text{base}'
         = \partial_\beta N'\cdot H/|H|$ (Blinn) or $2(\mu'\,N'\cdot\hat v + \mu\,\partial_\beta N'\cdot\hat v)$
         (Phong).""": (_mu, _blinn, _phong),
-        r"For every whole $p \ge 0$, $(\text{base}^p)'\,\text{base} = p\,\text{base}^p\,\text{base}'$.": _power,
-        r"""So off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative $i\,(a k_d\,\mu'[\mu >
+        r"""For every whole $p \ge 0$, with $(\text{base}^p)'$ by the product rule, $(\text{base}^p)'\,\text{base} =
+        p\,\text{base}^p\,\text{base}'$.""": _power,
+        r"""With it, off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative $i\,(a k_d\,\mu'[\mu >
         0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;""": _sides,
         "the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.": _clip,
     },
-    hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation"),
+    hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation (assumed)"),
     steps={
         r"$\partial_\beta N'$": ("in closed form", "normal_by_beta"),
         "each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$": "the chain rule",

@@ -68,7 +68,7 @@ def _slopes_in_float64(field, rates):
     near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):
         if coordinate in program.reaches(*rates):
-            given += [coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20, not_tiny(rate * coordinate)]
+            given = [*given, coordinate >= 0, coordinate <= 1, Abs(rate) <= 2**20, not_tiny(rate * coordinate)]
     return Rounded(field.name, program, near, given)
 
 
@@ -76,11 +76,11 @@ gradients = Theorem(
     "gradient_accuracy",
     "The general form of the exact gradient against the reference",
     rf"With $\mu = 2^{{-53}}$, the general form is within ${GENERAL_GRADIENT}\mu\,\pi\max(1,|k|)$ of the "
-    r"exact gradient at the float64 $(u, v)$: $k = k_u$ for $h_u$, $k_v$ for $h_v$, for rings $2k_v$, of sizes up to "
-    r"$2^{20}$.",
+    r"exact gradient of sine, ridges and rings at the float64 $(u, v)$: $k = k_u$ for $h_u$, $k_v$ for $h_v$, for "
+    r"rings $2k_v$, of sizes up to $2^{20}$.",
     hypotheses=(
-        r"$h$ depends on $u$ and $v$ through $\sin$ and $\cos$ of $\pi k_u u$ and $\pi k_v v$, or of twice that, alone",
-        r"$k_u u$ and $k_v v$ are 0 or above $10^{-285}$",
+        r"$0 \le u, v \le 1$; $k_u u$ and $k_v v$ are 0 or, in size, at least $10^{-285}$",
+        "of another field no bound is claimed",
         "nothing overflows",
     ),
     rounded=(

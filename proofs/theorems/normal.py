@@ -44,7 +44,7 @@ unit_length = Theorem(
     mutants=(
         variant("|M|² = 1 − β²|g|²", _length, equation(squared(m), 1 - beta**2 * squared(g))),
         variant("|M|² = 1 + β|g|²", _length, equation(squared(m), 1 + beta * squared(g))),
-        variant("|M| > 1", _length, m_length > 1, at={beta: 0}),
+        variant("|M| > 1", _length, m_length > 1, at={beta: 0, normal: (1, 0, 0), g: (0, 1, 0)}),
         variant("N·g not zero", _length, given=tangent[:1]),
     ),
     side_conditions=SideCondition(r"$g \perp N$", "length", holds=at(1), undefined=at(-1, (0, 0, 1))),

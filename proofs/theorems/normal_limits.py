@@ -153,9 +153,8 @@ shadow_line = Theorem(
         variant(
             "N·ω > ½|β||g| suffices",
             _within,
-            _within.shows[-1:],
             given=(_within.given[:-1], dot(normal, towards) > w / 2),
-            at={**at(1), towards: ("-4/5", 0, "3/5"), w: 1},
+            at={**at(1), g: ("4/3", 0, 0), towards: ("-3/5", 0, "4/5"), w: "4/3"},
         ),
         variant("N'·ω ≥ N·ω", _within, dot(bumped, towards) >= dot(normal, towards)),
     ),

@@ -104,8 +104,8 @@ theorem = Theorem(
         "and the vertex lies between the ends": "a convex parabola, positive at both ends, with a root between them",
     },
     mutants=(
-        variant("without the vertex before L", _if, greater(1, _first), given=_if.given[:-1]),
-        variant("without the vertex after P", _if, _first > 0, given=(_if.given[:-2], _a > 0, _b < _a)),
+        variant("without the vertex before L", _if, given=_if.given[:-1]),
+        variant("without the vertex after P", _if, given=(_if.given[:-2], _a > 0, _b < _a)),
         variant("d > 0 for every root", _only_if, _d > 0, at={_a: 4, _b: 2, _c: 1, s: "1/2"}),
     ),
     side_conditions=(
@@ -203,7 +203,6 @@ cone = Theorem(
         variant(
             "without the ball's reach",
             _cone,
-            _cone.shows[-1:],
             given=(_cone.given[:3], distance > body_radius, _cone.given[4:]),
             at=_points(3 * HALF),
         ),

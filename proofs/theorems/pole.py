@@ -62,8 +62,18 @@ _limit = Claim(
     equation(squared(_surface), k_u**2 / 4 + (1 - k_u**2 / 4) * sin(_turned) ** 2),
     lines=_tangential,
 )
+_no_limit = Claim(
+    "surface_gradient_differs",
+    (_limit.shows, positive(((1 - k_u**2 / 4) * sin(_turned) ** 2) ** 2, (squared(_surface) - k_u**2 / 4) ** 2)),
+    ((1 - k_u**2 / 4) ** 2 > 0, sin(_turned) ** 2 > 0),
+    _tangential,
+)
 _same_limit = [
-    Claim(f"surface_gradient_{k}".replace("-", "minus_"), equations(_surface, limit), lines=_tangential.at({k_u: S(k)}))
+    Claim(
+        f"surface_gradient_{k}".replace("-", "minus_"),
+        equations(_surface, limit),
+        lines=_tangential.at({k_u: number(k)}),
+    )
     for k, limit in ((0, (0, 0)), (2, (0, -1)), (-2, (0, 1)))
 ]
 
@@ -77,13 +87,13 @@ theorem = Theorem(
         r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.": _opposite,
         r"""Sine's surface gradient tends to $k_v$ times a vector of squared length $k_u^2/4 +
         (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or $k_u = \pm
-        2$, where it is $(0, \mp 1, 0)$.""": (_limit, _same_limit),
+        2$, where it is $(0, \mp 1, 0)$.""": (_limit, _no_limit, _same_limit),
         r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
     },
     hypotheses=(
-        r"along a meridian $g$ is continuous in $v$: its limit is its value at $v = 0$",
+        r"assumed: along a meridian $g$ is continuous in $v$, its limit is its value at $v = 0$",
         r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
-        r"$\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
+        r"assumed: $\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
     ),
     source="DLMF",
     steps={
@@ -101,10 +111,9 @@ theorem = Theorem(
         variant("sine's g has a limit", _length, [equation(_sine.expand(s).xreplace({theta: S.Zero}), s) for s in g]),
         variant("rings' has one", _opposite, zero(_across)),
         variant(
-            "the true gradient has one for k_u = 1",
+            "the true gradient has one for every k_u",
             _limit,
             equations([_tangential.expand(s).xreplace({theta: S.Zero}) for s in _surface], _surface),
-            lines=_tangential.at({k_u: S.One}),
         ),
         variant("h = y U for k_u = 2", _smooth, equation(_two, sin(phi) * sin(theta) * chebyshev)),
     ),

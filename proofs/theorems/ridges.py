@@ -87,8 +87,8 @@ crossings = Theorem(
     },
     mutants=(
         variant("half the bound", _flat, _a**2 + _b**2 >= 4 * _h),
-        variant("on one crease only", _crossed, _crossed.shows[:1], given=(k_u > 0, k_v > 0, _whole[0])),
-        variant("the sum for the product", _crossed, equation(_crossing**2, (_sine_u + _sine_v) ** 2)),
+        variant("on one crease only", _crossed, given=(k_u > 0, k_v > 0, _whole[0])),
+        variant("the sum for the product", _crossed, equation(_crossing**2, (_sine_u + _sine_v) ** 2), at=_at(1, 1)),
     ),
     side_conditions=SideCondition("$m$, $n$ whole", "crossing", holds=_at(1, 1), fails=_at(1, HALF)),
 )
@@ -110,8 +110,8 @@ on_creases = Theorem(
         "the two quotients have opposite signs and do not tend to 0": r"$A \ne 0$",
     },
     mutants=(
-        variant("the sides differ in height", _on_u, _beyond[0] ** 2 > _beyond[1] ** 2),
-        variant("whatever m is", _on_u, _on_u.shows[:1], given=_on_u.given[:-1]),
+        variant("the sides differ in height", _on_u, _beyond[0] ** 2 > _beyond[1] ** 2, at=_at(1, 1) | {v: HALF}),
+        variant("whatever m is", _on_u, given=_on_u.given[:-1]),
         variant("differ at a crossing too", _differ, given=(_slope >= 0, _differ.given[1:]), at=_level),
     ),
     side_conditions=SideCondition(

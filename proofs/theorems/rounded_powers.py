@@ -118,7 +118,7 @@ theorem = Theorem(
     },
     hypotheses=(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu \le \tfrac14$; nothing underflows",
-        "the triangle's inequality, and that the size of a product is the product of the sizes",
+        "assumed: the triangle's inequality, and that the size of a product is the product of the sizes",
     ),
     steps={
         r"$|\hat a\hat b - ab| \le |\hat a - a||\hat b| + |\hat b - b| \le (A-1)B + B-1$": (

@@ -92,7 +92,8 @@ theorem = Theorem(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
         r"""$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped,
         or $v \pm \varepsilon$, clamped""",
-        r"the mean value theorem: $\alpha$ moves $h$ by at most $L\alpha$, and $|D_\varepsilon h| \le L$",
+        r"""assumed, as the mean value theorem has it, and all that the claims know of $h$: $\alpha$ moves $h$ by at
+        most $L\alpha$, and $|D_\varepsilon h| \le L$""",
     ),
     source="DLMF",
     steps={

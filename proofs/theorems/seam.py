@@ -38,6 +38,7 @@ _even = Claim(
 _odd = Claim(
     "odd", (zero(_jump(sine.expression)), equation(_jump(_slope), 2 * pi * k_u * _in_v)), equation(cos(pi * k_u), -1)
 )
+_half = {(k_u, k_v): 1, (u, v): HALF}
 _ends = real("h_first h_last")
 _at_ends = chain("ends", {_ends: [ridges.at(at, v) for at in (S.Zero, S.One)]})
 _ridges = Claim("ridges", zero(_ends), _whole, _at_ends)
@@ -84,10 +85,10 @@ theorem = Theorem(
         "the slopes on either side are opposite and not zero": ("as on every crease", "ridges_on_creases"),
     },
     mutants=(
-        variant("C¹ for odd k_u", _odd, _even.shows),
+        variant("C¹ for odd k_u", _even, given=_odd.given, at=_half),
         variant("continuous for every k_u", _sine, zero(h_jump)),
         variant("ridges continuous for every k_u", _ridges, given=()),
-        variant("h(u + 1) = h for whole k_u", _sine, equation(_turned, sine.expression), given=_whole),
+        variant("h(u + 1) = h for whole k_u", _even, given=_whole, at=_half),
     ),
     side_conditions=SideCondition(
         "$k_u$ is even",

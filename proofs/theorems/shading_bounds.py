@@ -53,12 +53,6 @@ _all_lights = Claim(
 )
 
 
-def _at_unit_weights(factor):
-    """Return the claim with another factor, for i = a = k_d = k_s = 1."""
-    ones, claim = dict.fromkeys((albedos[0], light_colors[0], kd, ks), 1), _light(0, factor)
-    return claim.but(shows=[r.xreplace(ones) for r in claim.shows[-2:]], given=claim.given[4:])
-
-
 def _lamp(shine):
     """Return the light's inputs with k_s = shine, and a highlight that changes by 1."""
     ones = (light_colors[0], albedos[0], kd, specular, q, step)
@@ -73,14 +67,14 @@ difference_bound = Theorem(
             _lights
         ),
         "and the clip adds nothing;": _clip,
-        r"""so $|\Delta I| \le L\,|\beta||\Delta g|$ with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$, of up to
-        five lights.""": _all_lights,
+        r"""so if each of up to five lights, one after the other, adds no more, $|\Delta I| \le L\,|\beta||\Delta g|$
+        with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.""": _all_lights,
     },
     hypotheses=(
         r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
         "the same chamber: the same point and the same lights",
         r"""$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$
-        with $q = p$ (Blinn) or $2p$ (Phong), as is argued""",
+        with $q = p$ (Blinn) or $2p$ (Phong), as is argued (assumed)""",
     ),
     steps={
         r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
@@ -100,9 +94,12 @@ difference_bound = Theorem(
             sum(_factors[:4]) * step >= _changes[-1],
             at={(_factors[:4], _changes[:4]): 0, (_factors[4], _changes[4], step, _slope_error): 1},
         ),
-        variant("without the highlight", _at_unit_weights(_weights[0])),
-        variant("without the diffuse part", _at_unit_weights(_weights[1] * q)),
+        variant("without the highlight", _lights[0], _light(0, _weights[0]).shows, at=_lamp(1) | {kd: 0}),
+        variant(
+            "without the diffuse part", _lights[0], _light(0, _weights[1] * q).shows, at=_lamp(0) | {mu: 1, specular: 0}
+        ),
     ),
+    expected="argued",  # as the highlight is that it uses
     side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
 
@@ -192,9 +189,9 @@ normalising = Theorem(
         variant(
             "inside the unit ball too",
             _normalise,
-            apart >= turned,
             given=(length_a > 0, length_b > 0, apart >= 0, turned >= 0, _outside),
-            at=_pair(HALF),
+            at={a: (HALF, 0, 0), b: ("7/50", "12/25", 0), (length_a, length_b): HALF}
+            | {product: "7/100", apart: "3/5", turned: "6/5"},
         ),
         variant("at most 1", _normalise, at_least(1, turned)),
     ),

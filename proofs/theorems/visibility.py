@@ -97,8 +97,8 @@ visible = Theorem(
         r"$(\rho^2+e^2)t-e^2 = \mp\sqrt d$": (r"its square is $d$, its sign that of $R-e\cos\varphi$", "hit_of_a"),
     },
     mutants=(
-        variant("visible where cos φ ≥ 0", _visible, equation(t, t_a), given=(_on_a, _cos_phi >= 0)),
-        variant("hidden on the rim", _hidden, t > t_a, given=(_on_a, equation(eye * _cos_phi, radius))),
+        variant("visible where cos φ ≥ 0", _visible, given=(_on_a, _cos_phi >= 0)),
+        variant("hidden on the rim", _hidden, given=(_on_a, equation(eye * _cos_phi, radius)), at=_rim("16/25")),
         variant("the hidden point is nearer", _hidden, t < t_a),
     ),
     side_conditions=SideCondition(r"$\cos\varphi \ge R/e$", "visible", holds=_rim("16/25"), fails=_rim(1)),

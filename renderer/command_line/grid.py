@@ -7,7 +7,7 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
 from contextlib import AbstractContextManager
 from dataclasses import asdict, replace
@@ -26,16 +26,12 @@ from renderer.scene.methods import difference
 from renderer.scene.scene import Scene, geometry_of
 from renderer.whole_files import checked_target, sole_writer
 
-BATCH_TASKS, BATCH_PIXELS = (4, 16), 2**23  # what a worker is given at once, and what is lost if it is killed
-_START = b'{"key": '
+BATCH_TASKS = 8  # frames that a worker is given at once, and that are lost if it is killed
 
 
 @cache
 def version() -> str:
-    """Return a hash of what computes a result: the renderer's sources, the machine that draws, NumPy, llvmlite.
-
-    And what a field of one's own is derived by: the sources of the formulas, SymPy.
-    """
+    """Return a hash of the sources and versions that compute a result: renderer, machine, formulas, libraries."""
     drawing, root = machine().NAME, Path(__file__).parents[2]  # llvmlite is loaded then, if it draws
     llvmlite = getattr(sys.modules.get("llvmlite"), "__version__", None)
     digest = hashlib.sha256(f"{drawing} {np.__version__} {llvmlite} {metadata.version('sympy')}".encode())
@@ -51,59 +47,47 @@ def _record(task):
 
 
 def key_of(task: Task) -> str:
-    """Return a hash of a Task and of what computes it: equal keys, equal results."""
+    """Return a hash of a Task and of the version that computes it: equal keys, equal results."""
     return hashlib.sha256(json.dumps([_record(task), version()], sort_keys=True).encode()).hexdigest()
 
 
 class Checkpoint(AbstractContextManager):
     """The results kept in a .jsonl file: `rows`, by the key of their task.
 
-    A line is {"key": …, "task": …, "row": …}. A last line without an end (its writer was killed) is dropped. Raises
-    ValueError if the file cannot be written, holds anything but results, or is written by another sweep. It is this
-    one's until `close`, or the end of a `with`.
+    A line is {"key": …, "task": …, "row": …}. A last line without an end (its writer was killed) is dropped. The file
+    is this one's alone until the end of a `with`. Raises ValueError if it cannot be written, holds anything but
+    results, or is written by another sweep.
     """
 
     def __init__(self, path: str | Path):
         self.path = checked_target(path, (".jsonl",), "checkpoint")
-        self.rows: dict[str, SweepRow] = {}
         try:
-            self._own = sole_writer(self.path)
+            self._file = sole_writer(self.path)
         except OSError as error:
             busy = isinstance(error, BlockingIOError)
             allowed = "one that no other sweep is writing" if busy else f"a file that can be written ({error.strerror})"
             raise not_allowed("checkpoint", str(self.path), allowed) from None
         try:
-            self._read()
-        except ValueError:
-            self.close()
-            raise
+            self.rows = self._read()
+        except (ValueError, KeyError, TypeError):
+            self._file.close()
+            raise not_allowed("checkpoint", str(self.path), "a file of results alone") from None
 
     def __exit__(self, *error: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Let others write to the file, which is removed if nothing is kept in it."""
-        if not self._own.closed and os.fstat(self._own.fileno()).st_size == 0:
+        if not self._file.tell():
             self.path.unlink(missing_ok=True)
-        self._own.close()
+        self._file.close()
 
     def _read(self):
-        """Read the results, and drop a last line without an end."""
+        """Return the results, and drop a last line without an end."""
         content = self.path.read_bytes()
         *lines, torn = content.split(b"\n")
-        for number, line in enumerate(lines, 1):
-            try:
-                record = json.loads(line)
-                self.rows[record["key"]] = SweepRow(**record["row"])
-            except (ValueError, KeyError, TypeError):
-                raise self._none(number) from None
-        if torn[: len(_START)] != _START[: len(torn)]:
-            raise self._none(len(lines) + 1)
+        found = [json.loads(line) for line in lines]
+        if not (torn.startswith(b'{"key": ') or b'{"key": '.startswith(torn)):
+            raise ValueError
         if torn:
             os.truncate(self.path, len(content) - len(torn))
-
-    def _none(self, number):
-        return not_allowed("checkpoint", str(self.path), f"a file of results, and its line {number} is none")
+        return {line["key"]: SweepRow(**line["row"]) for line in found}
 
     def kept(self, tasks: Iterable[Task]) -> dict[Task, SweepRow]:
         """Return {task: row} of those of the tasks that are kept."""
@@ -112,12 +96,12 @@ class Checkpoint(AbstractContextManager):
 
     def append(self, results: Mapping[Task, SweepRow]) -> None:
         """Keep {task: row}; when this returns, they are on the disk."""
-        keys = {task: key_of(task) for task in results}
-        lines = [{"key": keys[task], "task": _record(task), "row": asdict(row)} for task, row in results.items()]
-        self._own.write("".join(json.dumps(line) + "\n" for line in lines).encode())
-        self._own.flush()
-        os.fsync(self._own.fileno())
-        self.rows |= {keys[task]: row for task, row in results.items()}
+        for task, row in results.items():
+            line = {"key": key_of(task), "task": _record(task), "row": asdict(row)}
+            self._file.write(json.dumps(line).encode() + b"\n")
+            self.rows[line["key"]] = row
+        self._file.flush()
+        os.fsync(self._file.fileno())
 
 
 def grid(
@@ -137,45 +121,18 @@ def grid(
 
 
 def batches(tasks: Iterable[Task]) -> list[list[Task]]:
-    """Return the tasks in lists that share their chambers, in their order: 4 to 16 tasks, the fewer the larger."""
+    """Return the tasks, in their order, in lists of at most BATCH_TASKS that share their chambers."""
     groups: dict[tuple, list[Task]] = {}
     for task in tasks:
         groups.setdefault((geometry_of(task.scene), task.width, task.height), []).append(task)
-    fewest, most = BATCH_TASKS
-    parts: list[list[Task]] = []
-    for (_, width, height), group in groups.items():
-        size = max(fewest, min(most, BATCH_PIXELS // (width * height)))
-        parts += [group[first : first + size] for first in range(0, len(group), size)]
-    return parts
+    return [group[i : i + BATCH_TASKS] for group in groups.values() for i in range(0, len(group), BATCH_TASKS)]
 
 
 def compare_batch(batch: list[Task], made_by: str, threads: int = 1) -> dict[Task, SweepRow]:
-    """Return {task: SweepRow} of a batch; what a worker does. Raises ValueError unless `made_by` is its own version."""
+    """Return {task: SweepRow} of a batch; a worker runs it. Raises ValueError unless `made_by` is its own version."""
     if made_by != version():
         raise ValueError("a worker's renderer is not allowed: its sources, machine, NumPy or llvmlite differ")
     return dict(zip(batch, compared(batch, threads), strict=True))
-
-
-def finished(
-    tasks: list[Task], executor: Executor, checkpoint: Checkpoint | None = None, threads: int = 1
-) -> Iterator[tuple[Task, SweepRow]]:
-    """Yield (task, SweepRow) as they are finished: first what the Checkpoint has, then what the executor computes.
-
-    Every batch is kept in the checkpoint before it is yielded. What has not been started when the generator is closed
-    or a batch fails is cancelled. threads: for each frame.
-    """
-    kept = checkpoint.kept(tasks) if checkpoint else {}
-    yield from kept.items()
-    missing = batches(task for task in tasks if task not in kept)
-    futures = [executor.submit(compare_batch, batch, version(), threads) for batch in missing]
-    try:
-        for future in as_completed(futures):
-            if checkpoint:
-                checkpoint.append(future.result())
-            yield from future.result().items()
-    finally:
-        for future in futures:
-            future.cancel()
 
 
 def run(
@@ -183,8 +140,23 @@ def run(
     executor: Executor,
     checkpoint: Checkpoint | None = None,
     threads: int = 1,
-    progress: Callable[[Iterator], Iterable] = iter,
+    progress: Callable[..., Iterable] = lambda batches, total: batches,
 ) -> dict[Task, SweepRow]:
-    """Return {task: SweepRow} of `finished` in the order of the tasks; `progress` wraps the iterable."""
-    rows = dict(progress(finished(tasks, executor, checkpoint, threads)))
+    """Return {task: SweepRow} in the order of the tasks: those of the Checkpoint, and those that the executor computes.
+
+    Every batch is kept in the checkpoint as soon as it is finished. Where one fails, or is stopped, batches that have
+    not been started are cancelled. threads: for each frame. progress: wraps the iterable of the finished batches,
+    of which there are `total`.
+    """
+    rows = checkpoint.kept(tasks) if checkpoint else {}
+    missing = batches(task for task in tasks if task not in rows)
+    futures = [executor.submit(compare_batch, batch, version(), threads) for batch in missing]
+    try:
+        for future in progress(as_completed(futures), total=len(futures)):
+            if checkpoint:
+                checkpoint.append(future.result())
+            rows |= future.result()
+    finally:
+        for future in futures:
+            future.cancel()
     return {task: rows[task] for task in tasks}

@@ -11,8 +11,8 @@ from functools import partial
 from typing import Any, NoReturn
 
 from renderer.checks import not_allowed
-from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, exact
-from renderer.scene.own import own_from_record
+from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, warned
+from renderer.scene.own import field_from_record
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
 
 Option = dict[str, Any]  # what argparse is told of one
@@ -71,9 +71,9 @@ RASTER = {
 }
 GRADIENT = {
     "--gradient": NAME | {"default": "exact", "help": f"{', '.join(METHODS)} (default: %(default)s)"},
-    "--eps": NUMBER | {"default": 1e-3, "help": "step of a difference (default: 1e-3)"},
+    "--eps": NUMBER | {"help": "step of a difference (default: 1e-3)"},
 }
-OUT = "a .png; - for one in a pipe; a .npz with every buffer; of any size, in bands: a .npy (float64) or a tiled .tif"
+OUT = "a .png; - for one in a pipe; a .tif; a .npz with every buffer; a .npy (float64), of any size, drawn in bands"
 OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
@@ -131,13 +131,18 @@ def scene_of(options: Namespace) -> Scene:
     given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in given:
         given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
-    if "field_seam" in options and "field_expression" not in options:
-        raise not_allowed("field-seam", True, "given with --field-expression")
-    if "field_expression" in options:
-        text = options.field_expression
-        name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
-        given["field"] = own_from_record("field", {"name": name, "expression": text, "seam": "field_seam" in options})
-    return replace(Scene.from_file(options.scene) if "scene" in options else Scene(), **given)
+    scene, seam = Scene.from_file(options.scene) if "scene" in options else Scene(), "field_seam" in options
+    if "field_expression" not in options:
+        if seam:
+            raise not_allowed("field-seam", True, "given with --field-expression")
+        return replace(scene, **given)
+    text = options.field_expression
+    name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
+    try:
+        return replace(scene, **given, field=field_from_record({"name": name, "expression": text, "seam": seam}))
+    except ValueError as error:  # in the words of Python, and by a name that nobody gave
+        told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
+        raise ValueError(told) from None
 
 
 def size_of(options: Namespace, size: int) -> tuple[int, int]:
@@ -148,13 +153,20 @@ def size_of(options: Namespace, size: int) -> tuple[int, int]:
 
 def method_of(options: Namespace) -> GradientMethod:
     """Return the gradient method."""
-    is_exact = options.gradient == "exact"
-    difference = GradientMethod("central" if is_exact else options.gradient, options.eps)  # a bad step is never let by
-    return exact() if is_exact else difference
+    eps = 1e-3 if options.eps is None and options.gradient != "exact" else options.eps
+    return warned(GradientMethod(options.gradient, eps))
 
 
 def progress_bar(**options: Any) -> Callable:
-    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second."""
-    from tqdm import tqdm
+    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second.
 
-    return partial(tqdm, delay=1.0, disable=not (sys.stderr and sys.stderr.isatty()), leave=False, **options)
+    Without tqdm the terminal is told alone what is under way.
+    """
+    is_shown = bool(sys.stderr and sys.stderr.isatty())
+    try:
+        from tqdm import tqdm
+    except ImportError:
+        if is_shown:
+            print(f"{options['desc']} …", file=sys.stderr)
+        return iter
+    return partial(tqdm, delay=1.0, disable=not is_shown, leave=False, **options)

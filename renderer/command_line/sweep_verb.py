@@ -49,7 +49,7 @@ def _of_grid(tasks, options):
     with nullcontext() if options.checkpoint is None else grid.Checkpoint(options.checkpoint) as checkpoint:
         try:
             with _workers(options) as executor:
-                progress = progress_bar(desc="frames", total=len(tasks), unit="frame")
+                progress = progress_bar(desc="batches of frames", unit="batch")
                 return grid.run(tasks, executor, checkpoint, options.threads or 1, progress)
         except (KeyboardInterrupt, BrokenExecutor, CancelledError) as stop:
             kept = "nothing is kept without --checkpoint"

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import fields
@@ -49,10 +50,10 @@ def draw_image(options: Namespace) -> None:
         raster = Raster(*size_of(options, options.size), options.crop)
     picture, more = (scene, raster.width, raster.height), {"gradient": method, "crop": raster.crop}
     more["threads"] = options.threads
-    if target.suffix.lower() in files.STREAM_SUFFIXES:
+    if target.suffix.lower() == ".npy":
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
-        height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="block"))
+        height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="band"))
     else:
         frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
@@ -85,7 +86,7 @@ def _drawn_again(options):
 def _checked_out(out):
     """Return the Path that is written to; it is PIPE for standard output, which may not be a terminal."""
     if out != PIPE:
-        return checked_target(out, (*files.PICTURE_SUFFIXES, *files.STREAM_SUFFIXES))
+        return checked_target(out, files.PICTURE_SUFFIXES)
     if sys.stdout is None or sys.stdout.isatty():  # it was closed, or is one
         raise not_allowed("out", out, "a file, or standard output that is no terminal")
     return Path(out)
@@ -179,7 +180,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             if machine().NAME == "numpy":
                 told = "NumPy draws, the same but slowly, since llvmlite is not installed (or too old)"
                 print(f"{prog}: {told}", file=sys.stderr)
-        with first_signal_stops():
+        with warnings.catch_warnings(), first_signal_stops():
+            warnings.showwarning = lambda told, *place: print(f"{prog}: warning: {told}", file=sys.stderr)
             VERBS[options.verb][0](options)
         print(end="", flush=True)  # where there is a standard output
     except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end

@@ -1,4 +1,4 @@
-"""Pictures as files: PNG and NPZ, and what may be larger than memory, NPY and TIFF.
+"""Pictures as files: PNG, TIFF, NPZ, and NPY, which may be larger than memory.
 
 A PNG's rows are deflated by bands, side by side, each from nothing: the bytes do not depend on the threads.
 """
@@ -21,7 +21,7 @@ try:
 except ImportError:  # no wheel for this processor: the same pixels, more slowly
     import zlib  # type: ignore[no-redef]
 
-PICTURE_SUFFIXES, STREAM_SUFFIXES = (".png", ".npz"), (".npy", ".tif", ".tiff")
+PICTURE_SUFFIXES = (".png", ".tif", ".tiff", ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
 BAND = 2**19  # bytes that are filtered and deflated at a time
@@ -144,19 +144,9 @@ def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarr
                 file.write(np.ascontiguousarray(part, "<f8").data)
 
 
-def write_tiff(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarray]) -> None:
-    """Write bytes, of a shape (rows, columns), in parts of whole tiles; one at an edge is filled up with zeros."""
+def write_tiff(path: str | Path, image: np.ndarray) -> None:
+    """Write a uint8 picture, (height, width, 3), as a TIFF. Raises ModuleNotFoundError without the extra `tiff`."""
     with extra("tiff"):
         import tifffile
-
-    def tiles():
-        for part in parts:
-            for top in range(0, part.shape[0], TILE):
-                for left in range(0, part.shape[1], TILE):
-                    tile = part[top : top + TILE, left : left + TILE]
-                    yield np.pad(tile, ((0, TILE - tile.shape[0]), (0, TILE - tile.shape[1]), (0, 0)))
-
-    form: dict[str, Any] = {"shape": (*shape, 3), "dtype": np.uint8, "photometric": "rgb", "metadata": None}
-    form |= {"tile": (TILE, TILE), "compression": "zlib", "buffersize": 0}  # tifffile's workers gather no further tiles
     with whole_file(path) as name:
-        tifffile.imwrite(name, tiles(), bigtiff=True, **form)
+        tifffile.imwrite(name, image, photometric="rgb", metadata=None)

@@ -51,6 +51,8 @@ def read(path: str | Path) -> Drawing:
     with distrusted("again", path):
         if not Path(path).is_file():  # one that is opened for ever, say
             raise ValueError("there is no such file")
+        if Path(path).suffix.lower() not in (".png", ".npz"):
+            raise ValueError("it is no picture of this program: neither a .png nor a .npz")
         texts = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
         if len(texts) != 1:
             raise ValueError(f"{len(texts)} records")
@@ -76,7 +78,7 @@ def _of_png(path):
         size = file.seek(0, SEEK_END)
         file.seek(0)
         if file.read(at) != SIGNATURE:
-            raise ValueError("no PNG")
+            raise ValueError("it is no PNG")
         while kind != b"IEND":
             file.seek(at)
             length, kind = struct.unpack(">I4s", file.read(8).ljust(8))
@@ -100,4 +102,4 @@ def _of_npz(path):
                 raise ValueError("compressed in a way that NumPy has not")
             return [zipped.open(one).read(LARGEST + 1) for one in members]
     except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
-        raise ValueError(str(error)) from None
+        raise ValueError(f"it is no whole .npz: {error}") from None

@@ -23,6 +23,7 @@ NumPy's arrays and float64 numbers (under `numpy.errstate`: a selection computes
 """
 
 from renderer.operations import (
+    Constant,
     binary_exponent,
     elementary,
     floor,
@@ -32,10 +33,10 @@ from renderer.operations import (
     nan,
     pi,
     power_of_two,
-    ratio,
     rint,
     sign,
     sqrt,
+    sum_of_half_turns,
     where,
 )
 '''

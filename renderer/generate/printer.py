@@ -7,7 +7,7 @@ whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals 
 from functools import reduce
 from typing import ClassVar
 
-from sympy import Basic, Derivative, Mul, Rational, S, Symbol, evaluate, prod, sympify
+from sympy import Basic, Derivative, Mul, Rational, S, evaluate, prod, sympify
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
@@ -21,10 +21,8 @@ class KernelPrinter(StrPrinter):
 
     def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""
-        number = float(rational)
-        if Rational(number) != rational:
-            return f"ratio({float(rational.p)!r}, {float(rational.q)!r})"
-        return repr(number)
+        number = rational.p / rational.q  # the nearest: as floats the two would be rounded
+        return repr(number) if Rational(number) == rational else f"Constant({number!r})"
 
     def _print_Rational(self, expr):
         return self.literal(expr)
@@ -102,11 +100,17 @@ class KernelPrinter(StrPrinter):
         return f"({text})" if expr.args[0].is_Mul else text
 
     def _half_turn(self, name, argument):
-        coefficient, factors = argument.as_coeff_mul()
-        if len(factors) == 2 and all(isinstance(f, Symbol) for f in factors):
-            first, second = sorted(factors, key=lambda f: f.name)
-            return f"{name}(*two_product({self._print(coefficient * first)}, {self._print(second)}))"
-        return f"{name}({self._print(argument)})"
+        """Carry a sum of products of symbols in two parts."""
+        parts = []
+        for term in self._as_ordered_terms(argument):
+            coefficient, factors = term.as_coeff_mul()
+            *others, last = sorted(factors, key=str) or [S.One]
+            if others[1:] or not all(factor.is_Symbol for factor in factors):
+                return self._call(name, [argument])
+            parts.append(self._call("two_product", [Mul(coefficient, *others), last]))
+        text = ", ".join(parts)
+        certified = len(parts) == 1 and abs(coefficient) <= 4  # up to 4 times the largest wave number
+        return f"{name}(*{text if certified else f'sum_of_half_turns({text})'})"
 
     def _print_sinpi(self, expr):
         return self._half_turn(type(expr).__name__, expr.args[0])

@@ -12,7 +12,8 @@ sizes are counts of its operands, which are as much too small as their own opera
 2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
 where a bound is asked for, compared, or multiplied by another bound. The elementary functions ask for bounds, and each
 one makes up for its own roundings by SLACK. So says theorem enclosing_rules, which Coq proves of what sums, products,
-quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi, exp and log do here.
+quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi, exp and log do here: `add_half_turns` it leaves
+out.
 
 What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
 nothing.
@@ -31,6 +32,7 @@ from renderer.machines.bounded import Bounded, is_zero, plus, times
 from renderer.operations import UNIT, Constant, where as inner_where
 
 LEAST, LEAST_NORMAL = 2.0**-1060, 2.0**-1022
+KEPT = 2.0**-900  # a product above it is the sum of its two parts
 VANISHING = 2.0**-1020  # more than exp(−708), below which exp and power may be 0
 SLACK = 1.0 + 2.0**-49
 ROUNDING = UNIT * (1.0 + 2.0**-20)
@@ -259,22 +261,30 @@ def rint(number: Enclosed) -> Enclosed:
 
 
 def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
-    """Return the factors: sinpi and cospi, which alone take a product in two parts, take them so here."""
-    return enclosed(a), enclosed(b)
+    """Return a product in two parts, for sinpi and cospi: they lose nothing of it, unless it vanishes."""
+    a, b = enclosed(a), enclosed(b)
+    whole, rest = kernels.two_product(a.value, b.value)
+    stays_exact, lost = a.stays_exact or b.stays_exact, 0.0
+    if stays_exact:
+        lost = inner_where((abs(whole) < KEPT) & (operations.minimum(a.size, b.size) > 0.0), LEAST_COUNT, 0.0)
+    return Enclosed.counted(whole, a.product_moves(b), stays_exact), Enclosed.counted(rest, lost, True)
 
 
-def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
-    """Return sin π ab or cos π ab: its slope is at most π, and it moves by 2 at most."""
-    product, factor = enclosed(product), enclosed(factor)
-    moved = times(ROUNDING, product.product_moves(factor))
-    whole, rest = kernels.two_product(product.value, factor.value)
-    found = kernel(whole, rest)
+def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
+    """Return a sum of half-turns in two parts likewise."""
+    a, b = enclosed(a), enclosed(b)
+    total, lost = operations.add_half_turns(a.value, b.value)
+    return Enclosed.counted(total, plus(a.error, b.error), a.stays_exact and b.stays_exact), Enclosed(lost, 0.0, True)
+
+
+def _of_half_turns(kernel: Any, whole: Any, rest: Any = 0.0) -> Enclosed:
+    """Return sin πx or cos πx of a number in two parts: its slope is at most π, and it moves by 2 at most."""
+    whole, rest = enclosed(whole), enclosed(rest)
+    moved = times(ROUNDING, plus(whole.error, rest.error))
+    found = kernel(whole.value, rest.value)
     own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
-    if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
-        exact = abs(whole) >= 0.5
-        for part in (product, factor):
-            exact = exact if type(part.value) is float else exact | part.is_zero
-        own = inner_where((found == 0.0) & exact, 0.0, own)
+    if whole.stays_exact:  # what the parts lose is counted: 0 is no smaller number
+        own = inner_where(found == 0.0, 0.0, own)
     if is_zero(moved):
         return Enclosed(found, own * SLACK)
     turned = math.pi * SLACK * moved

@@ -116,7 +116,7 @@ class Frame:
 
         Raises ValueError on another name, or one that cannot be written.
         """
-        path = checked_target(path, (*pictures.PICTURE_SUFFIXES, *pictures.STREAM_SUFFIXES), "path")
+        path = checked_target(path, pictures.PICTURE_SUFFIXES, "path")
         match path.suffix.lower():
             case ".png":
                 pictures.write_png(path, to_bytes(self.rgb), self._record())
@@ -126,7 +126,7 @@ class Frame:
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
             case _:
-                pictures.write_tiff(path, self.raster.shape, [to_bytes(self.rgb)])
+                pictures.write_tiff(path, to_bytes(self.rgb))
 
     @property
     def bounded(self) -> bool:

@@ -1,5 +1,6 @@
 """How the gradient of the height field is taken: exactly, or by a finite difference of step ε."""
 
+import warnings
 from dataclasses import dataclass
 
 from renderer.checks import check_choice, check_kind, check_number, not_allowed
@@ -28,7 +29,7 @@ class GradientMethod:
         check_choice("form", self.form, FORMS)
         if self.name == "exact":
             if self.eps is not None:
-                raise not_allowed("eps", self.eps, "None for the exact gradient")
+                raise not_allowed("eps", self.eps, "none beside the exact gradient, which takes no step")
         else:
             check_choice("form", self.form, ("auto",))  # the others are the exact gradient's
             vars(self).update(eps=check_number("eps", self.eps, SMALLEST_STEP, 0.5))
@@ -36,12 +37,20 @@ class GradientMethod:
 
 def checked_method(name: str, method: GradientMethod) -> GradientMethod:
     """Return `method`, or raise ValueError unless it is one; `name` is what the message calls it."""
-    return check_kind(name, method, GradientMethod, "exact(), central(eps), forward(eps) or central4(eps)")
+    return check_kind(name, method, GradientMethod, "exact(), central(eps), forward(eps) or central4(eps), no name")
 
 
 def difference(name: str, eps: float) -> GradientMethod:
-    """Return a difference by its name. Raises ValueError on the exact gradient."""
+    """Return a difference by its name, for a sweep: without a warning. Raises ValueError on the exact gradient."""
     return GradientMethod(check_choice("gradient", name, DIFFERENCES), eps)
+
+
+def warned(method: GradientMethod) -> GradientMethod:
+    """Return `method`, after a warning where half the chart cannot tell its step from none."""
+    if (method.eps or 1) < 2.0**-53:
+        told = f"eps = {method.eps:g} is below 2^-53, the spacing of float64 in [1/2, 1)"
+        warnings.warn(f"{told}: there u + eps is u or u + 2^-53, and a slope is 0 or wrong", stacklevel=3)
+    return method
 
 
 def exact(form: str = "auto") -> GradientMethod:
@@ -51,14 +60,14 @@ def exact(form: str = "auto") -> GradientMethod:
 
 def central(eps: float) -> GradientMethod:
     """Return the central difference of step eps: second order, 4 height evaluations."""
-    return GradientMethod("central", eps)
+    return warned(GradientMethod("central", eps))
 
 
 def forward(eps: float) -> GradientMethod:
     """Return the forward difference of step eps: first order, 3 height evaluations."""
-    return GradientMethod("forward", eps)
+    return warned(GradientMethod("forward", eps))
 
 
 def central4(eps: float) -> GradientMethod:
     """Return the fourth-order central difference of step eps: 8 height evaluations."""
-    return GradientMethod("central4", eps)
+    return warned(GradientMethod("central4", eps))

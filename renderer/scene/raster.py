@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from renderer.checks import check_whole, not_allowed
+from renderer.checks import check_items, check_whole, not_allowed
 from renderer.kernels import image_extent, image_x, image_y
 from renderer.scene.scene import Geometry, Scene
 
@@ -34,7 +34,9 @@ class Raster:
             return (0, 0, width, height)
         allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
         try:
-            left, top, wide, high = whole = tuple(check_whole("crop", number, MAX_SIDE, low=0) for number in self.crop)
+            left, top, wide, high = whole = tuple(
+                check_whole("crop", number, MAX_SIDE, low=0) for number in check_items("crop", self.crop, allowed)
+            )
             if left < left + wide <= width and top < top + high <= height:
                 return whole
         except (TypeError, ValueError):

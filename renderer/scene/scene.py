@@ -5,20 +5,18 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from renderer.checks import check_choice, check_kind, check_number, check_triple, check_truth, not_allowed
+from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.scene.own import check_own, check_size, own_from_record, own_record
+from renderer.scene.own import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
 if TYPE_CHECKING:
     from proofs.formulas.height_fields import HeightField
-    from proofs.formulas.shading import LightModel
 
     Field: TypeAlias = str | HeightField
-    Model: TypeAlias = str | LightModel
 else:  # what has SymPy is not imported
-    Field = Model = Any
+    Field = Any
 
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -45,10 +43,7 @@ DEFAULT_LIGHTS = (Light((5.0, 5.0, 10.0)), Light((-6.0, 2.0, 8.0), (0.9, 0.65, 0
 
 def _check_lights(name, value):
     allowed = f"a sequence of at most {MAX_LIGHTS} Light"
-    try:
-        lights = tuple(value)
-    except TypeError:
-        raise not_allowed(name, value, allowed) from None
+    lights = check_items(name, value, allowed)
     if not all(isinstance(light, Light) for light in lights):
         raise not_allowed(name, value, allowed)
     if len(lights) > MAX_LIGHTS:
@@ -71,8 +66,8 @@ def _given(default, help, check, *allowed):
 class Scene:
     """Sphere A (the bumped one, at the origin), sphere B, the floor z = 0, the eye (0, 0, eye), up to five lights.
 
-    Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field and the model of light
-    are names, or a HeightField and a LightModel of one's own. Raises ValueError that names the field, its value and
+    Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field is a
+    name or a HeightField, the model of light a name. Raises ValueError that names the field, its value and
     what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
     one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
     """
@@ -93,9 +88,9 @@ class Scene:
     kd: float = _given(0.7, "diffuse weight", check_number, 0.0, 1e6)
     ks: float = _given(0.5, "specular weight", check_number, 0.0, 1e6)
     shininess: float = _given(32.0, "exponent of the highlight", check_number, 1e-3, 1e6)
-    model: Model = _given("blinn", f"model of light: {', '.join(MODELS)}", check_own, MODELS)  # noqa: RUF009
+    model: str = _given("blinn", f"model of light: {', '.join(MODELS)}", check_choice, MODELS)
     floor_tint: float = _given(0.25, "how much red and green the floor lacks", check_number, 0.0, 1.0)
-    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_own, FIELDS)  # noqa: RUF009
+    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_field, FIELDS)  # noqa: RUF009
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
@@ -114,10 +109,9 @@ class Scene:
     def as_record(self) -> dict[str, Any]:
         """Return the scene as JSON can say it, by the names of its fields: numbers, sequences, dicts and None.
 
-        A field or a model of one's own is a dict, its formulas text. Raises ValueError where it has no text.
+        A custom field is a dict, its formula text. Raises ValueError where it has no text.
         """
-        own = {"field": own_record(self.field), "model": own_record(self.model)}
-        return vars(self) | own | {"lights": [asdict(light) for light in self.lights]}
+        return vars(self) | {"field": field_record(self.field)} | {"lights": [asdict(light) for light in self.lights]}
 
     @classmethod
     def from_record(cls, record: dict[str, Any]) -> "Scene":
@@ -129,7 +123,7 @@ class Scene:
         given = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
         for name, value in given.items():
             check_choice("scene", name, names)
-            given[name] = own_from_record(name, value) if name in ("field", "model") else value
+            given[name] = field_from_record(value) if name == "field" else value
         if "lights" in given:
             check_kind("lights", given["lights"], list, "a list of records")
             given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]

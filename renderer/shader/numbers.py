@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from renderer.kernels import ambient_term, floor_albedo, silhouette_of_a
+from renderer.kernels import LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.methods import GradientMethod, exact
-from renderer.scene.own import model_kernels
 from renderer.scene.scene import Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, Want
@@ -64,7 +63,7 @@ def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
 
 def style_of(scene: Scene) -> tuple[Any, str]:
     """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
-    squared = model_kernels(scene.model)[1] is not None and scene.shininess % 2.0 != 1.0
+    squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from renderer import kernels as k
 from renderer.operations import Mask, Number, floor, where
-from renderer.scene.own import field_kernels, model_kernels
+from renderer.scene.own import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
@@ -245,10 +245,8 @@ class Group:
 
         def by(choice):
             name, style = choice
-            base, squared = model_kernels(name)
+            base, squared = k.LIGHT_MODELS[name]
             seen = (*point, *light.position, *normal, *view)
-            if not isinstance(name, str):  # one's own may need nothing but the floor's normal, or no number at all
-                seen = map(self.value, seen)
             mu, specular = map(self.value, (squared if style == "squared" else base)(*seen))
             if style == "diffuse":
                 return mu, 0.0

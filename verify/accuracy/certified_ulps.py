@@ -163,6 +163,11 @@ class _Angle:
         return worst
 
 
+def moderate_power_pieces() -> list[Piece]:
+    """Return those of what is at least e^-SMALL."""
+    return [piece for piece in power_pieces() if piece.high <= SMALL]
+
+
 PIECES: dict[str, Callable[..., list[Piece]]] = {
     "sinpi": partial(half_turn_pieces, False),
     "cospi": partial(half_turn_pieces, True),
@@ -171,7 +176,7 @@ PIECES: dict[str, Callable[..., list[Piece]]] = {
     "atan2pi": angle_pieces,
     "exp": exponential_pieces,
     "log": logarithm_pieces,
-    "power": lambda: [piece for piece in power_pieces() if piece.high <= SMALL],
+    "power": moderate_power_pieces,
     "small_power": power_pieces,
 }
 """{name: what returns the pieces of its range}"""

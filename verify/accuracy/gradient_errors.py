@@ -5,6 +5,7 @@ The general form, of the chart point, over many wave numbers: `verify.stability.
 """
 
 import math
+from itertools import product
 
 import numpy as np
 
@@ -21,7 +22,6 @@ from verify.evaluate.arrays import Inputs, distance, in_balls, in_float64
 from verify.evaluate.programs import algebraic_gradient
 
 SEED = 12
-WAVE_NUMBERS = ((2.0, 1.0), (8.0, 4.0), (-8.0, 3.0), (60.0, 63.0), (64.0, 64.0), (0.0, 5.0))
 OF_WAVES = {name: field for name, field in HEIGHT_FIELDS.items() if field.wave_numbers}
 """The fields that turn with one product of a wave number and a coordinate: of no other is a bound claimed."""
 
@@ -58,18 +58,23 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
     return off
 
 
-def worst_at_ratios(ratios: np.ndarray) -> np.ndarray:
-    """Return the largest of `errors_at` a random image point for each R/e, of every field that has an algebraic form.
+def worst_at(ratios: np.ndarray, shares: np.ndarray, *waves: np.ndarray) -> np.ndarray:
+    """Return the largest of `errors_at` for each R/e, ρ/ρ_s, k_u and k_v, of every field that has an algebraic form.
 
-    The shape is that of the ratios. A wave number that a field has not is k_u or k_v.
+    The azimuth is random, and wave numbers are rounded to those that have one. Of each also one of `image_points`. The
+    shape is that of the ratios.
     """
-    rng, found = np.random.default_rng(SEED), []
-    for field in OF_WAVES.values():
-        points = np.concatenate([image_points(rng, 1 / ratio, 1.0, 1) for ratio in ratios.flat], axis=1)
-        at = dict(zip(("x", "y"), points, strict=True)) | {"eye": 1 / ratios.ravel(), "radius": 1.0}
-        waves = WAVE_NUMBERS[rng.integers(len(WAVE_NUMBERS))]
-        multiples = [float(wave.subs({k_u: 1, k_v: 1})) for wave in field.wave_numbers or ()]
-        for name, wave, multiple in zip(("k_u", "k_v"), waves, multiples, strict=True):
-            at[name] = wave / (multiple or 1)
-        found.append(errors_at(field, at))
-    return np.max(found, axis=0).reshape(ratios.shape)
+    rng, found, eye = np.random.default_rng(SEED), np.zeros(ratios.shape), 1 / ratios
+    rho, angle = kernels.silhouette_of_a(eye, 1.0) * shares, rng.uniform(-math.pi, math.pi, ratios.shape)
+    given = np.array([rho * np.cos(angle), rho * np.sin(angle)])
+    points = np.stack(
+        [given, np.reshape([image_points(rng, e, 1.0, 1) for e in eye.flat], (-1, 2)).T.reshape(given.shape)], 1
+    )
+    k = np.stack([2 * np.rint(waves[0] / 2), np.rint(waves[1])])
+    for field, pair in product(OF_WAVES.values(), np.unique(k.reshape(2, -1), axis=1).T):
+        here = (k == pair.reshape(2, *(1,) * ratios.ndim)).all(axis=0)
+        at = dict(zip(("x", "y"), points[..., here], strict=True)) | {"eye": eye[here], "radius": 1.0}
+        multiples = [float(wave.subs({k_u: 1, k_v: 1})) or 1 for wave in field.wave_numbers or ()]
+        at |= dict(zip(("k_u", "k_v"), pair / multiples, strict=True))
+        found[here] = np.maximum(found[here], errors_at(field, at).max(axis=0))
+    return found

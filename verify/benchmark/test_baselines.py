@@ -7,11 +7,11 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from renderer import Scene, central, exact, render
+from renderer.kernels import FIELDS
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.scene import MODELS
-from verify.benchmark.baselines import seed_loops as loops
 from verify.benchmark.baselines.numpy_tiles import numpy_tiles
-from verify.benchmark.baselines.seed_loops import seed_loops
+from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
 
 SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
@@ -22,10 +22,10 @@ def largest(rgb, frame):
     return np.abs(rgb - frame.rgb).max()
 
 
-DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(loops.HEIGHTS, MODELS, (None, 1e-3))]
+DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIELDS, MODELS, (None, 1e-3))]
 
 
-@pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 22, None)])
+@pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 30, None)])
 def test_the_seed_loops_draw_our_picture(drawn):
     *given, eps = drawn
     rgb, surfaces = seed_loops(*given, eps)
@@ -40,17 +40,10 @@ def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
     assert np.abs(seed_loops(Scene(), 16, 16)[0] - seed_loops(Scene(), 16, 16, 1e-1)[0]).max() > 1e-3
 
 
-def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart(monkeypatch):
+def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart():
     """F1: with c = |C|² − R₂² B covers the picture."""
-
-    def as_printed(scene, center, x, y):
-        toward = center[0] * x + center[1] * y + (scene.eye - center[2]) * scene.eye
-        under = toward**2 - (x * x + y * y + scene.eye**2) * (center @ center - scene.ball_radius**2)
-        return (loops.SPHERE_B, 0.5) if under >= 0 else (loops.FLOOR, 1.0)
-
-    monkeypatch.setattr(loops, "nearest_hit", as_printed)
-    _, surfaces = seed_loops(Scene(), 8, 8)
-    assert (surfaces == loops.SPHERE_B).all()
+    _, surfaces = seed_loops(Scene(), 8, 8, quadratic=PRINTED)
+    assert (surfaces == 2).all()
     assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
 
 

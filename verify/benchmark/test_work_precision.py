@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from proofs.engine.program import Program
 from renderer import Scene, central, exact, render
 from verify.benchmark import work_precision
 from verify.benchmark.methods.table import METHODS
@@ -35,7 +36,7 @@ def test_no_other_method_is_both_faster_and_more_accurate():
     ):
         assert peers_that_beat(rows, cost, error) == []
     assert {(r["method"], r["error"] < 1e-15) for r in unbeaten_by_ours(ROWS)} <= {("mpmath", True)}
-    assert RESULT["label"]["absent"] == [] and len({r["method"] for r in ROWS}) >= 16
+    assert RESULT["label"]["absent"] == [] and {r["method"] for r in ROWS} >= {m.name for m in METHODS}
 
 
 def test_a_better_method_would_be_seen():
@@ -64,8 +65,8 @@ def test_a_small_run_has_a_row_for_every_value(monkeypatch):
 
 POINTS = 200
 AVAILABLE = {method.name: method for method in METHODS if method.available}
-ORDERS = {"forward": 1, "central": 2, "central, 4th order": 4, "central, 6th order": 6, "Richardson, 8th order": 8}
-LEAST = {"exact, algebraic, float32": 1e-4, "forward": 1e-5, "central": 1e-7, "central, 4th order": 1e-9}
+ORDERS = {"central": 2, "central, 4th order": 4, "Richardson, 8th order": 8}
+LEAST = {"central": 1e-7, "central, 4th order": 1e-9}
 
 
 def error(name, value):
@@ -80,9 +81,17 @@ def test_every_method_finds_the_gradient(name):
     assert best < LEAST.get(name, 2e-11)
 
 
+@pytest.mark.parametrize("name", AVAILABLE)
+def test_no_formula_is_made_while_the_gradient_is_timed(name, monkeypatch):
+    method = AVAILABLE[name]
+    function, points = method.make(method.values[0]), points_for(method, 2)
+    monkeypatch.delattr(Program, "__init__")
+    assert np.shape(function(*points)) == (2, 2)
+
+
 @pytest.mark.parametrize("name", ORDERS)
 def test_differences_have_their_order(name):
     """Between two steps at which truncation leads, the error falls by their ratio to the order."""
-    high = {1: 1e-4, 2: 1e-3, 4: 1e-2, 6: 2e-2, 8: 3e-2}[ORDERS[name]]
+    high = {2: 1e-3, 4: 1e-2, 8: 3e-2}[ORDERS[name]]
     fitted = np.log(error(name, high) / error(name, high / 1.5)) / np.log(1.5)
     assert fitted == pytest.approx(ORDERS[name], abs=0.15)

@@ -6,7 +6,7 @@ A machine that slows down for a while then slows all of them.
 import os
 import sys
 import time
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -77,19 +77,3 @@ def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
     """Time the cases; return {NAME_UNIT: the median of all calls}, with quartiles."""
     seconds = timings(cases, title)
     return {key: number for case in cases for key, number in case.numbers(seconds[case.name]).items()}
-
-
-def numbers_by_rounds(cases: Collection[Case], title: str, ratios: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    """Time cases that take part in all rounds; return {NAME_UNIT: the median round}, with quartiles.
-
-    ratios: {its name: the cases (slow, fast)}. A round counts by the least of its calls: what else the machine does can
-    only lengthen one. A ratio is taken round by round, and has quartiles too.
-    """
-    before, seconds = load(), timings(cases, title)
-    numbers = {"load": before, "rounds": max(case.visits for case in cases)}
-    least = {case.name: np.reshape(seconds[case.name], (-1, case.repeats)).min(axis=1) for case in cases}
-    for case in cases:
-        numbers |= case.numbers(least[case.name])
-    for name, (slow, fast) in ratios.items():
-        numbers |= with_quartiles(name, least[slow] / least[fast])
-    return numbers

@@ -1,7 +1,7 @@
 """Whether a counterexample of 50 digits is one beyond doubt: its claim over balls, with every rounding in them."""
 
 import operator
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from sympy import Eq, Symbol
@@ -19,18 +19,19 @@ except ImportError:  # then no counterexample is certified
 BITS = 400
 
 
-def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
+def certified(sampler: Sampler, point: Mapping[Symbol, Any], fixed: Collection[Symbol] = ()) -> bool:
     """Return whether balls, with every rounding in them, show that a claim fails near a 50-digit point {symbol: value}.
 
-    The free inputs are taken as they are, exactly; what the sampler solved for is solved again, by formulas, so that
-    its ball holds a solution. Equations that it did not solve decide nothing: then the answer is no.
+    The free inputs, and those that are fixed, are taken as they are, exactly; what the sampler solved for is solved
+    again, by formulas, so that its ball holds a solution. Of other equations each has to hold of exact numbers.
     """
     if flint is None:
         return False
     with flint.ctx.workprec(BITS):
         names = BALLS | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
         names |= {"sqrt": flint.arb.sqrt, "power": operator.pow}  # undefined where a ball reaches below 0
-        values = {s: flint.arb(v) for s, v in point.items() if s not in dict(sampler.solved)}
+        again = [(s, of) for s, of in sampler.solved if s not in fixed]
+        values = {s: flint.arb(v) for s, v in point.items() if s not in dict(again)}
 
         def holds(relation):
             """Return whether a relation holds, or None where that is open."""
@@ -48,11 +49,12 @@ def certified(sampler: Sampler, point: Mapping[Symbol, Any]) -> bool:
             return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
 
         try:
-            for symbol, coefficients in sampler.solved:
+            for symbol, coefficients in again:
                 values[symbol] = solved(symbol, coefficients)
         except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
             return False
-        unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in sampler.solved_relations)]
+        solutions = {r for r, symbol in sampler.solved_relations.items() if symbol not in fixed}
+        unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in solutions)]
         return all(map(holds, unsolved)) and any(holds(r) is False for r in parts_of(sampler.claimed))
 
 

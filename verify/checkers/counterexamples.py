@@ -1,6 +1,5 @@
 """Counterexamples of false variants: a point at 50 digits, certified by balls, and where it can be had an exact one."""
 
-import importlib
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
@@ -13,10 +12,11 @@ from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import each_shown
 from proofs.engine.theorem import Mutant, Theorems
 from verify.checkers import witness
+from verify.checkers.certified import certified
 from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
 from verify.checkers.sampler import Sampler
 
-FAILURES = 6
+FAILURES, UNROLLED = 6, 4  # and the first numbers of which an induction is tried
 EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draws for each: a short look, a long one
 
 
@@ -24,31 +24,41 @@ def counterexample(mutant: Mutant, seed: str, theorems: Theorems, refused: Calla
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
     exact: at the point, a rational one, both checkers accept that the claim is refuted. certified: intervals show that
-    it fails at a point with these digits.
+    it fails at a point with these digits. An Induction is refuted as what it says of one number.
 
     refused(statement, certificate): None if both checkers accept the pair.
     """
     if isinstance(mutant.claim, Separation):
         path = path_to_avoided(mutant.claim)
         return None if path is None else {"exact": True, "certified": True, "at": {"path": " → ".join(path)}}
+    if not isinstance(mutant.claim, Induction):
+        return _where_it_fails(mutant.claim, mutant.at, seed, theorems, refused)
+    for number in range(UNROLLED):
+        seen = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems, refused)
+        if seen:
+            return seen | {"at": seen["at"] | {mutant.claim.n.name: str(number)}}
+    return None
+
+
+def _where_it_fails(claim, at, seed, theorems, refused):
     failures: list[dict] = []
-    if mutant.at:
-        failing = witness.fails_at(mutant.claim, mutant.at)  # type: ignore[arg-type]  # no Induction: its mutants give no point
+    if at:
+        failing = witness.fails_at(claim, at)
         failures = [failing] if failing else []
     else:
         for points, attempts in EFFORTS:
-            failures = failures or witness.sample(mutant.claim, seed, points, FAILURES, attempts).failures
+            failures = failures or witness.sample(claim, seed, points, FAILURES, attempts).failures
     if not failures:
         return None
     failures.sort(key=witness.length)
-    exact, near = None, None
-    if not isinstance(mutant.claim, Induction):
-        exact = exact_counterexample(mutant.claim, failures, theorems, refused)
-        # imported where it is asked: what it says of a counterexample is printed, and no grade rests on it
-        certified = importlib.import_module("verify.checkers.certified").certified
-        near = exact or next((point for point in failures if certified(Sampler(mutant.claim, seed), point)), None)
-    at = exact or witness.printed(near or failures[0])
-    return {"exact": exact is not None, "certified": near is not None, "at": at}
+    exact = exact_counterexample(claim, failures, theorems, refused)
+    sampler = Sampler(claim, seed)
+    near = exact or next((point for point in failures if certified(sampler, point, dict(at))), None)
+    return {
+        "exact": exact is not None,
+        "certified": near is not None,
+        "at": exact or witness.printed(near or failures[0]),
+    }
 
 
 def exact_counterexample(

@@ -14,8 +14,13 @@ BIBLIOGRAPHY = VERIFY / "references.bib"  # where the wheel has it
 if not BIBLIOGRAPHY.is_file():
     BIBLIOGRAPHY = VERIFY.parent / "book" / "references.bib"
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
-EXACT = ("proved", "by definition", "argued")  # every claim has a certificate; what is argued is words
-STANDING = ("proved", "refuted", *EXACT[1:], "certified", "measured", "cited")  # from the strongest, without "failed"
+EXACT = ("proved", "by definition")  # every claim has a certificate, and the claims are all of the words
+CERTIFIED = (*EXACT, "refuted", "argued", "certified", "cited")
+STANDING = (*CERTIFIED, "measured")
+ENOUGH: dict[str, tuple[str, ...]] = dict.fromkeys(EXACT, EXACT)
+ENOUGH |= dict.fromkeys(("argued", "refuted"), (*EXACT, "argued"))
+ENOUGH |= {"certified": CERTIFIED}
+"""{grade: those that it may rest on}, of others any that is STANDING"""
 
 
 @dataclass
@@ -42,7 +47,7 @@ class Examination:
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
         if self.problems:
             return "failed"
-        if self.argued:
+        if self.argued or (self.claims and self.expected == "argued"):  # by its words, or by what it rests on
             return "argued"
         if self.by_definition and len(self.by_definition) == self.claims:
             return "by definition"
@@ -71,12 +76,12 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
         if id not in by_id:
             return "missing", f"{id} was not run"
         own, uses = by_id[id]["grade"], by_id[id]["uses"]
-        enough = EXACT if own in (*EXACT, "refuted") else STANDING
+        enough = ENOUGH.get(own, STANDING)
         weak = [use for use in uses if grade(use)[0] not in enough]
         if own != "failed" and NOT_RECHECKED in (own, *(grade(use)[0] for use in weak)):
             return NOT_RECHECKED, by_id[id].get("reason", "what it uses was not re-checked")
         if own != "failed" and weak:
-            wanted = "not proved" if enough == EXACT else "without evidence"
+            wanted = "without evidence" if enough == STANDING else f"not {', '.join(enough)}"
             return "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
         return own, ""
 
@@ -86,21 +91,20 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
 def given_cited(evidences: Iterable[dict], in_coq: Collection[str] = ()) -> dict[str, list[str]]:
     """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}.
 
-    in_coq: the theorems that Coq has proved here, from no source and no other theorem.
+    in_coq: the theorems whose claims Coq has proved in this run, from no lemma and no other theorem; of the analysis
+    among a theorem's hypotheses it has proved nothing.
     """
     by_id = {e["id"]: e for e in evidences}
 
     @cache
-    def sources(id):
-        if id in in_coq:
-            return set()
-        record = by_id.get(id, {"uses": ()})
-        own = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
+    def sources(id, lemmas):
+        record, lemmas = by_id.get(id, {"uses": ()}), lemmas and id not in in_coq
+        own = {lemma["source"] for lemma in record.get("cited_lemmas", ()) if lemmas}
         if record.get("source") and record.get("grade") != "cited":
             own.add(record["source"])
-        return own.union(*map(sources, record["uses"]))
+        return own.union(*(sources(use, lemmas) for use in record["uses"]))
 
-    return {id: sorted(sources(id)) for id in by_id}
+    return {id: sorted(sources(id, True)) for id in by_id}
 
 
 def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -> str:
@@ -113,7 +117,7 @@ def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -
 def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict]:
     """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line.
 
-    in_coq: the theorems that Coq has proved here.
+    in_coq: the theorems that Coq has proved in this run.
     """
     grades, sources = final_grades(evidences), given_cited(evidences, in_coq)
     entries = []

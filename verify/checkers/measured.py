@@ -15,7 +15,7 @@ from pathlib import Path
 
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
-from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says
+from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says, unnamed
 from verify.optional import lacking
 
 FOLDER = Path(__file__).parent / "measurements"
@@ -57,21 +57,24 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.problems += incomplete(theorem, theorems)
     examination.check_sources(theorem)
-    examination.record["measurements"] = seen = [
-        _measured(examination, theorem, *entry) for entry in measurements().get(theorem.id, ())
-    ]
+    evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
+    examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
     examination.reached = "cited"
     if theorem.expected != "cited":
-        examination.reached = "certified" if seen and all(m["certified"] for m in seen) else "measured"
-        if not seen:
+        enclosed = [seen for seen, *_ in evidence if isinstance(seen, Enclosure)]
+        examination.reached = "certified" if evidence and len(enclosed) == len(evidence) else "measured"
+        missing = unnamed(theorem.words, [name for seen in enclosed for name in seen.over])
+        if examination.reached == "certified" and missing:
+            examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
+        if not evidence:
             examination.problems.append("no measurement is registered for it in verify/checkers/measurements")
     examination.record["grade"] = examination.grade
     return examination
 
 
-def _measured(examination, theorem, function, false):
-    """Run a measurement, and its false variants, which it has to reject."""
-    seen, rejected = function(), []
+def _measured(examination, theorem, seen, function, false):
+    """Judge what a measurement saw, and run its false variants, which it has to reject."""
+    rejected: list[dict] = []
     why = seen.why_refused()
     if isinstance(seen, Enclosure) and not says(theorem.words, seen.bound):
         why = why or "the theorem's words do not state this bound"

@@ -3,19 +3,22 @@
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
         ...
-        return Measurement(samples=1000, seed=7, worst=worst, bound=bound, what="…")
+        return Measurement(errors, bound, "…", seed=7)
 
 The function takes its claim as parameters, with the true one as their defaults; `false` names variants of the claim
 that the same function has to reject, at least one. A run calls both. What it returns says which evidence this is: a
-`Measurement` of finitely many samples, or an `Enclosure`, which the run takes apart and tries; nobody declares either.
+`Measurement` of finitely many samples, which the run counts and of which it takes the worst, or an `Enclosure`, which
+the run takes apart and tries; nobody declares either.
 """
 
 import math
 import re
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property, partial
+from html.entities import html5
 from types import FunctionType
 from typing import Any
 
@@ -23,35 +26,51 @@ import numpy as np
 
 from verify.optional import arb
 
-DIGITS, SEED, TRIED = 6, 5, 64
+DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
 MEASURING = ("verify.accuracy.", "verify.stability.")
 FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
+SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 """{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """One measurement: of `samples` cases drawn with `seed` (None: nothing is random), the worst and its bound.
+    """One measurement: what was seen in each case, drawn with `seed` (None: nothing is random), and a bound.
 
-    holds: whether what else is claimed does, beside worst ≤ bound. numbers: {name: number or text} that a page may
-    print.
+    seen: numbers, one or more a case. What is compared with `claimed`, and may be off by `bound`, are these, or what a
+    function `of` them returns. holds: whether what else is claimed does. numbers: {name: number or text} that a page
+    may print.
     """
 
-    samples: int
-    worst: Any
+    seen: Any
     bound: Any
     what: str
+    claimed: Any = 0.0
+    of: Callable[[np.ndarray], Any] = np.asarray
     seed: int | None = None
     holds: bool = True
     numbers: dict = field(default_factory=dict)
 
+    @property
+    def samples(self) -> int:
+        """How many numbers were seen."""
+        return np.size(self.seen)
+
+    @property
+    def worst(self) -> float:
+        """How far they, or what is made of them, are off at most."""
+        return float(np.max(np.abs(np.subtract(self.of(np.asarray(self.seen)), self.claimed)), initial=0.0))
+
     def why_refused(self) -> str:
         """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
-        if not self.what or type(self.samples) is not int or self.samples < 1:
-            return f"{self.samples} samples of {self.what!r}"
+        seen = np.asarray(self.seen)
+        if not self.what or len(np.unique(seen)) < 2:
+            return f"{seen.size} cases of {self.what!r}, none unlike another"
+        if np.array_equal(self.of(np.random.default_rng(SEED).random(seen.shape)), self.of(seen)):
+            return "what is compared does not depend on what was seen"
         if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
             return "the worst, or its bound, is no finite number"
         return "" if self.holds and self.worst <= self.bound else FALSE
@@ -61,15 +80,16 @@ class Measurement:
 class Enclosure:
     """What a quantity is at most, on each piece of the ranges of its argument: the statement that is enclosed.
 
-    pieces: a function that returns them, (low, high, most), arbs or exact numbers; together they are all of `over`,
-    ranges (low, high) of floats. at: a function of an array of arguments that returns the quantity there, computed in
-    another way. Both are of `verify`: nobody writes pieces down. bound: what all of it is at most, exactly, as the
-    theorem says.
+    over: {variables, as the theorem's words write them: ranges (low, high) of floats}. pieces: a function that returns
+    them, (low, high, most), arbs or exact numbers; together they are all of the first of `over`, and `most` holds
+    whatever the others are. at: a function of arrays of arguments, one for each of `over`, that returns the quantity
+    there, computed in another way. Both are of `verify`: nobody writes pieces down. bound: what all of it is at most,
+    exactly, as the theorem says.
     """
 
     pieces: Callable[[], Sequence[tuple[Any, Any, Any]]]
-    over: tuple[tuple[float, float], ...]
-    at: Callable[[np.ndarray], np.ndarray]
+    over: dict[str, tuple[tuple[float, float], ...]]
+    at: Callable[..., np.ndarray]
     bound: Any
     what: str
     numbers: dict = field(default_factory=dict)
@@ -93,20 +113,21 @@ class Enclosure:
     def why_refused(self) -> str:
         """Return why this encloses nothing, "" where it does."""
         functions = [f.func if isinstance(f, partial) else f for f in (self.at, self.pieces)]
-        if not all(isinstance(f, FUNCTIONS) and f.__module__.startswith(MEASURING) for f in functions):
+        if not all(isinstance(f, FUNCTIONS) and f.__module__.startswith(MEASURING) and _is_there(f) for f in functions):
             return f"the quantity, or what encloses it, is no function of {' or '.join(MEASURING)}"
         numbers = [*(number for piece in self.enclosed for number in piece), self.bound]
-        if not self.what or not self.enclosed or not self.over:
+        if not self.what or not self.enclosed or not self.over or not all(self.over.values()):
             return "nothing is enclosed"
         if not all(isinstance(n, arb | int | Fraction) and _ball(n).is_finite() for n in numbers):
             return "an end, a value or the bound is no finite ball and no exact number"
         if not all(_ball(end).rad() < WIDEST for *ends, _ in self.enclosed for end in ends):
             return "an end of a piece is a ball that is too wide for one number"
-        if not all(low < high and self._covers(low, high) for low, high in self.over):
-            return f"the pieces are not all of {self.over}"
+        first, *others = self.over.values()
+        if not all(low < high and self._covers(low, high) for low, high in first):
+            return f"the pieces are not all of {first}"
         if not all(_ball(most) <= _ball(self.bound) for *_, most in self.enclosed):
             return FALSE
-        return "" if self._tried() else "a value of the quantity is outside of its piece's enclosure"
+        return "" if self._tried(others) else "a value of the quantity is outside of its piece's enclosure"
 
     def _covers(self, low, high):
         """Return whether one piece begins where another one ended, from `low` to `high`."""
@@ -114,12 +135,20 @@ class Enclosure:
             low = float(last) if float(first) <= low < float(last) else low
         return low >= high
 
-    def _tried(self):
-        """Return whether the quantity at random points inside the pieces is what these say."""
+    def _tried(self, others):
+        """Return whether the quantity at random points inside the pieces, and of the others, is what these say."""
         low, high, most = np.array([[float(number) for number in piece] for piece in self.enclosed]).T
-        shares = np.random.default_rng(SEED).uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
-        found = self.at(low + (high - low) * shares)
+        random = np.random.default_rng(SEED)
+        shares = random.uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
+        which = random.integers(PLACES, size=shares.shape)
+        elsewhere = [random.uniform(*ranges[random.integers(len(ranges))], PLACES)[which] for ranges in others]
+        found = self.at(low + (high - low) * shares, *elsewhere)
         return found.shape == shares.shape and bool((np.abs(found) <= most).all())
+
+
+def _is_there(function):
+    """Return whether a function is the one that its module has under its name."""
+    return vars(sys.modules.get(function.__module__, object)).get(function.__name__) is function
 
 
 def _ball(number):
@@ -132,6 +161,23 @@ def record(seen: Measurement | Enclosure) -> dict[str, Any]:
     certified = isinstance(seen, Enclosure)
     kept = {"samples": seen.samples, "seed": seen.seed, "certified": certified, "what": seen.what}
     return kept | {"worst": rounded(seen.worst), "bound": rounded(seen.bound), "numbers": numbers}
+
+
+def variables(tex: str) -> set[str]:
+    """Return the variables in TeX: letters, Greek ones too, with their subscripts; but π, and e with a power."""
+    found = SYMBOL.findall(re.sub(r"\\operatorname\{.*?\}|e\^", "", tex))
+    return {
+        name + below
+        for name, below in found
+        if name != r"\pi" and (len(name) == 1 or "α" <= html5.get(f"{name[1:]};", "") <= "ϵ")
+    }
+
+
+def unnamed(words: str, over: Iterable[str]) -> set[str]:
+    """Return the variables in a theorem's words that are none of `over`, nor equal to something ($x = …)."""
+    formulas = " ".join(re.findall(r"\$(.*?)\$", words, re.DOTALL))
+    defined = re.findall(r"\$(\S+) = ", words)
+    return variables(formulas).difference(*map(variables, [*over, *defined]))
 
 
 def says(words: str, bound: Any) -> bool:

@@ -18,8 +18,9 @@ theorem needs them: no grade of what is proved rests on either.
 
 import importlib
 from collections.abc import Callable
+from dataclasses import fields
 
-from sympy import pi
+from sympy import Basic, Derivative, NumberSymbol, Symbol, expand, pi
 
 from proofs.check import reasons
 from proofs.engine import kernel
@@ -27,15 +28,18 @@ from proofs.engine.angles import COSINES, SINES
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.induction import induction
+from proofs.engine.program import flat
 from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, statements, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
+from verify.checkers.certified import flint
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
 from verify.checkers.splices import says_the_same, splices
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
+HINTS = ("name", "squares", "ranges", "cited", "example")  # of a claim: what its search and its samples use
 ANGLE_DIGITS = 1000  # twice the longest number: to the kernel sin(3.14159…) may be 0, if nothing else tells
 CHECKERS = {"the kernel": kernel.check}
 """{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
@@ -188,6 +192,8 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     effort = {} if anew else {"effort": 2}
     refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
     tried, wrong = splices(theorem, mutant.claim, theorems), []
+    if why := why_no_variant(theorem, mutant.claim):
+        wrong.append(f"{mutant.text}: {why}")
     if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
         wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
     if alike := says_the_same(theorem, mutant, theorems):
@@ -197,9 +203,40 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
     if point is None:
         wrong.append(f"mutant without a counterexample: {mutant.text}")
+    elif not point["exact"] and flint and not point["certified"]:
+        wrong.append(f"mutant whose counterexample is neither exact nor enclosed: {mutant.text}")
     examination.problems += wrong
     examination.mutants_killed += not wrong
     return {"mutant": mutant.text, "refused": refused, "spliced": len(tried), "counterexample": point}
+
+
+def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
+    """Return why a false claim is no variant of the theorem's claim of that name, or None.
+
+    It changes one field of it; of what it shows each relation says something of the claim's symbols, or of π.
+    """
+    claim = next((c for c in theorem.claims if (c.name, type(c)) == (variant.name, type(variant))), None)
+    if claim is None:
+        return f"the theorem has no claim {variant.name}"
+    kept = {field.name: getattr(claim, field.name) for field in fields(claim)}
+    changed = [name for name, value in kept.items() if name not in HINTS and getattr(variant, name) != value]
+    if len(changed) != 1:
+        return f"it changes {', '.join(changed) or 'nothing'}: a variant changes one field"
+    known = _atoms([*kept.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
+    for relation in getattr(variant, "shows", ()) if changed == ["shows"] else ():
+        named = _atoms(
+            [expand(side if side.has(Derivative) else side.doit()) for side in relation.args]
+            if relation.free_symbols
+            else [relation]
+        )
+        if not (named and named <= known):
+            return f"{relation} is about {', '.join(map(str, named - known)) or 'nothing'}"
+    return None
+
+
+def _atoms(parts):
+    expressions = [part for part in flat(parts) if isinstance(part, Basic)]
+    return set().union(*(e.atoms(Symbol, NumberSymbol) for e in expressions))
 
 
 def _refute_variant(examination, theorem, mutant, theorems, prove, anew):

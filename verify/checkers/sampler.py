@@ -35,7 +35,7 @@ class Sampler:
         self.shows = Relations(claim.shows, definitions, slack)
         solvable = _solvable([r for r in equations if not r.free_symbols & defined])
         self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
-        self.solved_relations = {equations[r] for *_, r in solvable}
+        self.solved_relations = {equations[r]: symbol for symbol, _, r in solvable}
         self.pools = {s: self._pool(s) for s in self.inputs}
 
     def _box(self, symbol):

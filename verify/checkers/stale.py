@@ -4,6 +4,7 @@ It lists the files that `python -m renderer.generate` would change, and the theo
 searched anew; nothing is searched, and no certificate is checked. It fails where there is any.
 """
 
+import argparse
 import sys
 from collections.abc import Iterator
 
@@ -31,6 +32,7 @@ def problems() -> Iterator[str]:
 
 
 if __name__ == "__main__":
+    argparse.ArgumentParser("python -m verify.checkers.stale", description=__doc__).parse_args()
     stale = False
     for problem in problems():
         print(problem)

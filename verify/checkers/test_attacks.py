@@ -1,6 +1,7 @@
 """Attacks by claims: false ones that must not be proved, true ones that must not be refuted, and what says nothing."""
 
 import sys
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -13,6 +14,7 @@ from sympy import (
     Piecewise,
     Rational,
     Symbol,
+    SympifyError,
     cos,
     diff,
     evaluate,
@@ -32,12 +34,13 @@ from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
 from proofs.engine.program import Program, chain
 from proofs.engine.stored import NotFound, statements
-from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems
+from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems, variant
 from proofs.formulas.half_turns import sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided
 from verify.checkers.proof_checker import by_definition, examine
+from verify.checkers.theorem_files import refused, why_no_data
 
 x, y, n, p, q, a, s = symbols("x y n p q a s", real=True)
 TINY = Rational(1, 10**41)
@@ -48,13 +51,21 @@ def says(*shows, **more):
     return Claim("attack", shows, **more)
 
 
-FALSE = (Mutant("x > 1", says(greater(x, 1))), Mutant("x > 2", says(greater(x, 2))))
 TRUE = (Mutant("x² ≥ 0", says(greater(x**2 + 1, 0))), Mutant("x + 1 > x", says(greater(x + 1, x))))
 
 
-def examined(*claims, mutants=FALSE, statement="", **changes):
+def false(claim):
+    """Return two false variants of a claim: one of its symbols is large, or no output may depend on an input."""
+    if isinstance(claim, Separation):
+        return variant("of x", claim, avoid=x), variant("p", claim, outputs=claim.lines.outputs, avoid=claim.avoid)
+    symbol = min(set().union(*(r.free_symbols for r in (*claim.shows, *claim.given))), key=str, default=x)
+    large = equation if isinstance(claim, Induction) else greater
+    return [variant(f"beyond {n}", claim, large(symbol, n)) for n in (50, 60)]
+
+
+def examined(*claims, mutants=None, statement="", **changes):
     """Return what is found of a theorem of these claims, everything anew."""
-    theorem = Theorem("attack", "", statement, claims, mutants, **changes)
+    theorem = Theorem("attack", "", statement, claims, mutants or (claims and false(claims[0])), **changes)
     return examine(theorem, {"attack": theorem}, anew=True)
 
 
@@ -200,7 +211,11 @@ GRADES = [
 
 @pytest.mark.parametrize(("grade", "claim", "changes"), GRADES)
 def test_a_theorem_has_no_better_grade(grade, claim, changes):
-    assert examined(claim, **changes).grade == grade
+    """And it fails for another reason than its false variants, of which there may be none."""
+    variants = [replace(mutant, at={x: 0}) for mutant in false(claim)] if grade == "failed" else ()
+    found = examined(claim, **{"mutants": variants} | changes)
+    assert found.grade == grade
+    assert grade != "failed" or not all("beyond" in problem for problem in found.problems)
 
 
 def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
@@ -255,20 +270,128 @@ claims = [Claim("written", relation) for relation in relations]
         assert prove(claim.but(given=POSITIVE), {})
 
 
+HONEST = """from sympy import cos, pi
+from proofs.formulas import camera
+from proofs.theorems.language import *
+claim = Claim("c", greater(x**2 + 1, S.Zero))
+"""
+PROGRAMS = [
+    "import verify.checkers.grades",
+    "from importlib import import_module",
+    "from verify.checkers import grades",
+    "from proofs.engine import theorem",
+    "from proofs.engine.theorem import Theorem",
+    "from . import language",
+    "from sympy import diff",
+    "from sympy import *",
+    "from sympy import sympify",
+    "from sympy import lambdify as cos",
+    "from proofs.formulas.camera import diff",
+    "slope = x.diff(x)",
+    "slope = Derivative(x, x).doit()",
+    "slope = diff(x, x)",
+    "Claim.everywhere = lambda self: []",
+    "camera.chain: object = None",
+    "del Claim.everywhere",
+    "for Claim.name in 'ab': pass",
+    "HEIGHT_FIELDS['sine'] = ridges",
+    "HEIGHT_FIELDS.update(sine=ridges)",
+    "HEIGHT_FIELDS |= {'sine': ridges}",
+    "S('__import__')",
+    "run = S",
+    "exec('1')",
+    "run = eval",
+    "open('grades.py', 'w')",
+    "setattr(Claim, 'name', 1)",
+    "grades = __import__('verify')",
+    "modules = claim.__class__.__mro__",
+    "vars(claim)",
+    "getattr(claim, 'name')",
+    "type(claim)",
+    "class Claim(Claim): pass",
+    "def f():\n    import os",
+    "def f():\n    global x",
+    "[open for _ in range(3)]",
+    "print(1)",
+]
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_a_file_of_theorems_is_data(program):
+    assert why_no_data(HONEST) == [] == refused()
+    assert why_no_data(HONEST + program)
+
+
+@pytest.mark.parametrize("text", ["x > 0", "__import__('os')"])
+def test_a_claim_reads_no_text(text):
+    for make in (lambda: says(text), lambda: says(x > 0, given=text), lambda: says(x > 0, ranges={x: (0, text)})):
+        with pytest.raises((SympifyError, ValueError, TypeError)):
+            make()
+
+
+def no_variant(claim, *mutants):
+    """Return the problems with some false variants of a claim."""
+    problems = examined(claim, mutants=mutants).problems
+    return [problem for problem in problems if any(mutant.text in problem for mutant in mutants)]
+
+
+SQUARE = says(greater(x**2 + 1, 0), given=x > -5)
+NEAR = says(Ne(x**4 * y**2 + x**2 * y**4 - 3 * x**2 * y**2 + 1 + TINY / 10**4, 0, evaluate=False))
+with evaluate(False):
+    NOTHING = [greater(0 * x, 1), greater(x - x, 1)]
+NO_VARIANTS = [
+    *((SQUARE.but(shows=relation), "about nothing") for relation in (greater(0, 1), *NOTHING)),
+    (SQUARE.but(shows=greater(y, 1)), "is about y"),
+    (SQUARE.but(shows=(greater(x, 9), greater(x, y))), "is about y"),
+    (SQUARE.but(shows=greater(pi, 4)), "is about pi"),
+    (SQUARE.but(name="other", shows=greater(x, 9)), "has no claim other"),
+    (SQUARE.but(shows=greater(x, 9), given=x > -9), "changes shows, given"),
+    (SQUARE.but(shows=greater(p, 9), lines=line(p, x)), "changes shows, lines"),
+    (SQUARE.but(squares=x), "changes nothing"),
+    (Induction("attack", n, equation(x, 2), ((x, 1, x),)), "has no claim attack"),
+]
+
+
+@pytest.mark.parametrize(("mutant", "why"), NO_VARIANTS)
+def test_a_false_variant_changes_one_field_of_its_claim(mutant, why):
+    good = Mutant("x² > 9", SQUARE.but(shows=greater(x**2, 9)))
+    assert not no_variant(SQUARE, good, variant("x² > 8", SQUARE, greater(x**2, 8)))
+    assert any(why in problem for problem in no_variant(SQUARE, good, Mutant("no variant", mutant)))
+
+
+def test_a_counterexample_is_exact_or_enclosed():
+    """A true variant that 50 digits take for false; of √2, of an angle and of every n there is one in balls."""
+    false = NEAR.but(shows=Ne(x, y, evaluate=False))
+    near = Mutant(
+        "not 0, by 10⁻⁴⁵", NEAR.but(shows=Ne(NEAR.shows[0].lhs - TINY / 10**5, 0, evaluate=False)), {x: 1, y: 1}
+    )
+    assert any("neither exact nor enclosed" in why for why in no_variant(NEAR, Mutant("x ≠ y", false), near))
+    turning = Induction(
+        "attack", n, equation(cos(n * x), y), ((y, 1, cos(x) * y - sin(x) * p), (p, 0, sin(x) * y + cos(x) * p))
+    )
+    root = says(greater(sqrt(x), y), given=(equation(x, 2), greater(1, y)))
+    for claim, mutants in (
+        (turning, [turning.but(shows=equation(cos(n * x), times * y)) for times in (2, 3)]),
+        (root, [root.but(given=equation(x, 2)), root.but(shows=greater(y, sqrt(x)))]),
+    ):
+        assert not no_variant(claim, *(Mutant(f"mutant {number}", mutant) for number, mutant in enumerate(mutants)))
+
+
 def test_a_clause_without_a_claim_is_argued():
     words = (Clause("A square is not negative,", TRUE[0].claim), Clause("nor is a fourth power.", argued="as it is"))
-    assert examined(statement=words, expected="argued").grade == "argued"
+    mutants = false(TRUE[0].claim)
+    assert examined(statement=words, mutants=mutants, expected="argued").grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
-            examined(statement=wrong)
+            examined(statement=wrong, mutants=mutants)
 
 
 # What is borrowed, left out, or cannot occur
 
 
 def test_a_claim_borrows_nothing_that_is_not_given():
-    lemma = Theorem("lemma", "", "", says(greater(x + 1, 0), given=greater(x, 0)), FALSE)
-    borrower = Theorem("attack", "", "", says(greater(x + 1, 0), borrowed=(("lemma", "attack"),)), FALSE)
+    lent, taken = says(greater(x + 1, 0), given=greater(x, 0)), says(greater(x + 1, 0), borrowed=(("lemma", "attack"),))
+    lemma, borrower = (Theorem(id, "", "", c, false(c)) for id, c in (("lemma", lent), ("attack", taken)))
     found = examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
     assert found.grade == "failed" and "not all given" in found.problems[0]
 

@@ -52,8 +52,10 @@ def test_a_mutant_that_holds_fails_the_theorem():
         "a certificate of the theorem proves the mutant",
         "these say the same",
         "mutant accepted",
+        "the same",
         "mutant without a counterexample",
     }
+    assert "the same: it changes nothing: a variant changes one field" in found.problems
     assert found.mutants_killed == 0
 
 
@@ -62,6 +64,15 @@ RUNS = [  # of each theorem its id, its own grade, its grade in the run, and wha
     [("c", "proved", "failed", "not run")],
     [("a", "cited", "cited"), ("b", "proved", "failed", "a")],
     [("a", "cited", "cited"), ("b", "measured", "measured", "a")],
+    [
+        ("a", "argued", "argued"),
+        ("b", "proved", "failed", "a"),
+        ("c", "argued", "argued", "a"),
+        ("d", "refuted", "refuted", "a"),
+    ],
+    [("a", "argued", "argued"), ("b", "by definition", "failed", "a"), ("c", "certified", "certified", "a")],
+    [("a", "measured", "measured"), ("b", "certified", "failed", "a"), ("c", "refuted", "failed", "a")],
+    [("a", "by definition", "by definition"), ("b", "proved", "proved", "a")],
     [("a", NOT_RECHECKED, NOT_RECHECKED), ("b", "measured", NOT_RECHECKED, "a"), ("c", "failed", "failed", "a")],
 ]
 

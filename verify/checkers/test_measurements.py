@@ -37,8 +37,11 @@ def measured(monkeypatch):
     return examined
 
 
-def squares(bound=81.0):
-    return Measurement(10, 81.0, bound, "squares", numbers={"n": 9})
+NUMBERS = np.arange(10.0)
+
+
+def squares(bound=81.0, **more):
+    return Measurement(**{"seen": NUMBERS**2, "bound": bound, "what": "squares", "numbers": {"n": 9}} | more)
 
 
 def test_a_measurement_holds_and_rejects_its_false_variant(measured):
@@ -53,6 +56,29 @@ def test_a_measurement_holds_and_rejects_its_false_variant(measured):
     blind = measured(squares, {"at most 81": {"bound": 81}})
     assert blind.problems == ["squares: does not reject the false variant “at most 81”"]
     assert measured(squares, {"no bound": {"bound": math.inf}}).mutants_killed == 0  # no claim, and no false one
+    with pytest.raises(TypeError):
+        measured(lambda bound=1: Measurement(10**9, 0.5, bound, "samples"), false)  # as it was once declared
+
+
+ONES = np.ones(10**6)
+UNSEEN = {
+    "a constant": {"seen": ONES},
+    "one constant, many times, in two shapes": {"seen": np.tile(0.5, (4, 25))},
+    "nothing": {"seen": []},
+    "one number": {"seen": 3.0},
+    "not a number among them": {"seen": [1.0, math.nan]},
+    "infinite": {"seen": [1.0, math.inf]},
+    "a number of its own": {"of": lambda seen: 0.5},
+    "numbers of its own": {"of": np.zeros_like},
+    "its count": {"of": np.size},
+    "beyond its bound, whatever it claims": {"claimed": 200.0},
+}
+
+
+@pytest.mark.parametrize("changes", UNSEEN.values(), ids=UNSEEN)
+def test_what_a_measurement_says_of_itself_does_not_count(changes, measured):
+    found = measured(lambda bound=81.0: squares(bound, **changes), {"at most 1": {"bound": -1}})
+    assert found.grade == "failed"
 
 
 def test_without_a_measurement_nothing_is_measured():
@@ -62,15 +88,23 @@ def test_without_a_measurement_nothing_is_measured():
 
 
 SINE = Enclosure(
-    PIECES["sinpi"], ((0.001, 0.25),), partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
+    PIECES["sinpi"], {"x": ((0.001, 0.25),)}, partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
 )
 
 
 def forged(pieces):
     """Return a function that returns pieces, and looks like one of `verify`."""
     function = lambda *points: pieces  # noqa: E731
-    function.__module__ = certified_ulps.__name__
+    function.__module__, function.__name__ = certified_ulps.__name__, f"forged_{id(pieces)}"
+    vars(certified_ulps)[function.__name__] = function
     return function
+
+
+def elsewhere(points):
+    return 0 * points
+
+
+elsewhere.__module__ = "verify.accuracy.pieces"
 
 
 OWN = [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]
@@ -79,16 +113,18 @@ TAMPERED = {
     "pieces written down": {"pieces": OWN},
     "no statement": {"what": ""},
     "nothing": {"pieces": forged([])},
-    "no range": {"over": ()},
+    "no range": {"over": {}},
+    "no range of its variable": {"over": {"x": ()}},
+    "a function that its module has not": {"at": elsewhere},
     "an infinite bound": {"bound": arb("inf")},
     "a bound that is a float": {"bound": 1.53},
     "a smaller bound": {"bound": Fraction(133, 100)},
-    "one number": {"pieces": forged([(arb(0.125), arb(0.125), arb(1))]), "over": ((0.125, 0.125),)},
-    "wide ends": {"pieces": forged([(arb(0, 5), arb(1, 5), arb(1))]), "over": ((0.0, 1.0),)},
+    "one number": {"pieces": forged([(arb(0.125), arb(0.125), arb(1))]), "over": {"x": ((0.125, 0.125),)}},
+    "wide ends": {"pieces": forged([(arb(0, 5), arb(1, 5), arb(1))]), "over": {"x": ((0.0, 1.0),)}},
     "a function's name alone": {"pieces": type("Made", (), {"func": forged(OWN), "__call__": lambda self: OWN})()},
     "no value": {"at": partial(forged(np.zeros((0, 1))))},
     "a gap": {"pieces": forged(SINE.enclosed[:300] + SINE.enclosed[301:])},
-    "beyond its pieces": {"over": ((0.001, 0.51),)},
+    "beyond its pieces": {"over": {"x": ((0.001, 0.51),)}},
     "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
     "its own function": {"at": lambda points: 0 * points},
 }
@@ -99,7 +135,17 @@ def test_an_enclosure_is_taken_apart_and_tried(changes):
     assert replace(SINE, **changes).why_refused()
 
 
-@pytest.mark.parametrize(("words", "grade"), [(SOME.statement, "certified"), ("At most 1.5 ulps.", "failed")])
+WORDS = [
+    *((words, "certified") for words in (SOME.statement, r"$\sin\pi x$ is off by 1.53 $\mu$, $\mu = 2^{-53}$.")),
+    ("At most 1.5 ulps.", "failed"),
+    (r"At most 1.53 ulps at all $x$, $y$.", "failed"),
+    (r"$|f(x)| \le 1.53$ for every $x$", "failed"),
+    (r"$\sin\pi\varphi x$ is off by 1.53 ulps.", "failed"),
+    (r"$\sin\pi x_1$ is off by 1.53 ulps.", "failed"),
+]
+
+
+@pytest.mark.parametrize(("words", "grade"), WORDS)
 def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     false = {"at most 1.33": {"bound": Fraction(133, 100)}}
     found = measured(lambda bound=SINE.bound: replace(SINE, bound=bound), false, expected="certified", statement=words)
@@ -107,15 +153,9 @@ def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
 
 
 def test_a_measurement_is_of_finite_samples_and_has_a_finite_bound():
-    good = Measurement(1, 1.0, 2.0, "something")
+    good = Measurement((0.5, 1.0), 2.0, "something")
     assert good.why_refused() == ""
-    wrong = {
-        "samples": (0, math.inf, 1.5),
-        "worst": (math.nan, 3.0),
-        "bound": (math.inf,),
-        "what": ("",),
-        "holds": (False,),
-    }
+    wrong = {"seen": ((), (1.0, 3.0)), "bound": (math.inf,), "what": ("",), "holds": (False,)}
     for name, values in wrong.items():
         assert all(replace(good, **{name: value}).why_refused() for value in values), name
 
@@ -129,7 +169,7 @@ def test_a_citation_needs_a_source_in_the_bibliography():
 
 
 def test_what_rests_on_a_cited_lemma_says_so():
-    """But what Coq has proved here is given by no source; who uses it may still rest on another one."""
+    """Coq's proof needs no lemma; but of the analysis that a hypothesis takes from a source it says nothing."""
     lemma = CitedLemma(at_least(x, sin(x)), "Blinn1978", x >= 0)
     claim = Claim("sine", at_least(x + 1, sin(x)), x >= 0, cited=lemma)
     mutants = [variant(f"{less}x", claim, at_least(less * x, sin(x))) for less in (-1, 0)]
@@ -139,7 +179,8 @@ def test_what_rests_on_a_cited_lemma_says_so():
     for formal, *told in (
         ((), "proved, given Blinn1978", "proved, given Blinn1978, Dekker1971"),
         (("lemma",), "proved", "proved, given Dekker1971"),
-        (("user",), "proved, given Blinn1978", "proved"),
+        (("user",), "proved, given Blinn1978", "proved, given Dekker1971"),
+        (("lemma", "user"), "proved", "proved, given Dekker1971"),
     ):
         assert [entry["grade_line"] for entry in graded([found, user], formal)] == told
     assert found["cited_lemmas"] == [{"relation": "x >= sin(x)", "source": "Blinn1978"}]

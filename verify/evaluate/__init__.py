@@ -37,6 +37,9 @@ class NumberPrinter(KernelPrinter):
     def _print_Symbol(self, expr):
         return f"value[{expr.name!r}]"
 
+    def _half_turn(self, name, argument):
+        return self._call(name, [argument])
+
     def _print_Relational(self, expr):
         return f"compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)})"
 
@@ -70,9 +73,8 @@ ANY_NUMBERS = {
     "every": partial(joined, False),
     "some": partial(joined, True),
     "where": lambda condition, value, otherwise: value() if condition else otherwise(),
-    "two_product": lambda a, b: (a * b,),  # exact, or rounded as the rest is: no error beside it
 }
-"""What the text calls, where comparisons are decided and a product needs no error beside it."""
+"""What the text calls, where comparisons are decided."""
 
 MPMATHS_OWN = ("sqrt", "floor", "sign", "power", "inf", "pi", "sin", "cos", "sinpi", "cospi", "exp", "log")
 MPMATH = ANY_NUMBERS | {

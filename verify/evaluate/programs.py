@@ -81,11 +81,6 @@ def _extrapolated_difference(name, field, steps):
     return Program(f"{name}_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, *sums.items()), (h_u, h_v))
 
 
-def central6(field: HeightField) -> Program:
-    """Return the sixth-order central difference: steps ε, 2ε, 3ε; 12 height evaluations."""
-    return _extrapolated_difference("central6", field, [Rational(n) for n in (1, 2, 3)])
-
-
 def richardson(field: HeightField) -> Program:
     """Return Richardson's extrapolation of steps ε, ε/2, ε/4, ε/8: eighth order; 16 height evaluations."""
     return _extrapolated_difference("richardson", field, [Rational(1, 2**n) for n in range(4)])

@@ -4,8 +4,6 @@ The terms are those of `proofs.formulas.step_bounds`, each measured by `verify.a
 exact difference's error is, truncation, straddling or one-sided, is that of its bound.
 """
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from proofs.formulas.step_bounds import TERMS
@@ -14,7 +12,6 @@ from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import PARTS, SLOPES, taken_apart
 
-POINTS = 400
 ROUNDED = range(1, len(PARTS) - 1)  # the terms of rounding, among PARTS and among TERMS
 
 
@@ -42,11 +39,3 @@ def over_the_image(frame: Frame, eps: float) -> np.ndarray:
     result = np.full(frame.raster.shape, -2)
     result[frame.stage.on_a] = dominant(frame.scene, frame.data_on_a["u"], frame.data_on_a["v"], eps)
     return result
-
-
-def shares_by_step(frame: Frame, steps: Iterable[float]) -> dict[str, np.ndarray]:
-    """Return {term: its share for each step}, over POINTS random pixels of A in the frame."""
-    points = np.array([frame.data_on_a["u"], frame.data_on_a["v"]])
-    u, v = np.random.default_rng(10).choice(points, POINTS, replace=False, axis=1)
-    table = [shares(dominant(frame.scene, u, v, eps)) for eps in steps]
-    return {name: np.array([row[name] for row in table]) for name in TERMS}

@@ -1,28 +1,26 @@
-"""Toward the pole and the silhouette, from the nearest eye to the furthest, B small and far: the normal, the vector g.
+"""Toward the pole and the silhouette, from the nearest eye to the furthest: the normal, the vector g.
 
 Of the pipeline from the image point to g there are our two forms, and the seed's.
 """
 
-from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Symbol
 
 from proofs.engine.program import Program, chain
 from proofs.formulas.bump import bumped_normal, g
-from proofs.formulas.camera import angles_on_a, normal_of_b, parallel_radius
+from proofs.formulas.camera import angles_on_a, parallel_radius
 from proofs.formulas.chart import chart, seed_chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.seed_hit import seed_normal
-from proofs.formulas.symbols import ball_center, h_u, h_v, normal
+from proofs.formulas.symbols import h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
 from renderer import kernels
 from verify.evaluate.arrays import Inputs, in_float64, with_bounds
 from verify.evaluate.programs import algebraic_gradient, naive_gradient
-from verify.stability.sweep import SHAPE, Sweep, measured
+from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
 SINES = np.logspace(np.log10(0.84), -149, 76)
@@ -100,19 +98,3 @@ def from_near_to_far() -> Sweep:
     inputs = image_points(kernels.silhouette_of_a(eye, RADIUS), samples, seed, eye[:, None])
     inside = np.random.default_rng(seed).uniform(0, 0.9, inputs["x"].shape)
     return _of_normal(above, inputs | {axis: inputs[axis] * np.sqrt(inside) for axis in "xy"})
-
-
-def smaller_and_smaller_b(outputs: Iterable[Symbol], program: Program = normal_of_b) -> Sweep:
-    """B's point or normal against its radius from 0.32 to 10⁻⁸; R/e from 10⁻⁶ to 1/4, within 0.9 of the silhouette.
-
-    Reason of the bound: the vector from B's centre to the point is made of products of its own size, and is not what
-    is left of the two points. program: what computes them.
-    """
-    random, radii = np.random.default_rng(9), np.geomspace(0.32, 1e-8, SHAPE[0])[:, None]
-    x, y, away, turn = random.uniform(-1, 1, (4, *SHAPE))
-    eye, reach = 10.0 ** random.uniform(0.61, 6, x.shape), 0.9 * radii * np.abs(away)
-    along = 1 - 1.6 / eye  # of the ray, at the height 1.6
-    center = along * x + reach * np.cos(np.pi * turn), along * y + reach * np.sin(np.pi * turn), 1.6
-    inputs = {"x": x, "y": y, "eye": eye, "ball_radius": radii, "ball_on": 1.0}
-    inputs |= {s.name: c for s, c in zip(ball_center, center, strict=True)}
-    return measured(radii[:, 0], normal_of_b.keep(*outputs), inputs, with_bounds(program, inputs))

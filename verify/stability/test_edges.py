@@ -1,6 +1,6 @@
 """Where bodies and lights almost touch is drawn without NaN; just past that is a ValueError that names the field.
 
-The ends of single numbers, and of ε, are drawn by tests/accepted_scenes.py.
+The ends of single numbers, and of ε, are drawn by tests/test_properties.py.
 """
 
 import numpy as np

@@ -1,13 +1,15 @@
 """How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
 
+import math
 from functools import cache, partial
 
 import numpy as np
 
+from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
 from verify.accuracy import base_errors, orders
-from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
-from verify.accuracy.gradient_errors import OF_WAVES, UNIT, worst_at_ratios
+from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, parts
+from verify.accuracy.gradient_errors import OF_WAVES, UNIT, worst_at
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
 from verify.checkers.measurement import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
@@ -24,10 +26,9 @@ def pixels(share: float = 1.0) -> Measurement:
     """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
     decided = [p for p in _pixels() if not p.undecided]
     return Measurement(
-        samples=len(decided),
-        seed=SEED,
-        worst=max(p.error / p.bound for p in decided if p.bound > 0),
+        [p.error / p.bound for p in decided if p.bound > 0],
         bound=share,
+        seed=SEED,
         holds=not problems(decided, share) and len(decided) >= 2000,
         what="the largest error of a channel over its pixel's bound",
         numbers={"undecided": len(_pixels()) - len(decided), "largest": max(p.error for p in decided)},
@@ -36,15 +37,14 @@ def pixels(share: float = 1.0) -> Measurement:
 
 def _of_sweeps(found, bound, what, form=None):
     """Return the Measurement of {name: sweep}, of our form or another."""
-    units = {name: np.nanmax(seen.worst(form)) / UNIT for name, seen in found.items()}
+    units = {name: (seen.others[form] if form else seen.errors).ravel() / UNIT for name, seen in found.items()}
     return Measurement(
-        samples=sum(seen.points for seen in found.values()),
+        np.concatenate([*units.values()]),
         seed=SWEEP_SEED,
-        worst=max(units.values()),
         bound=bound,
         holds=not any(seen.escaped for seen in found.values()),
         what=f"the general form{what}: the largest error over π max(1, |k|) 2^-53",
-        numbers=units,
+        numbers={name: max(errors) for name, errors in units.items()},
     )
 
 
@@ -68,8 +68,13 @@ def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_erro
     of_u, of_v = base_errors.base_errors(least)
     return Enclosure(
         pieces=partial(base_errors.gradient_pieces, least),
-        over=(base_errors.RATIOS,),
-        at=worst_at_ratios,
+        over={
+            "R/e": (base_errors.RATIOS,),
+            r"\rho/\rho_s": ((0.0, math.sqrt(1 - least)),),
+            "k_u": ((-MAX_WAVE_NUMBER, MAX_WAVE_NUMBER),),
+            "k_v": ((-MAX_WAVE_NUMBER, MAX_WAVE_NUMBER),),
+        },
+        at=worst_at,
         bound=bound,
         what="the algebraic form: the bound over π k (1 + k) 2^-53, over all boxes of R/e and ρ/ρ_s, all wave numbers",
         numbers={"base_of_u": of_u / UNIT, "base_of_v": of_v / UNIT},
@@ -84,18 +89,18 @@ def _taken_apart():
 @measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})
 def under_the_bounds(share: float = 1.0) -> Measurement:
     """Every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
-    out, ratios = 0, []
+    seen_over, ratios = [], []
     for seen, limits in _taken_apart():
-        out += sum(escapes(seen, {part: share * limit for part, limit in limits.items()}).values())
+        off = [(np.abs(seen[part]), limit) for part, limit in limits.items()]
+        seen_over += [np.divide(size, limit, out=np.zeros(size.shape), where=size != 0) for size, limit in off]
         rounding = (STEPS < 1e-9) & (seen["total"] != 0)
         ratios.append(limits["total"][rounding] / np.abs(seen["total"][rounding]))
     median = np.median(np.concatenate(ratios))
     return Measurement(
-        samples=len(CASES) * len(STEPS),
-        worst=out,
-        bound=0,
+        seen_over,
+        bound=share,
         holds=median <= 30,
-        what="measured parts of the error above their bound",
+        what="a part of the error over its bound",
         numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": median},
     )
 
@@ -109,34 +114,40 @@ def _quadrature(component):
 @measures("difference_slopes", false={"∝ ε": {"slope": 1.0}, "√(k_v ε/3) in h_v": {"at_poles": True}})
 def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measurement:
     """The RMS error of ridges over the chart: slope and constant by quadrature."""
-    worst = {}
-    for component in SLOPES:
-        steps, rms = _quadrature(component)
-        law, _ = orders.predicted(component, steps)
-        law = law * (orders.SCENE.kv / (orders.SCENE.kv - 1)) ** 0.5 if component == "h_v" and at_poles else law
-        worst[f"{component}_slope"] = abs(orders.fitted_slope(steps, rms) - slope)
-        worst[f"{component}_constant"] = np.abs(rms / law - 1).max()
+    steps, rms = (np.array(each) for each in zip(*map(_quadrature, SLOPES), strict=True))
+    law = np.array([orders.predicted(component, steps[0])[0] for component in SLOPES])
+    law[1] *= (orders.SCENE.kv / (orders.SCENE.kv - 1)) ** 0.5 if at_poles else 1.0
+
+    def off(rms):
+        return [[orders.fitted_slope(*each) - slope for each in zip(steps, rms, strict=True)], *(rms / law - 1).T]
+
+    worst = np.abs(off(rms))
     return Measurement(
-        samples=2 * 11,
-        worst=max(worst.values()),
+        rms,
+        of=off,
         bound=0.02,
         what="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
-        numbers=worst,
+        numbers={f"{c}_slope": worst[0, i] for i, c in enumerate(SLOPES)}
+        | {f"{c}_constant": worst[1:, i].max() for i, c in enumerate(SLOPES)},
     )
 
 
 @measures("difference_slopes", false={"first order for all": {"odd": 1.0}, "second for all": {"other": 2.0}})
 def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
     """The order of the difference clamped at the pole at v = ε/2."""
-    found = {field: orders.fitted_slope(orders.STEPS, orders.clamped_errors(field)) for field in orders.FIELDS}
-    known = {field: orders.clamped_order(field) for field in found}
-    claimed = {field: {1: other, 2: odd}.get(order, order) for field, order in known.items()}
+    known = map(orders.clamped_order, orders.FIELDS)
+    errors = np.array([*map(orders.clamped_errors, orders.FIELDS)])
+
+    def fitted(errors):
+        return [orders.fitted_slope(orders.STEPS, each) for each in errors]
+
     return Measurement(
-        samples=len(found) * len(orders.STEPS),
-        worst=max(abs(order - claimed[field]) for field, order in found.items()),
+        errors,
+        of=fitted,
+        claimed=[{1: other, 2: odd}.get(order, order) for order in known],
         bound=0.02,
         what="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
-        numbers=found,
+        numbers=dict(zip(orders.FIELDS, fitted(errors), strict=True)),
     )
 
 
@@ -145,11 +156,12 @@ def truncation_slope(slope: float = 2.0) -> Measurement:
     """The order of the truncation error at a smooth point."""
     seen = parts(CASES[0])
     branch = (STEPS < 1e-3) & (STEPS > 1e-12)
-    order = orders.fitted_slope(STEPS[branch], np.abs(seen["truncation"][branch]))
+    errors, fitted = np.abs(seen["truncation"][branch]), partial(orders.fitted_slope, STEPS[branch])
     return Measurement(
-        samples=int(branch.sum()),
-        worst=abs(order - slope),
+        errors,
+        of=fitted,
+        claimed=slope,
         bound=0.02,
         what="how far the truncation error's fitted slope is from 2",
-        numbers={"slope": order},
+        numbers={"slope": fitted(errors)},
     )

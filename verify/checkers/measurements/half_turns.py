@@ -44,6 +44,10 @@ OVER = {
 """{name: the ranges of the reduced argument}, where none is named all of a quarter turn"""
 
 
+OF = {"sinpi_of_product": "ku", "cospi_of_product": "ku", "atan2pi": "y, x", "power": "x^p", "small_power": "x^p"}
+"""{name: what its argument is made of}, where that is not x"""
+
+
 def certificate(name: str) -> Callable[..., Enclosure]:
     """Return what encloses a function's error on every piece of its range."""
 
@@ -51,7 +55,7 @@ def certificate(name: str) -> Callable[..., Enclosure]:
         pieces = partial(PIECES[name], program=off_by(*CONSTANTS[name], off)) if off else PIECES[name]
         return Enclosure(
             pieces=pieces,
-            over=OVER.get(name, ((FIRST, 0.5 - FIRST),)),
+            over={OF.get(name, "x"): OVER.get(name, ((FIRST, 0.5 - FIRST),))},
             at=partial(errors_on_pieces, name),
             bound=bound,
             what=f"{name}: the error in ulps over every piece of the reduced range",

@@ -1,0 +1,52 @@
+"""A file of theorems is data: what it imports, names and calls says claims, and reaches nothing that judges them."""
+
+import ast
+import builtins
+from pathlib import Path
+
+import proofs
+
+FOLDER = Path(proofs.__file__).parent / "theorems"
+TRUSTED = ("__init__", "language")
+IMPORTED = ("proofs.formulas.", "proofs.theorems.", "proofs.engine.claim.")
+FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
+CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
+BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}
+BARRED = CHANGING | {"S"} | {*dir(builtins)} - BUILT_IN
+
+
+def why_no_data(text: str) -> list[str]:
+    """Return why a file's text is more than data: [] if it imports by name, changes nothing there is, runs no text."""
+    tree = ast.parse(text)
+    of_s = {
+        id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr in ("Zero", "One")
+    }
+    found = ((node, _why_not(node)) for node in ast.walk(tree) if id(node) not in of_s)
+    return [f"line {getattr(node, 'lineno', 1)}: {why}" for node, why in found if why]
+
+
+def _why_not(node):
+    match node:
+        case ast.Import() | ast.ClassDef() | ast.Global() | ast.AugAssign():
+            return "imports a module, makes a class, or changes a name"
+        case ast.Attribute(ctx=ast.Store() | ast.Del()) | ast.Subscript(ctx=ast.Store() | ast.Del()):
+            return "assigns an attribute or an entry"
+        case ast.ImportFrom(module="sympy"):
+            barred = {alias.name for alias in node.names} - FROM_SYMPY
+        case ast.ImportFrom(level=0) if f"{node.module}.".startswith(IMPORTED):
+            barred = {alias.name for alias in node.names} & BARRED
+        case ast.ImportFrom():
+            return f"imports from {node.module}"
+        case ast.Name(id=name):
+            barred = {name} if name in BARRED or "__" in name else ()
+        case ast.Attribute(attr=name):
+            barred = {name} if name in CHANGING or "__" in name else ()
+        case _:
+            return ""
+    return f"names {', '.join(sorted(barred))}" if barred else ""
+
+
+def refused() -> list[str]:
+    """Return why files of theorems are refused, each by its name and line."""
+    files = [path for path in sorted(FOLDER.glob("*.py")) if path.stem not in TRUSTED]
+    return [f"{path.name}, {why}" for path in files for why in why_no_data(path.read_text(encoding="utf-8"))]
