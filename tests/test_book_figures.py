@@ -124,7 +124,7 @@ from book.drawing import draw
 
 stamps.STAMPS = draw.GENERATED = Path(sys.argv[1])
 draw.zip = lambda *lists, strict: os.killpg(0, signal.SIGINT) or zip(*lists, strict=strict)
-sys.exit(main(["figures", "crease", "accepted_scenes"]))
+sys.exit(main(["figures", "crease", "edited_formulas"]))
 """
 
 
