@@ -29,7 +29,7 @@ OF_A_THEOREM = {
     "dark_difference": f"${SIZE}^2$",
     "pole_accuracy": f"of {POINTS} points",
     "difference_bounds": {40: "forty"}[PER_DECADE],
-    "enclosing_rules": {12: r"of $x + y$, $xy$, $x/y$, $\sqrt x$, $\lfloor x \rfloor$"}[len(RULES)],
+    "enclosing_rules": {12: r"a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$"}[len(RULES)],
 }
 """{theorem: how it says of what its extreme is one}"""
 
