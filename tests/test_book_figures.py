@@ -124,7 +124,7 @@ from book.drawing import draw
 
 stamps.STAMPS = draw.GENERATED = Path(sys.argv[1])
 draw.zip = lambda *lists, strict: os.killpg(0, signal.SIGINT) or zip(*lists, strict=strict)
-sys.exit(main(["figures", "crease", "accepted_scenes"]))
+sys.exit(main(["figures", "crease", "edited_formulas"]))
 """
 
 
@@ -155,29 +155,6 @@ def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_fig
         assert own.relative_to(stamps.ROOT).as_posix() in ours and len(ours) > 3
         ours |= {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.reads}
         assert ours <= hashes_of_figures[id].keys(), id
-
-
-def test_editing_one_file_draws_all_that_reach_it_and_says_why(hashes_of_figures, stamped, monkeypatch, capsys):
-    drawn, edited, hashes = [], set(), stamps.hashes
-    monkeypatch.setattr(draw, "GENERATED", stamped / "generated")
-    monkeypatch.setattr(draw, "PROCESSES", 1)
-    monkeypatch.setattr(save, "save", lambda entry, *rest: drawn.append(entry.id) or [])
-    monkeypatch.setattr(
-        stamps, "hashes", lambda paths: {k: "edited" if k in edited else v for k, v in hashes(paths).items()}
-    )
-    for id, now in hashes_of_figures.items():
-        stamps.write(f"figures/{id}", {"files": {}, "sources": now})
-    narrow = ("verify/stability/maps.py", "renderer/picture/facts.py")  # what only some figures may reach
-    for name in (*narrow, "verify/results/work_precision.json", "book/drawing/matplotlibrc"):
-        assert draw.draw() == 0 and drawn == []  # once is enough
-        reach = {id for id, now in hashes_of_figures.items() if name in now}
-        assert len(reach) < len(hashes_of_figures) or name not in narrow, f"figures import too widely: {name}"
-        edited.add(name)
-        capsys.readouterr()
-        assert draw.draw() == len(reach) > 0
-        assert sorted(drawn) == sorted(reach)
-        drawn.clear()
-        assert capsys.readouterr().out.count(f"({name} changed") == len(reach)
 
 
 def broken():

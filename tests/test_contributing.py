@@ -53,12 +53,6 @@ def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):
         assert capsys.readouterr().out.startswith("usage: "), command
 
 
-def test_the_ways_in_are_short():
-    for example in EXAMPLES.iterdir():
-        written = [path for path in example.rglob("*.*") if path.suffix in (".patch", ".py", ".toml")]
-        assert written and sum(len(path.read_text("utf-8").splitlines()) for path in written) < 80
-
-
 @pytest.mark.parametrize(
     "example, kind, name", [("height_field", "field", "waves"), ("light_model", "model", "oren_nayar")]
 )

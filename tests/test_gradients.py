@@ -17,7 +17,6 @@ from verify.accuracy.binades import dies
 
 SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
 POLE = (21, 20, 10, 8)  # a raster and its pixel whose centre is the pole
-CREASE = (21, 20, 14, 8)  # ... whose centre has y = 0, x > 0: u = 1/2, and ku u is whole for every even ku
 chart_points = st.tuples(st.floats(0, 1, exclude_max=True), st.floats(0, 1))
 
 
@@ -40,12 +39,6 @@ def test_every_float_beside_every_crease_is_off_it():
 def test_the_kink_band_is_where_a_factor_is_below_three_hundredths():
     u, v = 0.125 + np.arcsin([0.0299, 0.0301, -0.0299, -0.0301]) / (8 * np.pi), 0.47
     assert FIELDS["ridges"]["kink"](np.sin(np.pi * v), u, v, RIDGES.ku, RIDGES.kv).tolist() == [1, 0, 1, 0]
-
-
-def test_a_pixel_on_a_crease():
-    for form, ku in product(("algebraic", "general"), (-6.0, 2.0, 4.0, 8.0, 64.0)):
-        record = pixel(replace(RIDGES, ku=ku), *CREASE, exact(form))
-        assert (record.u, record.h, record.gradient, record.kink) == (0.5, 0.0, (0.0, 0.0), True)
 
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])

@@ -4,7 +4,6 @@ import functools
 import io
 import re
 import time
-from math import sqrt
 
 import numpy as np
 import pytest
@@ -37,7 +36,6 @@ DIFFERS = """() => {
     return document.documentElement.matches('.drawn') && looks.length > 9
         && looks.every(look => look.backgroundImage !== 'none' || look.backgroundColor !== paper) }"""
 SIZES = "parts => parts.map(e => e.getBoundingClientRect()).map(({ width, height }) => Math.min(width, height))"
-CENTRES = "dots => dots.map(({ cx, cy }) => [cx.baseVal.value, cy.baseVal.value])"
 SHADOW, FLOOR = (144, 141, 134), (232, 227, 217)
 
 
@@ -106,16 +104,11 @@ def expected_on_circle(u, beta):
 def test_slope_is_texture_says_what_the_renderer_says_and_follows_the_pointer(idea):
     tab, figure, handles = idea("slope_is_texture")
     point, sphere = handles.all()
-    for keys in (["ArrowRight"], ["Shift+ArrowLeft", "ArrowDown"], ["Shift+ArrowRight"] * 9, ["Shift+ArrowDown"] * 6):
-        before = said(figure)
-        press(tab, point, *keys)
-        slope, beta, *_ = found = said(figure)
-        expected = expected_on_circle(now(point), beta)
-        np.testing.assert_allclose(found, expected, atol=0.051)
-        assert before != found and abs(slope - expected[0]) < 0.0051
-        assert beta == float(figure.locator("input").input_value())
-        assert numbers(point.get_attribute("aria-valuetext")) == [slope, found[3]]
-    assert abs(expected[3] - expected_on_circle(now(point) + 1 / 256, beta)[3]) > 0.2  # a neighbour would be seen
+    before = said(figure)
+    press(tab, point, "ArrowRight", "Shift+ArrowDown")
+    _, beta, *_ = found = said(figure)
+    np.testing.assert_allclose(found, expected_on_circle(now(point), beta), atol=0.051)
+    assert before != found
     frame = figure.locator("svg").first
     point.drag_to(frame, target_position={"x": frame.bounding_box()["width"] / 2, "y": 50}, force=True)
     next_frame(tab)
@@ -146,72 +139,44 @@ def test_bump_surface_turns_and_moves_rim_and_shadow_in_the_last_state_alone(ide
     start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
     view.drag_to(view, source_position=places[0], target_position=places[1])
     expect(view).to_have_attribute("aria-valuenow", str(int(start + 57)))
-    press(tab, view, *["Shift+ArrowDown"] * 9)
-    assert "from 90° above" in view.get_attribute("aria-valuetext") and np.any(covered(figure, FLOOR))
-    press(tab, view, *["Shift+ArrowUp"] * 9)
-    assert not np.any(covered(figure, FLOOR))  # from below there is no floor
     none = "HTMLCanvasElement.prototype.getContext = () => null"
     without = visit("s3", until=STARTED.replace("'figure.idea:not", "'#fig-two_slopes:not"), prepare=none)
     assert without.is_visible("#fig-bump_surface .pixels")
 
 
-def test_two_slopes_says_what_the_renderer_says_and_shows_where_float64_puts_the_samples(idea):
+def test_two_slopes_says_what_the_renderer_says_and_where_float64_takes_no_step(idea):
     tab, figure, handles = idea("two_slopes")
     step, point = handles.all()
-    unit, apart, met = figure.locator("svg").nth(1).bounding_box()["width"] / 4, [], []
     for exponent in (-2, -4, -6, -12, -15.9, -17):
         figure.locator("input").fill(str(exponent))
         press(tab, point, "ArrowRight")
         _, numeric, exactly, *_ = said(figure)
         eps, u = now(step), now(point)
         ours = [gradient_at(SCENE, u, 0.125, method)[0] for method in (central(eps), exact())]
-        apart.append(abs(ours[0] - ours[1]))
-        np.testing.assert_allclose((numeric, exactly), ours, rtol=0, atol=0.0051 if apart[-1] >= 0.01 else 5.1e-9)
-        _, (below, _), _, (above, _) = figure.locator("svg >> nth=1 >> circle.end").evaluate_all(CENTRES)
-        taken = [unit * (2 + (moved - u) / eps) for moved in (u - eps, u + eps)]
-        np.testing.assert_allclose((below, above), taken, atol=0.6)
-        is_lost = "float64 takes no step" in figure.locator(".idea-says").inner_text()
-        assert is_lost is (u + eps == u)
-        met += figure.locator("circle.met").evaluate_all(CENTRES)
-    x, y = np.transpose(met)
-    assert is_lost and numeric == 0.0 and apart[0] > apart[1] < apart[3]  # the U
-    assert (np.diff(x) < 0).all() and np.array_equal(np.argsort(-y), np.argsort(apart))  # y is measured downwards
+        digits = 2 if abs(ours[0] - ours[1]) >= 0.01 else 8
+        np.testing.assert_allclose((numeric, exactly), ours, rtol=0, atol=0.51 * 10**-digits)
+        assert ("float64 takes no step" in figure.locator(".idea-says").inner_text()) is (u + eps == u)
     point.drag_to(figure.locator("svg").first, target_position={"x": 200, "y": 50})  # though both are in one place
     assert now(point) > u
     press(tab, step, "ArrowUp")
     assert now(step) > eps
 
 
-def test_scene_from_the_side_meets_what_the_renderer_meets(idea):
-    tab, figure, point = idea("scene_from_the_side")
-    image = Raster(2001, 2001).image_points(SCENE)
-    for surface, way, times in (("sphere A", "Right", 0), ("sphere B", "Right", 4), ("the floor", "Left", 22)):
-        press(tab, point, *[f"Shift+Arrow{way}"] * times)
-        at = now(point) / sqrt(2)  # B's centre is on the diagonal
-        record = pixel(SCENE, 2001, 2001, *(int(np.abs(part - at).argmin()) for part in image))
-        text = figure.locator(".idea-says").inner_text()
-        assert surface.split()[1] == record.surface and f"shows {surface}" in text
-        for light, name in zip(record.lights, ("first", "second"), strict=True):
-            assert f"{name} light {'is hidden' if light.occluded else 'reaches it'}" in text
-
-
-def test_pixel_worked_is_the_renderers_pixel(idea):
+def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
     tab, figure, point = idea("pixel_worked")
     x, y = Raster(256, 256).image_points(SCENE)
-    surfaces = set()
-    for place in ((104, 92), (90, 140), (170, 70), (250, 20), (30, 200)):
+    for place, surface in (((104, 92), "A"), ((170, 70), "B"), ((250, 20), "floor")):
         point.drag_to(figure.locator("svg"), target_position=dict(zip("xy", place, strict=True)), force=True)
         next_frame(tab)
         column, row = map(int, numbers(point.get_attribute("aria-valuetext")))
         at = {"x": x[column], "y": y[row]}
         record, lines = pixel(SCENE, 256, 256, column, row), at | idea_kernels.lines_at(SCENE, **at)
-        surfaces.add(record.surface)
+        assert record.surface == surface
         assert [lines[f"rgb_{name}"] for name in ("red", "green", "blue")] == pytest.approx(record.rgb)
-        assert (figure.locator("[data-line=h_u]").inner_text() == "—") is (record.surface != "A")
+        assert (figure.locator("[data-line=h_u]").inner_text() == "—") is (surface != "A")
         for shown in figure.locator("[data-line]").all():
             wanted = worked.said(lines[shown.get_attribute("data-line")])
-            assert shown.inner_text() in (wanted, "—" if record.surface != "A" else wanted)
-    assert surfaces == {"A", "B", "floor"}
+            assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

@@ -23,14 +23,6 @@ def test_srgb_is_the_formula_everywhere():
         np.testing.assert_array_equal(views.to_bytes(numbers, threads=2), np.rint(255 * formula))
 
 
-def test_slope_is_black_off_a_and_white_at_its_largest():
-    """Of the frame; all black where it is flat."""
-    picture, slope = views.slope_view(FRAME), FRAME.slope
-    assert picture.dtype == "uint8" and not picture[FRAME.chambers & 3 != 1].any()
-    assert (picture[slope == slope.max()] == [255] * 3).all()
-    assert not views.slope_view(render(Scene(ku=0.0), 16, 16)).any()
-
-
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     """Of the channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])

@@ -27,7 +27,7 @@ from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from book.assembly import report, stamps
+from book.assembly import report
 from book.assembly.contents import page_files, page_title
 from book.extension.checker import check_all, check_here
 from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled, role, section
@@ -53,7 +53,7 @@ def theorem_card(here: SphinxDirective) -> Nodes:
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
     path, line = module_and_line(id)
-    source = f"{listing_address(path.relative_to(stamps.ROOT))}#L-{line}"
+    source = f"{listing_address(path)}#L-{line}"
     return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
 
 

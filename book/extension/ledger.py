@@ -12,7 +12,7 @@
 
 import re
 from functools import cache
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import NamedTuple
 
 from docutils import nodes
@@ -137,7 +137,8 @@ def figure_pages(book: Path) -> dict[str, str]:
 def test_address(node: str) -> str:
     """The address of a test, "file.py::name", on the page of its file."""
     file, _, name = node.partition("::")
-    return f"{listing_address(PurePosixPath(file))}#L-{tests_in(stamps.ROOT / file)[name.partition('[')[0]]}"
+    path = stamps.ROOT / file
+    return f"{listing_address(path)}#L-{tests_in(path)[name.partition('[')[0]]}"
 
 
 @directive("ledger-verdicts")

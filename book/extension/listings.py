@@ -14,9 +14,9 @@
 
 import ast
 import inspect
+import re
 import shutil
-from functools import cache
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -25,40 +25,43 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.parallel import ParallelTasks, SerialTasks
 
 from book.assembly import report, stamps
+from book.assembly.contents import page_files
 from book.extension.elements import Nodes, directive, on, role
-from book.extension.theorems import certificate, proofs_of
+from book.extension.theorems import certificate, module_and_line, proofs_of
 from proofs.engine.standalone import standalone_script
 from renderer import kernels
 from verify import grade_path
 
 DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
-LISTED = (
-    *("proofs/*.py", "proofs/*/*.py", "verify/*.py", "verify/*/*.py", "verify/*/*/*.py"),
-    *("renderer/shader/shader.py", "renderer/machines/*.py", "renderer/generate/*.py", "tests/test_work.py"),
-)
+LINKED = re.compile(r"\{source-link\}`([^`]+)`")
 
 
-def listing_address(path: PurePosixPath) -> str:
+def listing_address(path: Path) -> str:
     """The address of a source's page, from the site's root, where all pages of the book stand."""
-    return f"source/{path.as_posix()}.html"
+    return f"source/{path.relative_to(stamps.ROOT).as_posix()}.html"
 
 
-@cache
-def listed() -> list[Path]:
-    return [path for pattern in LISTED for path in sorted(stamps.ROOT.glob(pattern)) if path.read_bytes()]
+def listed(app: Sphinx) -> set[Path]:
+    """The files that pages link to: by the role, as a theorem's source, as a test that the ledger cites."""
+    texts = (path.read_text(encoding="utf-8") for path in page_files(Path(app.srcdir)).values())
+    names = {name for text in texts for name in LINKED.findall(text)}
+    claims = app.chapter_ledger.claims if hasattr(app, "chapter_ledger") else ()
+    names |= {piece.name.partition("::")[0] for claim in claims for piece in claim.evidence if piece.kind == "test"}
+    return {stamps.ROOT / name for name in names} | {module_and_line(id)[0] for id in proofs_of(app).theorems}
 
 
 @on("html-collect-pages")
 def write_pages(app: Sphinx) -> tuple:
-    """Write the pages of the listed sources and of the tests that claims cite, and the downloads; nothing is left.
+    """Write the pages of the listed sources that have none yet, and the downloads; nothing is left.
 
     Sphinx would write what a handler returns in one process.
     """
-    kept = Path(app.outdir, "source").is_dir()  # they are made from no page's prose
-    if app.builder.name != "html" or kept or not hasattr(app, "chapter_proofs"):
+    if app.builder.name != "html" or not hasattr(app, "chapter_proofs"):
+        return ()
+    paths = [path for path in sorted(listed(app)) if not Path(app.outdir, listing_address(path)).is_file()]
+    if not paths:
         return ()
     write_downloads(app)
-    paths = sorted({*listed(), *cited_tests(app)})
     tasks = ParallelTasks(app.parallel) if app.parallel > 1 else SerialTasks()
     for first in range(app.parallel):
         tasks.add_task(lambda chunk: write_listings(app, chunk), paths[first :: app.parallel])
@@ -74,13 +77,6 @@ def write_listings(app: Sphinx, paths: list[Path]) -> None:
         body = f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
         context = {"title": name, "body": body, "parents": [], "html_theme_option": {}}
         app.builder.handle_page(f"source/{name}", context, "page.html")
-
-
-def cited_tests(app: Sphinx) -> set[Path]:
-    """The test files that claims of the ledger cite."""
-    claims = app.chapter_ledger.claims if hasattr(app, "chapter_ledger") else ()
-    names = {piece.name.partition("::")[0] for claim in claims for piece in claim.evidence if piece.kind == "test"}
-    return {stamps.ROOT / name for name in names}
 
 
 def write_downloads(app: Sphinx) -> None:
@@ -117,9 +113,7 @@ def trusted_lines(here: SphinxRole) -> Nodes:
 
 @role("source-link")
 def source_link(here: SphinxRole) -> Nodes:
-    if source_file(here.text) not in listed():
-        raise ValueError(f"the file {here.text} has no page")
-    target = listing_address(PurePosixPath(here.text))
+    target = listing_address(source_file(here.text))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
 
 

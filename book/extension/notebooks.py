@@ -14,13 +14,14 @@ from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
+import nbformat
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
 from book.editions.inlined import base64_address
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import PAGE, cells, notebooks, text_of
+from book.notebooks.laboratory import PAGE, cells, notebooks
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/([\w.-]+/[\w.-]+?)(?:\.git)?/?")
@@ -42,7 +43,7 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
-    match, content = GITHUB.fullmatch(config["url"]), text_of(notebooks()[name]).encode()
+    match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebooks()[name]).encode()
     link = {
         "name": name,
         "title": titles[name],
@@ -62,7 +63,7 @@ def offer_notebooks(page: Page) -> None:
         return
     out = Path(page.app.outdir)
     for name, notebook in notebooks().items():
-        stamps.write_whole(out / FOLDER / f"{name}.ipynb", text_of(notebook).encode())
+        stamps.write_whole(out / FOLDER / f"{name}.ipynb", nbformat.writes(notebook).encode())
     lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
     stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
     stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())

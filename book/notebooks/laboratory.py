@@ -1,11 +1,11 @@
 """The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together."""
 
-import json
 import re
 from dataclasses import dataclass
 from functools import cache
 
 from myst_nb.core.read import read_myst_markdown_notebook
+from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from pybtex.database import parse_file
 
@@ -107,15 +107,15 @@ ABOUT = (
 )
 
 
-def _notebook(title: str, body: list[dict]) -> dict:
+def _notebook(title: str, body: list[dict]) -> NotebookNode:
     top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=version())}")
-    every = [cell | {"id": f"cell-{number}"} for number, cell in enumerate([top, *body])]
+    every = [NotebookNode(cell, id=f"cell-{number}") for number, cell in enumerate([top, *body])]
     return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
 
 
-def notebooks() -> dict[str, dict]:
+def notebooks() -> dict[str, NotebookNode]:
     """Return {name: notebook}, one of each cell and one of all."""
-    alone: dict[str, dict] = {}
+    alone: dict[str, NotebookNode] = {}
     everything: list[dict] = []
     for cell in cells():
         title = f"Cell {cell.number}. {cell.title}"
@@ -124,8 +124,3 @@ def notebooks() -> dict[str, dict]:
         alone[cell.name] = _notebook(title, body)
         everything += [new_markdown_cell(f"## {title}"), *body]
     return alone | {WHOLE: _notebook("The laboratory", everything)}
-
-
-def text_of(notebook: dict) -> str:
-    """Return a notebook as the text of its file: the same in every build."""
-    return json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n"

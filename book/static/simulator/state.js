@@ -3,23 +3,24 @@
 
 /** @param {HTMLElement} root @param {SimulatorData} data */
 function simulator_states(root, { fields, models, scene }) {
-  const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d{1,3})?$/i;
+  const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
 
   /** The number in a text as code has it, or as print has: 1e-8, 1.2e−8, 10⁻⁸, 3 · 10⁻⁴, 2^-20, 1/8; NaN in others. @param {string} text */
   function number_in(text) {
     const in_code = text
-      .replace(/(?<![⁻⁰¹²³⁴-⁹])(?=[⁻⁰¹²³⁴-⁹])/g, "^")
-      .replace(/[⁻⁰¹²³⁴-⁹]/g, (digit) => "-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(digit)])
+      .replace(/[⁻⁰¹²³⁴-⁹]+/g, "^$&")
+      .normalize("NFKC") // raised digits as digits
       .replaceAll("−", "-")
       .replace(/ *[·×*] *10\^/, "e")
       .replace(/^ *10\^/, "1e")
       .trim();
-    const [a, n = "1", b = "1", m = "1"] = /^([^/^]+)(?:\^([^/^]+))?(?:\/([^/^]+)(?:\^([^/^]+))?)?$/
-      .exec(in_code)
-      ?.slice(1) ?? [""];
-    return [a, n, b, m].every((part) => DECIMAL.test(part)) ? Number(a) ** Number(n) / Number(b) ** Number(m) + 0 : NaN;
+    const [top, bottom = 1, ...more] = in_code.split("/").map((part) => {
+      const [base, exponent = 1, ...rest] = part.split("^").map((text) => (DECIMAL.test(text) ? Number(text) : NaN));
+      return rest.length || Number.isNaN(base) ? NaN : base ** exponent;
+    });
+    return more.length ? NaN : top / bottom + 0;
   }
 
   /** @param {number} low @param {number} high @param {number} start @returns {Parameter} */
