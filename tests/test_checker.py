@@ -1,21 +1,17 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement.
 
-That its kernel accepts and rejects what the others do, `verify/checkers/test_checkers.py` asks of all of them.
+That its kernel accepts and rejects what Python's does, `verify/test_theorems.py` asks.
 """
 
-import json
 import re
 
 import pytest
 
 from book.extension.theorems import placements
-from proofs.check import consistency
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
 from tests.test_browser import violations
-from verify.checkers.breakages import stored
-from verify.checkers.kernels import JAVASCRIPT
-from verify.checkers.known_bad import UNSOUND, derivation
+from verify.checkers.second_checker import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Read or change the statement", "Check all"
@@ -38,7 +34,6 @@ COMPLAINTS = {
     "cos_theta^99": "an exponent is a whole number",
     "(1 - 1)": "cannot be read",
 }
-ASK = "(text) => { const { check } = certificate_kernel(); return JSON.parse(text).map((pair) => check(...pair)) }"
 STORED = stored()
 CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", all_theorems())
@@ -190,29 +185,3 @@ def test_the_editor_fits_a_phone_and_a_finger(visit):
     small = """parts => parts.filter(e => e.offsetWidth).map(e => [e.outerHTML.slice(0, 80), e.getBoundingClientRect()])
         .filter(([_, box]) => box.height < 44 || box.width < 44).map(([html]) => html)"""
     assert tab.locator(".checker :is(button, input, select, summary)").evaluate_all(small) == []
-
-
-# The kernel alone: points at which it accepts, and what it says of what it rejects
-
-
-@pytest.fixture(scope="module")
-def javascript(browser):
-    """The kernel in an empty tab, as a function: pairs → what it says of each."""
-    with browser.new_page() as tab:
-        tab.add_script_tag(path=JAVASCRIPT)
-        yield lambda pairs: tab.evaluate(ASK, json.dumps(pairs))
-
-
-def test_the_hypotheses_of_every_stored_statement_hold_at_its_point(javascript):
-    """That each certificate is accepted, the page of all claims says."""
-    entries = {name: entry for name, entry in STORED.items() if entry["point"] is not None}
-    pairs = [(consistency(entry["statement"]), {"point": entry["point"]}) for entry in entries.values()]
-    assert len(pairs) > 180
-    for name, answer in zip(entries, javascript(pairs), strict=True):
-        assert answer["accepted"] and answer["work"]["identities"] > 0, name
-
-
-def test_unsound_or_malformed_steps_are_rejected_in_words(javascript):
-    pairs = [(derivation(*steps), {"proofs": [proof] * len(steps)}) for steps, proof, _ in UNSOUND]
-    for (*_, reason), answer in zip(UNSOUND, javascript(pairs), strict=True):
-        assert not answer["accepted"] and reason in answer["reason"]

@@ -23,10 +23,10 @@ EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draw
 def counterexample(mutant: Mutant, seed: str, theorems: Theorems, refused: Callable) -> dict[str, Any] | None:
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
-    exact: at the point, a rational one, both checkers accept that the claim is refuted. certified: intervals show that
+    exact: at the point, a rational one, the kernel accepts that the claim is refuted. certified: intervals show that
     it fails at a point with these digits. An Induction is refuted as what it says of one number.
 
-    refused(statement, certificate): None if both checkers accept the pair.
+    refused(statement, certificate): None if the kernel accepts the pair.
     """
     if isinstance(mutant.claim, Separation):
         path = path_to_avoided(mutant.claim)
@@ -64,7 +64,7 @@ def _where_it_fails(claim, at, seed, theorems, refused):
 def exact_counterexample(
     claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
 ) -> dict[str, str] | None:
-    """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
+    """Return a rational point, {name: text}, near one of the failures, that the kernel accepts, or None."""
     try:
         said = each_shown(claim, theorems)
     except Untranslatable:
