@@ -10,6 +10,8 @@ from pathlib import Path
 from proofs.check import FOLDER
 
 SCRIPT = Path(__file__).parents[2] / "book" / "static" / "checker" / "kernel.js"
+if not SCRIPT.is_file():
+    SCRIPT = Path(__file__).with_name("kernel.js")  # where the wheel has it
 ASK = """
 const { check } = certificate_kernel();
 const lines = require("fs").readFileSync(0, "utf8").split("\\n").filter(Boolean);

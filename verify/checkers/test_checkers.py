@@ -17,7 +17,6 @@ from verify.checkers.known_bad import GOOD, UNSOUND, assume, derivation, pair_of
 from verify.checkers.second_checker import compact
 from verify.sources import ROOT
 
-
 HIDDEN = """import sys; sys.modules["playwright"] = None; sys.path.insert(0, sys.argv[1])
 import pytest; sys.exit(pytest.main(sys.argv[2:]))"""
 
