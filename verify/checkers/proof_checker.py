@@ -187,7 +187,7 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
         wrong.append(f"these say the same: {', '.join(alike)}")
     if not refused:
         wrong.append(f"mutant accepted: {mutant.text}")
-    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
+    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems)
     if point is None:
         wrong.append(f"mutant without a counterexample: {mutant.text}")
     elif not point["exact"] and flint and not point["certified"]:

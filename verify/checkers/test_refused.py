@@ -40,6 +40,10 @@ with evaluate(False):
     INFINITE, UNORDERED, NONE_AT_0 = x * (1 / S.Zero), cos(Max(x, 1 / S.Zero)), x ** (y / y)
 
 
+THEOREMS = {"unit_length": all_theorems()["unit_length"]}
+LENT = next(claim for claim in THEOREMS["unit_length"].claims if claim.given)
+
+
 def of_symbols():
     """Yield (a claim, why it has no statement): a symbol is real, nothing more, and has a name of its own."""
     for hidden in (Symbol("q", **{assumption: True}) for assumption in HIDDEN):
@@ -128,14 +132,14 @@ def of_states():
         ("what is given", {"given": greater(cos(n * y), 0)}),
     ):
         yield state.but(**changes), why
-    for id in ("nowhere", "unit_length"):
-        yield (
-            Claim("borrower", greater(1, x), borrowed=((id, "nothing"),)),
-            f"it borrows from {id}/nothing, which is no",
-        )
+    for id, name, why in (
+        ("nowhere", "length", "it borrows from nowhere/length, which is no claim"),
+        ("unit_length", "nothing", "it borrows from unit_length/nothing, which is no claim"),
+        ("unit_length", LENT.name, "not all given"),
+    ):
+        yield Claim("borrower", greater(1, x), borrowed=((id, name),)), why
 
 
-THEOREMS = {"unit_length": all_theorems()["unit_length"]}
 REFUSED = [*of_symbols(), *((Claim("value", shown), why) for shown, why in of_values()), *of_states()]
 
 
