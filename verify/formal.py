@@ -110,7 +110,7 @@ def statements(*wanted: str) -> Statements:
     named: Statements = {}
     for file, text in (item for layer in layers(*wanted) for item in layer.items()):
         matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if file not in PRINTED else ()))
-        proved = dict(match.groups() for match in matches)
+        proved = {match[1]: match[2] for match in matches}
         for name, claim in proved.items():
             if name != claim:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")

@@ -151,7 +151,7 @@ class Induction(Parts):
             lines += [{states[symbol]: sympify(following).xreplace(now) for symbol, _, following in self.states}]
         now = states | {self.n: Integer(number)}
         shows = [equation(*(side.xreplace(now) for side in shown.args)) for shown in self.shows]
-        return Claim(self.name, shows, self.given, chain("states", *lines) if lines else None, ranges=self.ranges)
+        return Claim(self.name, shows, self.given, chain("states", *lines) if any(lines) else None, ranges=self.ranges)
 
 
 @dataclass(frozen=True)

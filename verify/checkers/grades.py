@@ -17,8 +17,8 @@ NOT_RECHECKED = "not re-checked"  # here: a library is not installed
 EXACT = ("proved", "by definition")  # every claim has a certificate, and the claims are all of the words
 CERTIFIED = (*EXACT, "refuted", "argued", "certified", "cited")
 STANDING = (*CERTIFIED, "measured")
-ENOUGH = dict.fromkeys(EXACT, EXACT) | dict.fromkeys(("argued", "refuted"), (*EXACT, "argued"))
-ENOUGH |= {"certified": CERTIFIED}
+ENOUGH: dict[str, tuple[str, ...]] = dict.fromkeys(EXACT, EXACT)
+ENOUGH |= {"argued": (*EXACT, "argued"), "refuted": (*EXACT, "argued"), "certified": CERTIFIED}
 """{grade: those that it may rest on}, of others any that is STANDING"""
 
 

@@ -30,8 +30,8 @@ console.log(JSON.stringify(answers));
 def node() -> str | None:
     """Return the path of Node: that on the PATH, else playwright's, else None."""
     playwright = find_spec("playwright")
-    driver = Path(playwright.origin).with_name("driver") if playwright and playwright.origin else None
-    return shutil.which("node") or (driver and shutil.which("node", path=driver))
+    driver = Path(playwright.origin).with_name("driver") if playwright and playwright.origin else ""
+    return shutil.which("node") or shutil.which("node", path=driver)
 
 
 def compact(pair: Sequence) -> str:

@@ -37,10 +37,14 @@ def test_a_run_without_node_and_balls_says_what_it_left_out(tmp_path):
 
 
 @pytest.mark.skipif(second_checker.node() is None, reason="needs Node")
-def test_the_second_checker_refuses_what_is_unsound_in_words():
-    """That it refuses all that the kernel refuses, each run of the theorems asks."""
+def test_the_second_checker_refuses_what_is_unsound_in_words(tmp_path, monkeypatch):
+    """That it refuses all that the kernel refuses, each run of the theorems asks, and tells a weakened one."""
     reasons = second_checker.reasons_of([compact(pair_of(steps, proof)) for steps, proof, _ in UNSOUND])
     assert all(words in reason for (*_, words), reason in zip(UNSOUND, reasons, strict=True)), reasons
+    weak, strong = tmp_path / "kernel.js", second_checker.SCRIPT.read_text("utf-8")
+    weak.write_text(strong.replace('insist(c[0] >= 0n, "a square has a negative weight");', ""), "utf-8")
+    monkeypatch.setattr(second_checker, "SCRIPT", weak)
+    assert wrong_verdicts(second_checker.reasons_of)
 
 
 WEAKENED = [
