@@ -1,6 +1,6 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims, the changed statement.
 
-That its kernel accepts and rejects what the others do, `verify/checkers/test_checkers.py` asks of all of them.
+That its kernel accepts and rejects what Python's does, `verify/test_theorems.py` asks.
 """
 
 import re
@@ -11,7 +11,7 @@ from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.tabs import PHONE
 from tests.test_browser import violations
-from verify.checkers.breakages import stored
+from verify.checkers.second_checker import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Read or change the statement", "Check all"

@@ -3,7 +3,10 @@
 import re
 from pathlib import Path
 
-from verify import grade_path
+import pytest
+
+from verify import conftest, grade_path
+from verify.checkers import theorem_files
 from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
 from verify.sources import ROOT, is_test
 
@@ -14,7 +17,7 @@ ASKS_COQ = {f"verify/{name}.py" for name in ("formal", "sources", "survey", "ver
 
 def test_the_page_names_every_module_that_a_grade_passes_through():
     """The engine's and the checkers' modules, packages left out."""
-    found = {path for path in grade_path.modules(ROOT) if path.startswith(("proofs/", "verify/"))} - ASKS_COQ
+    found = {path for path in grade_path.modules() if path.startswith(("proofs/", "verify/"))} - ASKS_COQ
     rows = re.findall(r"^\| \{source-link\}`([^`]+)` \|", PAGE.read_text("utf-8"), re.MULTILINE)
     assert len(rows) == len(set(rows))
     assert set(rows) == {path for path in found if not path.endswith("__init__.py")} | BESIDE
@@ -32,3 +35,10 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         assert {"verify/test_theorems.py"} <= tests if name == "edited_formulas" else not tests
     assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= code_of("simulator").keys()
     assert "renderer/command_line/verbs.py" in code_of("frames")
+
+
+def test_a_program_among_the_theorems_is_never_run(monkeypatch, tmp_path, pytestconfig):
+    (tmp_path / "evil.py").write_text("raise SystemExit")
+    monkeypatch.setattr(theorem_files, "FOLDER", tmp_path)
+    with pytest.raises(pytest.UsageError, match=r"data: evil.py, line 1: names SystemExit"):
+        conftest.pytest_configure(pytestconfig)

@@ -16,9 +16,9 @@ from verify.sources import ROOT
 REPORT = ROOT / "book" / "_generated" / "proofs.json"
 EVIDENCE = []
 TOOK = {}
-COQ = set()
+AGREED = set()
 """In the process that controls the workers: the evidence that tests' reports carry, {theorem: how long it took}, and
-whether Coq agreed with its record in this run"""
+who agreed in this run: Coq with its record, the second checker with the kernel"""
 
 
 def pytest_addoption(parser):
@@ -68,7 +68,7 @@ def pytest_collection_modifyitems(config, items):
         wanted = set(ids)
         for theorem in reversed(theorems.values()):  # each stands after those that it uses
             wanted |= {*theorem.uses} if theorem.id in wanted else set()
-        kept = [i for i in items if getattr(i, "callspec", None) and i.callspec.params.get("theorem_id") in wanted]
+        kept = [i for i in items if not hasattr(i, "callspec") or i.callspec.params.get("theorem_id") in wanted]
         config.hook.pytest_deselected(items=[i for i in items if i not in kept])
         items[:] = kept
     if not config.getoption("--long"):
@@ -94,8 +94,8 @@ def record_evidence(record_property):
 
 def pytest_runtest_logreport(report):
     properties = dict(report.user_properties)
-    if report.passed and "coq" in properties:
-        COQ.add(properties["coq"])
+    if report.passed and "agreed" in properties:
+        AGREED.add(properties["agreed"])
     if report.when == "call" and "evidence" in properties:
         EVIDENCE.append(json.loads(properties["evidence"]))
         TOOK[EVIDENCE[-1]["id"]] = properties["took"]
@@ -103,7 +103,7 @@ def pytest_runtest_logreport(report):
 
 def _results():
     """Return the entries of the report in order of the ids."""
-    return graded(EVIDENCE, formal.proved(all_theorems().values()) if COQ else ())
+    return graded(EVIDENCE, formal.proved(all_theorems().values()) if "Coq" in AGREED else ())
 
 
 def pytest_sessionfinish(session, exitstatus):
@@ -116,7 +116,7 @@ def pytest_sessionfinish(session, exitstatus):
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     if (ROOT / "book").is_dir() and {entry["id"] for entry in entries} == all_theorems().keys():
-        asked = {"the second checker": not any("second_checker" in e for e in entries), "Coq": formal.accepted_here()}
+        asked = {"the second checker": "the second checker" in AGREED, "Coq": formal.accepted_here()}
         report = {"version": 1, "summary": summary(entries), "theorems": entries, "asked": asked}
         write_whole(REPORT, (json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode())
 
@@ -136,11 +136,9 @@ def pytest_terminal_summary(terminalreporter):
 
 
 def _tell_what_was_left_out(terminalreporter):
-    """List which evidence was not re-checked for want of a library: files of tests, theorems, the second checker."""
+    """List which evidence was not re-checked for want of a program or library: files of tests, theorems, a checker."""
     skipped = [(report.nodeid, str(report.longrepr[2])) for report in terminalreporter.stats.get("skipped", ())]
     lines = sorted({f"{where}: {why.removeprefix('Skipped: ')}" for where, why in skipped if "needs " in why})
-    if any("second_checker" in entry for entry in EVIDENCE):
-        lines.insert(0, "certificates: the second checker was not run; it needs python-flint")
     if lines:
         terminalreporter.section("not re-checked here")
         for line in lines:

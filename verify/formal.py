@@ -2,9 +2,8 @@
 
 What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
 of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of
-its claims are proved so. `Theorem x : Mutants.x.` likewise refutes a variant of a claim. Other theorems, ID__NAME, are
-additions of the book's theorem ID: ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false
-refutes a false variant.
+its claims are proved so. Other theorems, ID__NAME, are additions of the book's theorem ID: ID__NAME__point gives
+values at which its hypotheses hold, and ID__NAME__false refutes a false variant.
 """
 
 import argparse
@@ -32,13 +31,13 @@ FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
-PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : (Statements|Mutants)\.(\w+)")
+PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 BESIDE = ("__point", "__false")
 """The ends of the names of additions that say nothing of a theorem."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-PRINTED = ("Formulas", "Float64", "Statements", "Mutants")
+PRINTED = ("Formulas", "Float64", "Statements")
 TRUSTED = {
     "Preliminaries": "6ba3087e69e19935cb22885051d7654f04f788aab605ccf2bd86fec01dddddfa",
     "Float": "ad16b6801944a37aeb4450671311e8f0b6b3b26f48d768fd82a7d0fb026a6d50",
@@ -111,12 +110,11 @@ def statements(*wanted: str) -> Statements:
     named: Statements = {}
     for file, text in (item for layer in layers(*wanted) for item in layer.items()):
         matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if file not in PRINTED else ()))
-        proved = {name: (printed, claim) for name, printed, claim in (match.groups() for match in matches)}
-        for name, (printed, claim) in proved.items():
+        proved = {match[1]: match[2] for match in matches}
+        for name, claim in proved.items():
             if name != claim:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")
-            said = named.setdefault(name.partition("__")[0], Said())
-            (said.claims if printed == "Statements" else said.mutants)[name] = file
+            named.setdefault(name.partition("__")[0], Said()).claims[name] = file
         for name, theorem in STATEMENT.findall(text):
             if name not in proved:
                 named.setdefault(theorem, Said()).additions.append(name)
@@ -136,8 +134,8 @@ def whole(theorem: Theorem, accepted: dict | None) -> bool:
 def record() -> dict:
     """Return what Coq accepted, {} if that is stale.
 
-    {theorem: {"claims": [those that are proved as they are printed], "mutants": [likewise], "statements": {addition:
-    text}, "axioms": [name, …]}}.
+    {theorem: {"claims": [those that are proved as they are printed], "statements": {addition: text}, "axioms":
+    [name, …]}}.
     """
     if not RECORD.is_file():
         return {}
@@ -200,7 +198,7 @@ def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -
     names = {name for text in by_hand.values() for name in vernacular.named(text)}
     required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
     required += [f"From Formal Require Import {name}." for name in GIVEN.intersection(texts)]
-    proved = {name for each in named.values() for name in (*each.claims, *each.mutants)}
+    proved = {name for each in named.values() for name in each.claims}
     names_asked = survey.names_asked(names - proved, required)
     asks = {"Names": names_asked, **survey.survey(named, asked, [*texts])}
     with tempfile.TemporaryDirectory() as name:
@@ -250,7 +248,7 @@ def main() -> None:
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"
-        counts = "  ".join(f"{len(entry[of]):2} {of}" for of in ("claims", "mutants", "statements"))
+        counts = "  ".join(f"{len(entry[of]):2} {of}" for of in ("claims", "statements"))
         print(f"{theorem:32} {counts}   {rests}")
 
 

@@ -8,7 +8,7 @@ except ImportError:
         """The name of a ball's type, where there are no balls."""
 
 
-LIBRARIES = {"flint": "python-flint"} | {name: name for name in ("hypothesis", "jsonschema", "llvmlite", "tqdm")}
+LIBRARIES = {"flint": "python-flint"} | {name: name for name in ("hypothesis", "llvmlite", "tqdm")}
 """{module: the distribution that has it}"""
 
 

@@ -27,12 +27,11 @@ class NotAccepted(ValueError):
 class Said:
     """What is written by hand of a theorem.
 
-    claims, mutants: {its printed name: the file that proves it}. additions: the names of other statements.
+    claims: {its printed name: the file that proves it}. additions: the names of other statements.
     """
 
     claims: dict[str, str] = field(default_factory=dict)
     additions: list[str] = field(default_factory=list)
-    mutants: dict[str, str] = field(default_factory=dict)
 
 
 Statements = dict[str, Said]
@@ -56,9 +55,8 @@ def survey(named: Statements, asked: list[list[str]], order: list[str]) -> dict[
     lines += [f"From Formal Require Import {' '.join(order)}.", "Set Printing Width 72."]
     checks = []
     for said in named.values():
-        for printed, proved in (("Statements", said.claims), ("Mutants", said.mutants)):
-            for name, file in proved.items():
-                lines += [f"Definition proved_{name} : Formal.{printed}.{name} := Formal.{file}.{name}."]
+        for name, file in said.claims.items():
+            lines += [f"Definition proved_{name} : Formal.Statements.{name} := Formal.{file}.{name}."]
         checks += [*(f"Check {name}." for name in said.additions), "Check I."]
     half = len(asked) // 2
     parts = {"Survey": [*checks, *_axioms_asked(named, asked[:half])], "Axioms": _axioms_asked(named, asked[half:])}
@@ -69,7 +67,7 @@ def _axioms_asked(named: Statements, asked: list[list[str]]) -> list[str]:
     lines = []
     for group in asked:
         names = [name for theorem in group for name in named[theorem].additions]
-        names += [f"proved_{name}" for theorem in group for name in (*named[theorem].claims, *named[theorem].mutants)]
+        names += [f"proved_{name}" for theorem in group for name in named[theorem].claims]
         lines += [f"Definition all_of_{group[0]} := ({', '.join(names)}, I)."]
         lines += [f"Print Assumptions all_of_{group[0]}.", "Check I."]
     return lines
@@ -91,7 +89,7 @@ def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
         if pieces[1::2] != list(said.additions) or pieces[0].strip():
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        table[theorem] = {"claims": list(said.claims), "mutants": list(said.mutants), "statements": texts}
+        table[theorem] = {"claims": list(said.claims), "statements": texts}
     for group, listed in zip(asked, parts[len(named) :], strict=True):
         for theorem in group:
             table[theorem]["axioms"] = _axioms(", ".join(group), listed)

@@ -15,7 +15,7 @@ from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
 from renderer.generate import statements as printing
-from renderer.generate.statements import mutants, proposition
+from renderer.generate.statements import proposition
 from renderer.whole_files import write_whole
 from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
@@ -40,13 +40,12 @@ def written(tmp_path, monkeypatch):
 
 
 def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
-    """Each addition, and each bound, has a false variant that is refuted; but not what a refuted theorem adds."""
+    """Each addition has a false variant that is refuted; but not what a refuted theorem adds."""
     theorems, named = all_theorems(), formal.statements()
     assert formal.PARTLY.keys() <= named.keys()
     for id, found in named.items():
         said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
         assert theorems[id].expected == "refuted" or {f"{name}__false" for name in said} <= {*found.additions}, id
-        assert {name for name in mutants(theorems[id]) if "nearer" in name} <= found.mutants.keys(), id
     for id, accepted in formal.record().items():
         assert formal.whole(theorems[id], accepted) != (id in formal.PARTLY), id
     for theorem in (theorems["normal_limits"], theorems["gradient_accuracy"]):
@@ -73,7 +72,7 @@ def test_coq_accepts_what_the_record_says(request, record_property):
         said = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
         assert said == formal.compile_files(said=None if alone else said)
         write_whole(formal.KEPT, formal.seen().encode())
-        record_property("coq", "agreed")
+        record_property("agreed", "Coq")
     assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
 
 
@@ -182,21 +181,14 @@ Open Scope R_scope.
 Definition unit_length__true : Prop := forall x : R, sin x = sin x + 0.
 Definition unit_length__false : Prop := forall x : R, sin x = 0.
 """
-MUTANTS = """From Coq Require Import Reals.
-Open Scope R_scope.
-Definition unit_length__1__false : Prop := ~ forall x : R, x = 0.
-"""
 BY_HAND = """From Coq Require Import Reals Lra.
 From Formal Require Statements.
-From Formal Require Mutants.
 Open Scope R_scope.
 Theorem unit_length__true : Statements.unit_length__true.
 Proof. intro x. lra. Qed.
 """
-VARIANT = """Theorem unit_length__words : True.
+WORDS = """Theorem unit_length__words : True.
 Proof. trivial. Qed.
-Theorem unit_length__1__false : Mutants.unit_length__1__false.
-Proof. intro f. generalize (f 1). lra. Qed.
 """
 IN_WORDS = """Theorem unit_length__false : True.
 Proof. trivial. Qed.
@@ -209,9 +201,9 @@ Proof. intro x. unfold sin. reflexivity. Qed.
 
 @needs_coq
 def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(written):
-    written(Statements=CLAIMS, Mutants=MUTANTS, One=BY_HAND + VARIANT)
+    written(Statements=CLAIMS, One=BY_HAND + WORDS)
     accepted = formal.compile_files()["unit_length"]
-    assert accepted["claims"] == ["unit_length__true"] and accepted["mutants"] == ["unit_length__1__false"]
+    assert accepted["claims"] == ["unit_length__true"]
     assert accepted["statements"] == {"unit_length__words": "True"}
     assert accepted["axioms"] and {*accepted["axioms"]} <= survey.AXIOMS.keys()
     sine, _ = OF_ANOTHER_SINE.split("\n", 1)
@@ -244,8 +236,8 @@ def test_a_record_that_coq_did_not_write_here_is_told_by_its_day_and_raises_no_g
     assert len(proved := formal.proved(theorems)) > 40 and not proved & formal.PARTLY.keys()
     cited = {"id": "truncation_bound", "grade": "proved", "uses": [], "cited_lemmas": [{"source": "DLMF"}]}
     monkeypatch.setattr(conftest, "EVIDENCE", [cited])
-    for agreed, line in ((set(), "proved, given DLMF"), ({"agreed"}, "proved")):
-        monkeypatch.setattr(conftest, "COQ", agreed)
+    for agreed, line in ((set(), "proved, given DLMF"), ({"Coq"}, "proved")):
+        monkeypatch.setattr(conftest, "AGREED", agreed)
         assert [entry["grade_line"] for entry in conftest._results()] == [line]
     record.write_bytes(record.read_bytes() + b" ")
     assert formal.record() and not formal.accepted_here()

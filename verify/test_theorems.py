@@ -2,18 +2,35 @@
 
 import pytest
 
+from proofs.check import consistency
 from proofs.engine.theorem import all_theorems
-from verify.checkers import measured, proof_checker
+from verify.checkers import measured, proof_checker, second_checker
 from verify.checkers.grades import NOT_RECHECKED
-from verify.checkers.known_bad import wrong_verdicts
+from verify.checkers.known_bad import reasons_of, wrong_verdicts
 
 THEOREMS = all_theorems()
 
 
 @pytest.fixture(scope="session", autouse=True)
-def _checkers_that_refuse_what_is_false():
+def _kernel_that_refuses_what_is_false():
     """Before anything is graded: known-bad certificates are refused."""
-    assert wrong_verdicts(proof_checker.CHECKERS) == []
+    assert wrong_verdicts(reasons_of) == []
+
+
+def test_the_second_checker_agrees(record_property, pytestconfig):
+    """It accepts every certificate, and the points at which hypotheses hold, and refuses what is known to be bad."""
+    if not second_checker.node():
+        pytest.skip("the second checker was not run: it needs Node, on the PATH or playwright's")
+    ids, pairs = pytestconfig.getoption("theorem") or THEOREMS, {}
+    for name, entry in second_checker.stored().items():
+        if name.partition("/")[0] in ids:
+            pairs[name] = entry["statement"], entry["certificate"]
+            if entry["point"] is not None:
+                pairs[f"{name} at its point"] = consistency(entry["statement"]), {"point": entry["point"]}
+    reasons = second_checker.reasons_of([*map(second_checker.compact, pairs.values())])
+    assert {name: why for name, why in zip(pairs, reasons, strict=True) if why} == {}
+    assert wrong_verdicts(second_checker.reasons_of) == []
+    record_property("agreed", "the second checker")
 
 
 @pytest.mark.parametrize("theorem_id", THEOREMS)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from book.assembly import stamps
 from verify import formal
+from verify.checkers import second_checker
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
 
@@ -21,7 +22,8 @@ def packages() -> list[Path]:
 
 
 def reported_hashes() -> dict[str, str]:
-    return stamps.hashes([*packages(), stamps.LOCK_FILE, stamps.ROOT / "book" / "references.bib"])
+    bibliography = stamps.ROOT / "book" / "references.bib"
+    return stamps.hashes([*packages(), stamps.LOCK_FILE, bibliography, second_checker.SCRIPT])
 
 
 def _stamp(sources):

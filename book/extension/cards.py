@@ -67,7 +67,6 @@ def beside(formally: dict) -> tuple[dict[str, str], int, int]:
     """Of what Coq says beside a theorem's claims: the additions, how many points, and how many false variants."""
     statements = formally["statements"]
     points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
-    false += len(formally["mutants"])
     return {n: text for n, text in statements.items() if not n.endswith(formal.BESIDE)}, points, false
 
 

@@ -42,7 +42,7 @@ proves p = 0, for the k-th p of `show`, with `start` put in for the state, from 
 to be avoided.
 
 No key more or less, no proof left over, no text that is not JSON as `json.dumps(…, indent=1, ensure_ascii=False)`
-writes it: proofs/certificates.schema.json has the grammar.
+writes it.
 """
 
 import argparse

@@ -6,7 +6,7 @@ from typing import Any, Self
 from sympy import Basic, Integer, Rational, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
-from proofs.engine.program import Program, Some, evaluated, flat, pairs
+from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
@@ -142,14 +142,16 @@ class Induction(Parts):
     ranges: Any = ()
 
     def of(self, number: int) -> Claim:
-        """Return what is claimed of one number: the states that are reached from the start, put in."""
+        """Return what is claimed of one number: of the states that its lines reach from the start."""
         states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
+        lines = []
         for before in range(number):
             now = states | {self.n: Integer(before)}
-            states = {symbol: sympify(following).xreplace(now) for symbol, _, following in self.states}
+            states = {symbol: Symbol(f"{symbol}_{before + 1}", real=True) for symbol in states}
+            lines += [{states[symbol]: sympify(following).xreplace(now) for symbol, _, following in self.states}]
         now = states | {self.n: Integer(number)}
         shows = [equation(*(side.xreplace(now) for side in shown.args)) for shown in self.shows]
-        return Claim(self.name, shows, self.given, ranges=self.ranges)
+        return Claim(self.name, shows, self.given, chain("states", *lines) if any(lines) else None, ranges=self.ranges)
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,8 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
     except RecursionError:
         raise Untranslatable(f"{claim.name}: it is nested too deeply") from None
     except Exception as why:  # too large, nothing that can be compared; or not borrowed
-        raise Untranslatable(f"{claim.name}: no rule translates it: {why!r}") from None
+        words = "; ".join(map(str, why.args)) or "SymPy gives no reason"
+        raise Untranslatable(f"{claim.name}: no rule translates it: {words}") from None
 
 
 def _statements(claim, theorems):

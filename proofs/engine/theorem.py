@@ -228,7 +228,10 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     """
     added: tuple = ()
     for id, name in claim.borrowed:
-        other = theorems[id].claim(name)
+        others = theorems[id].claims if id in theorems else ()
+        other = next((other for other in others if other.name == name), None)
+        if other is None:
+            raise ValueError(f"it borrows from {id}/{name}, which is no claim")
         if not isinstance(other, Claim) or not _supplies(other, claim, set(claim.given)):
             raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
         added += other.shows

@@ -7,7 +7,7 @@ from pathlib import Path
 from renderer.generate.coq import formulas_source
 from renderer.generate.float64 import float64_source
 from renderer.generate.kernels import kernels_source
-from renderer.generate.statements import mutants_source, statements_source
+from renderer.generate.statements import statements_source
 from renderer.whole_files import write_whole
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,7 +17,6 @@ PRINTED = {
     FORMAL / "Formulas.v": formulas_source,
     FORMAL / "Float64.v": float64_source,
     FORMAL / "Statements.v": statements_source,
-    FORMAL / "Mutants.v": mutants_source,
 }
 """{file: what returns its text}"""
 

@@ -1,7 +1,5 @@
 """The text of `proofs/formal/Statements.v`: every claim of every theorem as a proposition for Coq to prove.
 
-That of `Mutants.v` likewise: of every false variant its negation, of a refuted theorem's true variants themselves.
-
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
 Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such
@@ -13,7 +11,6 @@ alone.
 """
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from sympy import Abs, And, Basic, Derivative, Max, Min, Or, Piecewise, Pow, Symbol, false, floor, sign, sympify, true
 from sympy.core.relational import Relational
@@ -24,7 +21,7 @@ from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.coq import CoqPrinter
 
 HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
-   Each definition is one {}: what is written by hand proves it, and is compiled afterwards. *)
+   Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
 
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
@@ -196,7 +193,6 @@ def rounded_proposition(claim: Rounded) -> str:
     return _implication([_forall(names, "R")], given, shown)
 
 
-NEARER = 128
 SLACK = "(1 + 1 / 2 ^ 49)"
 """By what part of itself a count of roundings is too small after one more operation, as `renderer.machines` says."""
 
@@ -229,58 +225,23 @@ def proposition(claim: AnyClaim, refuted: bool = False) -> str | None:
     return claim_proposition(claim, refuted) if isinstance(claim, Claim) else None
 
 
-def _printed(claims):
-    """Return {name: proposition} of {name: (claim, whether it is refuted)}, of those that are printed."""
-    texts = {name: proposition(*said) for name, said in claims.items()}
-    return {name: text for name, text in texts.items() if text is not None}
-
-
 def statements(theorem: Theorem) -> dict[str, str]:
     """Return {name: proposition} of the claims of a theorem that are printed."""
     refuted = theorem.expected == "refuted"
-    printed = _printed({f"{theorem.id}__{claim.name}": (claim, refuted) for claim in theorem.claims})
+    texts = {f"{theorem.id}__{claim.name}": proposition(claim, refuted) for claim in theorem.claims}
+    printed = {name: text for name, text in texts.items() if text is not None}
     for claim in theorem.rounded:
         text = rounded_proposition(claim) if isinstance(claim, Rounded) else enclosing_proposition(claim)
         printed[f"{theorem.id}__{claim.name}"] = text
     return printed
 
 
-def mutants(theorem: Theorem) -> dict[str, str]:
-    """Return {name: proposition} of the variants: that they are false, or, of a refuted theorem's, that they are true.
-
-    They are named by their claim and their number: ID__CLAIM_2__false says that the theorem's second variant is false.
-    A true one that is a claim of another theorem is among the statements. Of what is Rounded, ID__CLAIM_nearer__false
-    says that a bound NEARER times as small is none.
-    """
-    refuted = theorem.expected != "refuted"
-    end = "false" if refuted else "true"
-    stated = [claim for other in all_theorems().values() for claim in other.claims if not refuted]
-    numbered = enumerate((mutant.claim for mutant in theorem.mutants), start=1)
-    new = [(n, claim) for n, claim in numbered if claim not in stated]
-    texts = _printed({f"{theorem.id}__{claim.name}_{n}__{end}": (claim, refuted) for n, claim in new})
-    for claim in (claim for claim in theorem.rounded if isinstance(claim, Rounded)):
-        bounds = [(output, bound / NEARER) for output, bound in claim.bounds]
-        if any(bound for _, bound in bounds):
-            text = rounded_proposition(replace(claim, bounds=bounds))
-            texts[f"{theorem.id}__{claim.name}_nearer__false"] = f"~ (\n  {text})"
-    return texts
-
-
-def _source(what, propositions):
+def statements_source() -> str:
+    """Return the text of proofs/formal/Statements.v."""
     texts: dict[str, str] = {}
     for theorem in all_theorems().values():
-        printed = propositions(theorem)
+        printed = statements(theorem)
         if "__" in theorem.id or not all(name.isidentifier() and name not in texts for name in printed):
             raise ValueError(f"{theorem.id}: one of {', '.join(printed)} is no name in Coq, or another theorem's")
         texts |= printed
-    return HEADER.format(what) + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())
-
-
-def statements_source() -> str:
-    """Return the text of proofs/formal/Statements.v."""
-    return _source("claim", statements)
-
-
-def mutants_source() -> str:
-    """Return the text of proofs/formal/Mutants.v."""
-    return _source("variant", mutants)
+    return HEADER + "".join(f"\nDefinition {name} : Prop :=\n  {text}.\n" for name, text in texts.items())

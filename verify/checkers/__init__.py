@@ -1,1 +1,1 @@
-"""What judges a theorem: certificates by two checkers, samples at 50 digits, mutants, and the grade."""
+"""What judges a theorem: certificates, samples at 50 digits, mutants, and the grade."""

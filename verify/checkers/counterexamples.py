@@ -1,11 +1,12 @@
 """Counterexamples of false variants: a point at 50 digits, certified by balls, and where it can be had an exact one."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
+from proofs.engine import kernel
 from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.derivative import Untranslatable
@@ -20,27 +21,25 @@ FAILURES, UNROLLED = 6, 4  # and the first numbers of which an induction is trie
 EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draws for each: a short look, a long one
 
 
-def counterexample(mutant: Mutant, seed: str, theorems: Theorems, refused: Callable) -> dict[str, Any] | None:
+def counterexample(mutant: Mutant, seed: str, theorems: Theorems) -> dict[str, Any] | None:
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
-    exact: at the point, a rational one, both checkers accept that the claim is refuted. certified: intervals show that
+    exact: at the point, a rational one, the kernel accepts that the claim is refuted. certified: intervals show that
     it fails at a point with these digits. An Induction is refuted as what it says of one number.
-
-    refused(statement, certificate): None if both checkers accept the pair.
     """
     if isinstance(mutant.claim, Separation):
         path = path_to_avoided(mutant.claim)
         return None if path is None else {"exact": True, "certified": True, "at": {"path": " → ".join(path)}}
     if not isinstance(mutant.claim, Induction):
-        return _where_it_fails(mutant.claim, mutant.at, seed, theorems, refused)
+        return _where_it_fails(mutant.claim, mutant.at, seed, theorems)
     for number in range(UNROLLED):
-        seen = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems, refused)
+        seen = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
         if seen:
             return seen | {"at": seen["at"] | {mutant.claim.n.name: str(number)}}
     return None
 
 
-def _where_it_fails(claim, at, seed, theorems, refused):
+def _where_it_fails(claim, at, seed, theorems):
     failures: list[dict] = []
     if at:
         failing = witness.fails_at(claim, at)
@@ -51,7 +50,7 @@ def _where_it_fails(claim, at, seed, theorems, refused):
     if not failures:
         return None
     failures.sort(key=witness.length)
-    exact = exact_counterexample(claim, failures, theorems, refused)
+    exact = exact_counterexample(claim, failures, theorems)
     sampler = Sampler(claim, seed)
     near = exact or next((point for point in failures if certified(sampler, point, dict(at))), None)
     return {
@@ -61,10 +60,8 @@ def _where_it_fails(claim, at, seed, theorems, refused):
     }
 
 
-def exact_counterexample(
-    claim: Claim, failures: Iterable[dict], theorems: Theorems, refused: Callable
-) -> dict[str, str] | None:
-    """Return a rational point, {name: text}, near one of the failures, that both checkers accept, or None."""
+def exact_counterexample(claim: Claim, failures: Iterable[dict], theorems: Theorems) -> dict[str, str] | None:
+    """Return a rational point, {name: text}, near one of the failures, that the kernel accepts, or None."""
     try:
         said = each_shown(claim, theorems)
     except Untranslatable:
@@ -73,7 +70,7 @@ def exact_counterexample(
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):
             pair = refutation(said, rational)
-            if pair is not None and refused(*pair) is None:
+            if pair is not None and kernel.check(*pair) is None:
                 return {s.name: str(q) for s, q in sorted(rational.items(), key=str)}
     return None
 

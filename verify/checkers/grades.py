@@ -18,8 +18,7 @@ EXACT = ("proved", "by definition")  # every claim has a certificate, and the cl
 CERTIFIED = (*EXACT, "refuted", "argued", "certified", "cited")
 STANDING = (*CERTIFIED, "measured")
 ENOUGH: dict[str, tuple[str, ...]] = dict.fromkeys(EXACT, EXACT)
-ENOUGH |= dict.fromkeys(("argued", "refuted"), (*EXACT, "argued"))
-ENOUGH |= {"certified": CERTIFIED}
+ENOUGH |= {"argued": (*EXACT, "argued"), "refuted": (*EXACT, "argued"), "certified": CERTIFIED}
 """{grade: those that it may rest on}, of others any that is STANDING"""
 
 
@@ -124,7 +123,6 @@ def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict
     for entry in sorted(evidences, key=lambda e: e["id"]):
         grade, reason = grades[entry["id"]]
         line = grade_line(grade, sources[entry["id"]], entry.get("source", ""))
-        line += ", second checker not run" if "second_checker" in entry else ""
         more = {"reason": reason} if reason else {}
         entries.append(entry | more | {"grade": grade, "grade_line": line, "given_cited": sources[entry["id"]]})
     return entries

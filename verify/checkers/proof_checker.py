@@ -1,16 +1,16 @@
 """The proof checker: everything that a run knows about a theorem with claims, and the grade that follows from it.
 
-    proved         both checkers accept a certificate of every claim,
+    proved         the kernel accepts a certificate of every claim,
                    no sample at 50 digits contradicts one,
                    every side condition behaves as stated at its edge,
                    every mutant is refuted, and
                    every theorem that it uses is proved
     argued         as proved, but a clause of its words is said by no claim
     by definition  as proved, but every claim reads 0 = 0 once translated
-    refuted        both checkers accept an exact counterexample, and 50 digits agree
+    refuted        the kernel accepts an exact counterexample, and 50 digits agree
     failed         anything else
 
-Nothing raises a grade by hand.
+Nothing raises a grade by hand. A run also gives every certificate to the second checker (`verify.test_theorems`).
 
 What is certified, measured or cited has no claims: `verify.checkers.measured`. It and the search are imported where a
 theorem needs them: no grade of what is proved rests on either.
@@ -36,30 +36,20 @@ from verify.checkers import witness
 from verify.checkers.certified import flint
 from verify.checkers.counterexamples import FAILURES, counterexample
 from verify.checkers.grades import Examination
-from verify.checkers.splices import says_the_same, splices
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
 HINTS = ("name", "squares", "ranges", "cited", "example")  # of a claim: what its search and its samples use
 ANGLE_DIGITS = 1000  # twice the longest number: to the kernel sin(3.14159…) may be 0, if nothing else tells
-CHECKERS = {"the kernel": kernel.check}
-"""{name: a function of a statement and a certificate that returns None, or why the one does not prove the other}"""
-try:
-    from verify.checkers.second_checker import why_refused
-
-    CHECKERS["the second checker"] = why_refused
-except ImportError:  # no python-flint, or no jsonschema: every grade that rests on a certificate says so
-    pass
 
 
 def why_rejected(statement: dict, certificate: dict) -> str | None:
-    """Return None if every one of the CHECKERS accepts, else the reason, with the residual polynomial."""
-    for name, checker in CHECKERS.items():
-        why = checker(statement, certificate)
-        if why is not None:
-            reason, *residual = why.args or (repr(why),)
-            shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
-            return f"{name} rejects: {reason}{shown}"
-    return None
+    """Return None if the kernel accepts, else the reason, with the residual polynomial."""
+    why = kernel.check(statement, certificate)
+    if why is None:
+        return None
+    reason, *residual = why.args or (repr(why),)
+    shown = f"; residual {show_polynomial(residual[0])}" if residual and residual[0] else ""
+    return f"the kernel rejects: {reason}{shown}"
 
 
 def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS) -> Examination:
@@ -122,8 +112,6 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
         "argued": examination.argued,
         "hypotheses": given,
     }
-    if len(CHECKERS) < 2:
-        examination.record["second_checker"] = "not run"
 
 
 def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
@@ -141,7 +129,7 @@ def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
 
 
 def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort: int) -> str | None:
-    """Return None if a search finds what all checkers accept as proof of a claim, else why it is not proved."""
+    """Return None if a search finds what the kernel accepts as proof of a claim, else why it is not proved."""
     try:
         cases = prove(claim, theorems, **effort)
     except NotFound as error:
@@ -191,23 +179,29 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     """Check that a mutant is refused, and find its counterexample."""
     effort = {} if anew else {"effort": 2}
     refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
-    tried, wrong = splices(theorem, mutant.claim, theorems), []
+    said, wrong = _said(mutant, theorems), []
     if why := why_no_variant(theorem, mutant.claim):
         wrong.append(f"{mutant.text}: {why}")
-    if any(not any(why_rejected(*pair) for pair in pairs) for pairs in tried):
-        wrong.append(f"a certificate of the theorem proves the mutant: {mutant.text}")
-    if alike := says_the_same(theorem, mutant, theorems):
-        wrong.append(f"these say the same: {alike}")
+    alike = [other.text for other in theorem.mutants if said and _said(other, theorems) == said]
+    if len(alike) > 1:
+        wrong.append(f"these say the same: {', '.join(alike)}")
     if not refused:
         wrong.append(f"mutant accepted: {mutant.text}")
-    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems, why_rejected)
+    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems)
     if point is None:
         wrong.append(f"mutant without a counterexample: {mutant.text}")
     elif not point["exact"] and flint and not point["certified"]:
         wrong.append(f"mutant whose counterexample is neither exact nor enclosed: {mutant.text}")
     examination.problems += wrong
     examination.mutants_killed += not wrong
-    return {"mutant": mutant.text, "refused": refused, "spliced": len(tried), "counterexample": point}
+    return {"mutant": mutant.text, "refused": refused, "counterexample": point}
+
+
+def _said(mutant, theorems):
+    try:
+        return statements(mutant.claim, theorems)
+    except Untranslatable:
+        return None
 
 
 def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:

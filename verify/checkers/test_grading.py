@@ -43,13 +43,12 @@ def test_a_false_theorem_fails_and_says_why():
 
 
 def test_a_mutant_that_holds_fails_the_theorem():
-    """By a search, by the stored certificate, as no other claim; and no counterexample is found."""
+    """By a search, as no other claim; and no counterexample is found."""
     theorems = all_theorems()
     real = theorems["unit_length"]
     mutants = [variant("the same", real.claims[0])] * 2
     found = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
     assert {problem.partition(":")[0] for problem in found.problems} == {
-        "a certificate of the theorem proves the mutant",
         "these say the same",
         "mutant accepted",
         "the same",
@@ -62,14 +61,8 @@ def test_a_mutant_that_holds_fails_the_theorem():
 RUNS = [  # of each theorem its id, its own grade, its grade in the run, and what it uses
     [("a", "failed", "failed"), ("b", "proved", "failed", "a"), ("c", "proved", "failed", "b")],
     [("c", "proved", "failed", "not run")],
-    [("a", "cited", "cited"), ("b", "proved", "failed", "a")],
-    [("a", "cited", "cited"), ("b", "measured", "measured", "a")],
-    [
-        ("a", "argued", "argued"),
-        ("b", "proved", "failed", "a"),
-        ("c", "argued", "argued", "a"),
-        ("d", "refuted", "refuted", "a"),
-    ],
+    [("a", "cited", "cited"), ("b", "proved", "failed", "a"), ("c", "measured", "measured", "a")],
+    [("a", "argued", "argued"), ("b", "proved", "failed", "a"), ("c", "refuted", "refuted", "a")],
     [("a", "argued", "argued"), ("b", "by definition", "failed", "a"), ("c", "certified", "certified", "a")],
     [("a", "measured", "measured"), ("b", "certified", "failed", "a"), ("c", "refuted", "failed", "a")],
     [("a", "by definition", "by definition"), ("b", "proved", "proved", "a")],

@@ -3,14 +3,13 @@
 It knows nothing of the kernel, of certificates, or of the translation into polynomials. A fixed seed for each claim.
 """
 
-import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from operator import sub
 from typing import Any
 
 import mpmath
-from sympy import Derivative, Mul, Ne, Rational, Symbol, evaluate, factor_list, sympify
+from sympy import Derivative, Mul, Ne, Rational, Symbol, evaluate, factor_list
 from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation
@@ -19,7 +18,7 @@ from renderer.generate.printer import differentiated
 from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
-STARTS, BARREN, LEMMA_DIGITS, EDGE = 12, 256, 150, mpmath.mpf(10) ** -30
+NUMBERS, STARTS, BARREN, LEMMA_DIGITS, EDGE = 13, 12, 256, 150, mpmath.mpf(10) ** -30
 STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign in (1, -1))
 
 
@@ -62,9 +61,9 @@ def sample(
 
     barren: after how many attempts without such a point none is expected.
     """
+    if isinstance(claim, Induction):
+        return _sample_induction(claim, seed, points, attempts)
     with mpmath.workdps(digits):
-        if isinstance(claim, Induction):
-            return _sample_induction(claim, seed, points, attempts)
         sampler, witness = Sampler(claim, seed, slack), Witness()
         for attempt in range(points * attempts):
             if attempt >= barren and not witness.points:
@@ -82,6 +81,17 @@ def sample(
             if witness.points >= points or len(witness.failures) >= (failures or points):
                 break
         return witness
+
+
+def _sample_induction(claim, seed, points, attempts):
+    """Sample what is claimed of each of the first numbers."""
+    witness = Witness()
+    for number in range(NUMBERS):
+        seen = sample(claim.of(number), f"{seed}/{number}", -(-points // NUMBERS), attempts=attempts)
+        witness.points += seen.points
+        witness.failures += [{claim.n: mpmath.mpf(number)} | point for point in seen.failures]
+        witness.undefined += seen.undefined
+    return witness
 
 
 def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | None:
@@ -190,26 +200,3 @@ def fails_at(claim: Claim, at: Point, attempts: int = 500) -> dict | None:
             if values is not None and sampler.verdict(values) == "fails":
                 return values
         return None
-
-
-def _sample_induction(claim, seed, points, attempts):
-    rng, witness = random.Random(seed), Witness()
-    states, starts, nexts = zip(*claim.states, strict=True) if claim.states else ((), (), ())
-    used = set().union(*(sympify(e).free_symbols for e in (*claim.shows, *claim.given, *starts, *nexts)))
-    inputs = sorted(used - set(states) - {claim.n}, key=lambda s: s.name)
-    given, shows, start, following = Relations(claim.given), Relations(claim.shows), Code(starts), Code(nexts)
-    for _ in range(points * attempts):
-        if witness.points >= points:
-            break
-        values = {s: 4 * mpmath.ldexp(rng.getrandbits(200), -200) - 2 for s in inputs}
-        if not given(values):
-            continue
-        now = start(values)
-        for n in range(rng.randint(1, 12) + 1):
-            at = values | dict(zip(states, now, strict=True)) | {claim.n: mpmath.mpf(n)}
-            witness.points += 1
-            if not shows(at):
-                witness.failures.append(at)
-                break
-            now = following(at)
-    return witness
