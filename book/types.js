@@ -60,11 +60,11 @@
 
 // simulator/engine.js
 /**
- * @typedef {{ postMessage(task: Task): void }} Drawer a worker, or the page itself
+ * @typedef {{ postMessage(task: Task): void, terminate(): void }} Drawer a worker, or the page itself
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
  *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
- *   failed(text: string): void }} Handlers
+ *   failed(why: string): void }} Handlers
  */
 
 // simulator/start.js

@@ -15,7 +15,7 @@ from book import idea_kernels
 from book.extension import worked
 from renderer import Scene, central, exact, gradient_at, height_at, pixel
 from renderer.scene.raster import Raster
-from tests.tabs import PHONE, next_frame, number, wait_for
+from tests.tabs import PHONE, RUNNING, next_frame, number, wait_for
 
 SCENE = Scene()
 PAGES = {
@@ -29,6 +29,13 @@ STARTED = """(() => {
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
+# Whether all that is drawn by a background alone differs from the page's own.
+DIFFERS = """() => {
+    const drawn = 'foreignObject div, .idea-swatch, [aria-pressed=true], .sim-dot, .sim-certified i, .fa-solid, .fas';
+    const looks = [...document.querySelectorAll(drawn)].map(part => getComputedStyle(part));
+    const paper = getComputedStyle(document.body).backgroundColor;
+    return document.documentElement.matches('.drawn') && looks.length > 9
+        && looks.every(look => look.backgroundImage !== 'none' || look.backgroundColor !== paper) }"""
 SIZES = "parts => parts.map(e => e.getBoundingClientRect()).map(({ width, height }) => Math.min(width, height))"
 CENTRES = "dots => dots.map(({ cx, cy }) => [cx.baseVal.value, cy.baseVal.value])"
 SHADOW, FLOOR = (144, 141, 134), (232, 227, 217)
@@ -138,7 +145,7 @@ def test_bump_surface_turns_and_moves_rim_and_shadow_in_the_last_state_alone(ide
     view = figure.locator("[role=slider]")
     start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
     view.drag_to(view, source_position=places[0], target_position=places[1])
-    expect(view).to_have_attribute("aria-valuenow", str(int(start - 57)))
+    expect(view).to_have_attribute("aria-valuenow", str(int(start + 57)))
     press(tab, view, *["Shift+ArrowDown"] * 9)
     assert "from 90° above" in view.get_attribute("aria-valuetext") and np.any(covered(figure, FLOOR))
     press(tab, view, *["Shift+ArrowUp"] * 9)
@@ -195,7 +202,7 @@ def test_pixel_worked_is_the_renderers_pixel(idea):
     for place in ((104, 92), (90, 140), (170, 70), (250, 20), (30, 200)):
         point.drag_to(figure.locator("svg"), target_position=dict(zip("xy", place, strict=True)), force=True)
         next_frame(tab)
-        row, column = divmod(int(now(point)), 256)
+        column, row = map(int, numbers(point.get_attribute("aria-valuetext")))
         at = {"x": x[column], "y": y[row]}
         record, lines = pixel(SCENE, 256, 256, column, row), at | idea_kernels.lines_at(SCENE, **at)
         surfaces.add(record.surface)
@@ -205,3 +212,17 @@ def test_pixel_worked_is_the_renderers_pixel(idea):
             wanted = worked.said(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if record.surface != "A" else wanted)
     assert surfaces == {"A", "B", "floor"}
+
+
+@pytest.mark.parametrize("page", [*PAGES, "s4"])
+def test_in_forced_colours_sliders_and_backgrounds_are_seen_and_keys_lead_to_the_ends(visit, page):
+    tab = visit(page, until=f"{RUNNING} || {STARTED}", forced_colors="active")
+    tab.wait_for_function(DIFFERS)
+    for slider in tab.locator("input[type=range]:visible").all():
+        assert len(Image.open(io.BytesIO(slider.screenshot())).getcolors(10**6)) > 2
+    for slider in tab.locator("[role=slider]").all():
+        first, more, last, less = (
+            press(tab, slider, key) or now(slider) for key in ("Home", "PageUp", "End", "PageDown")
+        )
+        assert [first, last] == [float(slider.get_attribute(f"aria-value{end}")) for end in ("min", "max")]
+        assert first < more and less < last

@@ -11,6 +11,7 @@ from proofs.formulas.step_bounds import TERMS
 from renderer.kernels import FIELDS
 from tests.processes import python
 from tests.tabs import PHONE, becomes, go, says, settled, slide, state
+from tests.test_checker import FORBIDDEN, SILENT
 
 OPTIONS = {"reduced_motion": "reduce", "permissions": ["clipboard-read", "clipboard-write"]}
 # Prints the simulator's module where one more field is registered, before what is made of all of them.
@@ -48,6 +49,10 @@ READABLE = """() => {
 UNSEEN = """places => places.filter(place => {
     const { top, bottom, left, right } = document.querySelector(place).getBoundingClientRect();
     return top < 40 || bottom > innerHeight || left < 0 || right > innerWidth; })"""
+THROWS = """const Real = Worker; window.Worker = class extends Real {
+    constructor() { super(URL.createObjectURL(new Blob(['throw Error("broken")']))) } }"""
+# No patience: what waits for twenty seconds does so no more.
+HURRY = "; const slow = setTimeout; window.setTimeout = (work, time, ...given) => slow(work, time % 20000, ...given)"
 EDITS = ["", *"&=%-e1ε. #", "9" * 9, "NaN", "\0", "%zz", "__proto__"]
 TYPED = {
     "1.21e−2": 1.21e-2, "10⁻⁸": 1e-8, "3 · 10⁻⁴": 3e-4, "2^-20": 2**-20, "10^-18": 1e-18, "2⁻⁵³": 2**-53,
@@ -227,6 +232,12 @@ def test_an_experiment_moves_pauses_steps_and_stops(visit):
         page.click("#sim-sweep")
         page.wait_for_function("document.querySelector('#sim-share').value > 0.01")
 
+    begin()
+    box = page.locator(".sim-step input[type=text]")
+    box.select_text()
+    box.press_sequentially("1e-12", delay=50)  # and nothing writes over it
+    box.press("Enter")
+    assert state(page)["eps"] == 1e-12
     begin()
     slide(page, "beta", 0.5)  # the reader's hand ends it
     assert not page.is_visible(play)
@@ -416,17 +427,19 @@ def test_paper_and_scriptless_readers_get_the_figures(visit, medium, script):
     assert page.locator("img[src*=contact_sheet]").first.is_visible()
 
 
-@pytest.mark.parametrize(
-    "missing, words",
-    [
-        ("window.Worker = function () { throw new Error('no workers here') }", "no workers here"),
-        ("WebAssembly.validate = () => false", "no WebAssembly with vectors"),
-    ],
-)
-def test_a_browser_without_workers_or_vectors_is_told(visit, missing, words):
-    page = visit("s4", prepare=missing, until=None)
-    says(page, ".sim-message:visible", re.compile(words))
+def test_a_browser_without_vectors_is_told(visit):
+    page = visit("s4", prepare="WebAssembly.validate = () => false", until=None)
+    says(page, ".sim-message:visible", re.compile("no WebAssembly with vectors"))
     assert not page.is_visible(".sim-pictures")
+
+
+@pytest.mark.parametrize("missing, why", [(FORBIDDEN, "forbidden"), (THROWS, "broken"), (SILENT + HURRY, "no answer")])
+def test_a_page_whose_workers_do_not_start_or_answer_says_so_and_draws_alone(visit, missing, why):
+    page = visit("s4", prepare=missing)
+    says(page, ".sim-message:visible", re.compile(why))
+    page.select_option("#sim-size", "512")
+    settled(page)
+    says(page, "[data-readout=flips]", "0")
 
 
 def test_a_hidden_page_has_no_worker(tab):

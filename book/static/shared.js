@@ -130,22 +130,51 @@ function follow_pointer(target, origin, moved) {
 /** Whether a key is pressed together with one that makes it the browser's own. @param {KeyboardEvent} event */
 const is_shortcut = (event) => event.ctrlKey || event.altKey || event.metaKey;
 
-/** Whether a key is typed into a box. @param {KeyboardEvent} event */
+/** Whether what happens is in a box to type into. @param {Event} event */
 const is_typed = ({ target }) =>
   target instanceof Element && target.matches("input:not([type=range], [type=radio], [type=checkbox]), textarea");
 
-/** Tell of arrow keys, ten times as far with shift. @param {HTMLElement} target @param {Stepped} stepped */
+/**
+ * Tell of arrow keys, ten times as far with shift; of a slider also of those that lead as far, or to its ends.
+ * @param {HTMLElement} target
+ * @param {Stepped} stepped
+ */
 function follow_arrows(target, stepped) {
+  /** @type {Record<string, Point>} */
+  const ends = { PageUp: [10, 0], PageDown: [-10, 0], End: [Infinity, 0], Home: [-Infinity, 0] };
   target.addEventListener("keydown", (event) => {
     const far = event.shiftKey ? 10 : 1;
     /** @type {Record<string, Point>} */
     const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
-    const arrow = arrows[event.key];
-    if (!arrow || is_shortcut(event)) return;
+    const step = arrows[event.key] ?? (target.role === "slider" && ends[event.key]);
+    if (!step || is_shortcut(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    stepped(...arrow);
+    stepped(...step);
   });
+}
+
+/**
+ * Make an element a slider for a screen reader, for the pointer and for keys; return what says where it is.
+ * @param {Element} own
+ * @param {Element} origin what places are measured in
+ * @param {string} label
+ * @param {number[]} range of its values, the first and the last
+ * @param {Moved} moved
+ * @param {Stepped} stepped
+ */
+function as_slider(own, origin, label, [first, last], moved, stepped) {
+  set_attributes(own, {
+    tabindex: 0,
+    role: "slider",
+    "aria-label": label,
+    "aria-valuemin": first,
+    "aria-valuemax": last
+  });
+  follow_pointer(/** @type {any} */ (own), origin, moved);
+  follow_arrows(/** @type {any} */ (own), stepped);
+  /** @param {number} now @param {string} words */
+  return (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
 }
 
 /** Milliseconds as seconds. @param {number} time */
@@ -163,6 +192,20 @@ function worker_of(...functions) {
   const worker = new Worker(address);
   URL.revokeObjectURL(address);
   return worker;
+}
+
+/**
+ * Tell what a worker replies, or why it does not.
+ * @param {Worker} worker
+ * @param {(reply: any) => void} receive
+ * @param {(why: string) => void} failed
+ */
+function listen(worker, receive, failed) {
+  worker.onmessage = ({ data }) => receive(data);
+  worker.onerror = (event) => {
+    event.preventDefault();
+    failed(event.message || "it did not start");
+  };
 }
 
 /** The bytes that a text of the page carries, compressed. @param {string} base64 */

@@ -7,27 +7,24 @@
 
 /** @param {HTMLElement} box */
 function make_wiper(box) {
-  const knob = make_element("i", {
-    ...{ class: "wiper-knob", role: "slider", tabindex: 0, "aria-label": box.dataset.wiper ?? "" },
-    ...{ "aria-valuemin": 0, "aria-valuemax": 100 }
-  });
+  const knob = make_element("i", { class: "wiper-knob" });
   let share = 50;
 
   /** @param {number} to per cent of the width */
   function put(to) {
     share = clamp(0, to, 100);
     box.style.setProperty("--wiper", `${share}%`);
-    set_attributes(knob, { "aria-valuenow": Math.round(share), "aria-valuetext": `${Math.round(share)} %` });
+    tell(Math.round(share), `${Math.round(share)} %`);
   }
 
-  follow_pointer(knob, box, (x, _, begins) => begins || put((100 * x) / box.clientWidth));
-  follow_arrows(knob, (right, up) => put(share + right + up));
-  knob.addEventListener("keydown", (event) => {
-    const to = { Home: 0, End: 100 }[event.key];
-    if (to === undefined || is_shortcut(event)) return;
-    event.preventDefault();
-    put(to);
-  });
+  const tell = as_slider(
+    knob,
+    box,
+    box.dataset.wiper ?? "",
+    [0, 100],
+    (x, _, begins) => begins || put((100 * x) / box.clientWidth),
+    (right, up) => put(share + right + up)
+  );
   put(share);
   box.append(knob);
 }

@@ -90,5 +90,5 @@ function checker_card(place, data, clerk) {
     doubt.setAttribute("aria-expanded", String(!panel.hidden));
   }
 
-  put_checker(place, make_element("p", { class: "check-buttons" }, button, doubt), verdict, panel);
+  put_checker(place, [button, doubt], verdict, panel);
 }

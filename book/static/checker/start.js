@@ -1,10 +1,11 @@
 // Puts the buttons where the page has places for them. The data stands in the page: nothing is asked for.
 "use strict";
 
-/** @param {Element} place @param {...Element} parts */
-function put_checker(place, ...parts) {
+/** @param {Element} place @param {Element[]} buttons @param {...Element} parts */
+function put_checker(place, buttons, ...parts) {
   place.querySelector(".check-body")?.remove(); // of a page that was saved with its buttons
-  place.append(make_element("div", { class: "check-body" }, ...parts));
+  const row = make_element("p", { class: "check-buttons" }, ...buttons);
+  place.append(make_element("div", { class: "check-body" }, row, ...parts));
 }
 
 /** A verdict: its word, and what is said of it. @param {"Accepted" | "Accepted all the same" | "Rejected" | "No verdict"} word @param {string} text */
@@ -74,7 +75,7 @@ function check_all(place, read, clerk) {
     return [verdict_line(rejected.length ? "Rejected" : "Accepted", words)];
   }
 
-  put_checker(place, make_element("p", { class: "check-buttons" }, button, bar), verdict);
+  put_checker(place, [button, bar], verdict);
 }
 
 /** @param {Element} place */

@@ -32,14 +32,12 @@ function checking_clerk() {
         worker = null;
         reject(new Error(why));
       }
-      worker.onmessage = ({ data }) => {
+      /** @param {Answer} answer */
+      function take(answer) {
         clearTimeout(timer);
-        resolve(data);
-      };
-      worker.onerror = (event) => {
-        event.preventDefault();
-        stop(`the worker failed${event.message ? ` (${event.message})` : ""}`);
-      };
+        resolve(answer);
+      }
+      listen(worker, take, (why) => stop(`the worker failed: ${why}`));
       worker.postMessage(question);
     });
   }

@@ -23,8 +23,8 @@ IDEAS.bump_surface = (stage, module, data) => {
   const SHADE = [0.564, 0.552, 0.527, 1];
   const [light_x, light_y, light_z] = lights[0].position;
   let shown = 0;
-  let turn = -0.5; // the eye: how far around,
-  let tip = 0.45; // how far up
+  let turn = 0.5; // the sphere: how far around,
+  let tip = 0.45; // the eye: how far up
   let from = [0, 0];
 
   const canvas = make_element("canvas", { "aria-hidden": "true" });
@@ -96,11 +96,11 @@ IDEAS.bump_surface = (stage, module, data) => {
   panel.box.append(canvas);
   /** @type {Moved} */
   function drag(x, y, begins) {
-    if (!begins) look(turn - (x - from[0]) / 120, tip + (y - from[1]) / 120);
+    if (!begins) look(turn + (x - from[0]) / 120, tip + (y - from[1]) / 120);
     from = [x, y];
   }
-  const put_view = panel.backdrop("the view: drag, or press arrow keys, to turn it", drag, (right, up) =>
-    look(turn - right / 20, tip - up / 20)
+  const put_view = panel.backdrop("the view: drag, or press arrow keys, to turn it", [-180, 180], drag, (right, up) =>
+    look(clamp(-Math.PI, turn + right / 20, Math.PI), tip - up / 20)
   );
   const row = add_element(stage.root, "div", { class: "idea-states", role: "group", "aria-label": "the normal" });
   const buttons = STATES.map((name, number) =>
@@ -115,7 +115,7 @@ IDEAS.bump_surface = (stage, module, data) => {
 
   /** @param {number} to_turn @param {number} to_tip */
   function look(to_turn, to_tip) {
-    turn = to_turn % (2 * Math.PI);
+    turn = Math.atan2(Math.sin(to_turn), Math.cos(to_turn));
     tip = clamp(-Math.PI / 2, to_tip, Math.PI / 2);
     stage.redraw();
   }
@@ -137,7 +137,7 @@ IDEAS.bump_surface = (stage, module, data) => {
     const size = Math.min(wide / 4.5, HIGH / 3.7); // CSS pixels of the sphere's radius
     set_attributes(canvas, { width: wide * devicePixelRatio, height: HIGH * devicePixelRatio });
     gl.viewport(0, 0, canvas.width, canvas.height);
-    const [c, s, ct, st] = [Math.cos(turn), Math.sin(turn), Math.cos(tip), Math.sin(tip)];
+    const [c, s, ct, st] = [Math.cos(turn), -Math.sin(turn), Math.cos(tip), Math.sin(tip)];
     const [x, y, z] = [(2 * size) / wide, (2 * size) / HIGH, -1 / 8];
     // By columns; the centre is a little above the middle, and to the right of it, where its shadow falls to the left.
     const columns = [-s * x, -st * c * y, ct * c * z, 0, c * x, -st * s * y, ct * s * z, 0, 0, ct * y, st * z, 0];

@@ -69,7 +69,8 @@ function program_lines(module, data, name, inputs) {
 /** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
 function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
-  let draw = () => {};
+  /** @type {() => void} */
+  let draw;
   let width = 0;
   let asked = 0;
 
@@ -86,26 +87,10 @@ function idea_stage(figure) {
     const svg = add_shape(box, "svg", { role: "group", "aria-label": label, height });
     const drawing = add_shape(svg, "g", { "aria-hidden": "true" });
 
-    /**
-     * Something to drag; return what says where it is.
-     * @param {"g" | "rect"} tag
-     * @param {Record<string, string | number>} attributes
-     * @param {string} label
-     * @param {Moved} moved
-     * @param {Stepped} stepped
-     */
-    function slider_of(tag, attributes, label, moved, stepped) {
-      const own = add_shape(svg, tag, { ...attributes, tabindex: 0, role: "slider", "aria-label": label });
-      follow_pointer(/** @type {any} */ (own), svg, moved);
-      follow_arrows(/** @type {any} */ (own), stepped);
-      /** @param {number} now @param {string} words */
-      const tell = (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
-      return { own, tell };
-    }
-
-    /** @param {string} label @param {Moved} moved @param {Stepped} stepped */
-    function handle(label, moved, stepped, look = "") {
-      const { own, tell } = slider_of("g", { class: `idea-handle ${look}` }, label, moved, stepped);
+    /** @param {string} label @param {number[]} range @param {Moved} moved @param {Stepped} stepped */
+    function handle(label, range, moved, stepped, look = "") {
+      const own = add_shape(svg, "g", { class: `idea-handle ${look}` });
+      const tell = as_slider(own, svg, label, range, moved, stepped);
       add_shape(own, "circle", { class: "reach", r: 22 });
       add_shape(own, "circle", { class: "dot", r: 7 });
       return (/** @type {Point} */ [x, y], /** @type {number} */ now, /** @type {string} */ words) => {
@@ -114,11 +99,11 @@ function idea_stage(figure) {
       };
     }
 
-    /** The ground behind the handles, to be dragged too. @param {string} label @param {Moved} moved @param {Stepped} stepped */
-    function backdrop(label, moved, stepped) {
-      const { own, tell } = slider_of("rect", { class: "idea-ground", width: "100%", height }, label, moved, stepped);
+    /** The ground behind the handles, to be dragged too. @param {string} label @param {number[]} range @param {Moved} moved @param {Stepped} stepped */
+    function backdrop(label, range, moved, stepped) {
+      const own = add_shape(svg, "rect", { class: "idea-ground", width: "100%", height });
       svg.prepend(own);
-      return tell;
+      return as_slider(own, svg, label, range, moved, stepped);
     }
 
     /** @param {string} markup */
@@ -132,7 +117,7 @@ function idea_stage(figure) {
    * A labelled slider; return what sets it.
    * @param {string} label
    * @param {{ min: number, max: number, step: number, value: number }} range
-   * @param {(number: number) => void} changed
+   * @param {(number: number) => void} changed has it set
    * @param {(number: number) => string} say
    */
   function slider(label, range, changed, say = (number) => decimal(number, 3)) {
@@ -146,10 +131,7 @@ function idea_stage(figure) {
       shown.textContent = say(number);
       input.setAttribute("aria-valuetext", say(number));
     }
-    input.addEventListener("input", () => {
-      put(Number(input.value));
-      changed(Number(input.value));
-    });
+    input.addEventListener("input", () => changed(input.valueAsNumber));
     put(range.value);
     return put;
   }

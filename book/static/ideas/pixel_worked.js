@@ -21,7 +21,9 @@ IDEAS.pixel_worked = (stage, module, data) => {
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
   const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
   panel.box.classList.add("idea-picture", "small");
-  const put_pixel = panel.handle("the pixel, column and row", set, (right, up) => set(column + right, row - up));
+  const put_pixel = panel.handle("the pixel, column and row", [0, SIZE - 1], set, (right, up) =>
+    set(column + right, row - up)
+  );
   const swatch = add_element(stage.root, "div", { class: "idea-swatch" });
   const told = stage.says();
   paint(module, scene_state(data), raster);
@@ -37,6 +39,6 @@ IDEAS.pixel_worked = (stage, module, data) => {
     }
     swatch.style.background = `color(srgb-linear ${lines.rgb_red} ${lines.rgb_green} ${lines.rgb_blue})`;
     told.innerHTML = `Pixel (${column}, ${row}) shows <b>${surface}</b>.`;
-    put_pixel([column + 0.5, row + 0.5], row * SIZE + column, `column ${column}, row ${row}: ${surface}`);
+    put_pixel([column + 0.5, row + 0.5], column, `column ${column}, row ${row}: ${surface}`);
   };
 };

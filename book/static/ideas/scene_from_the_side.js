@@ -19,6 +19,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
   panel.box.classList.add("idea-clipped");
   const on_floor = panel.handle(
     "where the ray meets the picture's plane",
+    [-FURTHEST, FURTHEST],
     (x) => set((x - panel.width() / 2) / scale_of()),
     (right) => set(s + right / 100)
   );
@@ -45,8 +46,7 @@ IDEAS.scene_from_the_side = (stage, module, data) => {
      */
     function dark(count, point, is_open, ...bodies) {
       const points = Array.from({ length: count }, (_, n) => point(n, 0));
-      const x = float64s(count, (n) => points[n][0] * way[0]);
-      const y = float64s(count, (n) => points[n][0] * way[1]);
+      const [x, y] = way.map((part) => float64s(count, (n) => points[n][0] * part));
       const z = float64s(count, (n) => points[n][1]);
       const hidden = bodies.map((center) => {
         const size = center === ball_center ? ball_radius : radius;

@@ -12,13 +12,14 @@ IDEAS.slope_is_texture = (stage, module, data) => {
   const all = float64s(513, (n) => n / 512);
   const between = float64s(512, (n) => (n + 0.5) / 512);
   const few = float64s(2 * ku, (n) => (n + 0.25 + 0.5 * (n % 2)) / (2 * ku)); // beside the creases: they do not cross
+  const RANGE = [0, 1 - 1 / 4096];
   let u = 0.453;
   let beta = first_beta;
   let drawn = NaN;
 
   /** @param {number} to_u @param {number} to_beta */
   function set(to_u, to_beta) {
-    u = clamp(0, to_u, 1 - 1 / 4096);
+    u = clamp(RANGE[0], to_u, RANGE[1]);
     beta = clamp(0, to_beta, 0.5);
     put_beta(beta);
     stage.redraw();
@@ -36,14 +37,14 @@ IDEAS.slope_is_texture = (stage, module, data) => {
   const range = { min: 0, max: 0.5, step: 0.005, value: beta };
   const put_beta = stage.slider("bump β", range, (to) => set(u, to));
   const says = stage.says();
-  const on_profile = profile.handle("the point on the circle, u", (x) => set(u_at(x), beta), step);
-  const on_sphere = sphere.handle("the point on the sphere, u", (x, y) => set(nearest(x, y), beta), step);
+  const on_profile = profile.handle("the point on the circle, u", RANGE, (x) => set(u_at(x), beta), step);
+  const on_sphere = sphere.handle("the point on the sphere, u", RANGE, (x, y) => set(nearest(x, y), beta), step);
 
-  /** @param {Float64Array} along @param {number} amount */
+  /** @param {number | Float64Array} along @param {number} amount */
   const over = (along, amount) =>
     module.own.kernel_over("bump_at", along, V, ku, kv, amount, radius, ...lights[0].position);
   /** @param {number} amount */
-  const at_point = (amount) => over(Float64Array.of(u), amount).map(([number]) => number);
+  const at_point = (amount) => over(u, amount).map(([number]) => number);
 
   // Where a point of the circle is in the picture.
   const place_in_picture = module.placing_in(raster);

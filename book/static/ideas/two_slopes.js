@@ -19,6 +19,8 @@ IDEAS.two_slopes = (stage, module, data) => {
   const across = float64s(401, (n) => n / 100 - 2); // what the microscope shows, in steps
   const steps = float64s(316, (n) => 10 ** (LEAST + n / 20));
   const curve = float64s(381, (n) => FROM + (n * (TO - FROM)) / 380);
+  const RANGE = [FROM + 0.02, TO - 0.02];
+  const STEPS = [10 ** LEAST, 10 ** MOST];
   let u = 0.139;
   let eps = 0.03;
 
@@ -27,8 +29,8 @@ IDEAS.two_slopes = (stage, module, data) => {
 
   /** @param {number} to_u @param {number} to_eps */
   function set(to_u, to_eps) {
-    u = clamp(FROM + 0.02, to_u, TO - 0.02);
-    eps = clamp(10 ** LEAST, to_eps, 10 ** MOST);
+    u = clamp(RANGE[0], to_u, RANGE[1]);
+    eps = clamp(STEPS[0], to_eps, STEPS[1]);
     put_eps(Math.log10(eps));
     stage.redraw();
   }
@@ -52,6 +54,7 @@ IDEAS.two_slopes = (stage, module, data) => {
   const at_x = (x) => rescaled(x, 0, panel.width(), FROM, TO);
   const put_step = panel.handle(
     "the step, ε",
+    STEPS,
     (x) => set(u, at_x(x) - u),
     (right, up) => set(u, eps * 1.1 ** (right + up)),
     "step"
@@ -59,6 +62,7 @@ IDEAS.two_slopes = (stage, module, data) => {
   // Over the step's, which a slider moves, too: at a tiny step the two are in one place.
   const put_point = panel.handle(
     "the point, u",
+    RANGE,
     (x) => set(Math.round(2000 * at_x(x)) / 2000, eps),
     (right) => set(u + right / 2000, eps)
   );

@@ -77,8 +77,8 @@ function simulator_certified(root, states, parts, show_bounds) {
     for (const [n, value] of values.entries()) value.textContent = texts[n] ?? "…";
   }
 
-  /** @param {MessageEvent<CertifiedFound>} message */
-  function show({ data: { key, maps, rms, largest, extremes, open } }) {
+  /** @param {CertifiedFound} found */
+  function show({ key, maps, rms, largest, extremes, open }) {
     if (key !== asked) return;
     show_bounds(maps);
     say([...extremes.flat().map((bound) => scientific(bound, 1)), String(open), ""]);
@@ -97,7 +97,10 @@ function simulator_certified(root, states, parts, show_bounds) {
     if (!key) return;
     timer = setTimeout(() => {
       worker ??= worker_of(float64s, simulator_module, simulator_certifier);
-      worker.onmessage = show;
+      listen(worker, show, (why) => {
+        worker = undefined;
+        say([why]);
+      });
       worker.postMessage({ key, parts, state, raster: states.crop(state) });
     }, REST);
   }

@@ -43,9 +43,9 @@ function simulator_curve(root, module) {
     const stage = module.stage_of_pixel(state, raster);
     if (!stage.count) return {};
     const [u, v] = module.chart(stage);
-    const exact = module.gradients(state, module.methods_of(state).symbolic, stage);
+    const exact = module.gradients(state, stage);
     const numeric = FINE.map((eps) => {
-      const slopes = module.gradients(state, { name: state.method, eps }, stage);
+      const slopes = module.gradients(state, stage, { name: state.method, eps });
       return { eps, size: Math.max(...slopes.map(([slope], axis) => Math.abs(slope - exact[axis][0]))) };
     });
     const name = module.bounds_of(state);

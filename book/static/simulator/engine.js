@@ -1,6 +1,6 @@
 // Who draws what. The page itself draws at most 256 × 256 pixels, in the slider's own frame: to hand that over would take
 // longer. When nothing moves any more, the workers draw all pixels of a larger picture, each a band of rows, and then do
-// the idle work. The next move cancels either.
+// the idle work. The next move cancels either. Where no worker starts or answers, the page does their part, too.
 "use strict";
 
 /**
@@ -11,15 +11,13 @@
  * @param {Handlers} handlers
  */
 function simulator_engine(data, compiled, states, module, handlers) {
-  const REFINED_AFTER = 80; // milliseconds
-  const IDLE_AFTER = 150;
+  const AFTER = 100; // milliseconds, in which nothing moves
+  const PATIENCE = 20000; // for the workers' answer
   const SMALL = 256; // pixels
-  /** @type {Worker[]} */
+  /** @type {Drawer[]} */
   let workers = [];
   /** @type {{ id: number, state: State, asked: number, replies: Drawn[] }} */
-  let waiting = { id: 0, state: states.start(), asked: 0, replies: [] };
-  /** @type {State | null} */
-  let next = null; // asked for since the last frame
+  let waiting; // for the replies to what was sent last
   let last = states.start();
   /** @type {Record<string, any[]>} */
   let pieces = {};
@@ -29,24 +27,37 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let resting = 0;
   let refined = ""; // the raster that the workers were last asked for
   /** @type {Drawer} */
-  const page = { postMessage: simulator_worker((reply) => receive(reply, page)) };
+  const page = { postMessage: simulator_worker((reply) => receive(reply, page)), terminate() {} };
   page.postMessage({ kind: "begin", data, compiled });
 
   // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
     if (workers.length) return;
-    workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
-      const worker = worker_of(float64s, simulator_module, simulator_worker);
-      worker.onmessage = ({ data }) => receive(data, worker);
-      worker.postMessage({ kind: "begin", data, compiled });
-      worker.onerror = (event) => handlers.failed(event.message || "the worker did not start");
-      return worker;
-    });
-    refine(last); // also the first picture, while the page is laid out
+    try {
+      workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
+        const worker = worker_of(float64s, simulator_module, simulator_worker);
+        listen(worker, (reply) => receive(reply, worker), go_alone);
+        worker.postMessage({ kind: "begin", data, compiled });
+        return worker;
+      });
+      ask(last);
+    } catch (error) {
+      go_alone(error_text(error));
+    }
+  }
+
+  /** Have the page do what the workers would. @param {string} why */
+  function go_alone(why) {
+    stop();
+    workers = [page];
+    handlers.failed(why);
+    refine(last);
   }
 
   function stop() {
     clearTimeout(timer);
+    cancelAnimationFrame(frame);
+    frame = 0;
     for (const worker of workers) worker.terminate();
     workers = [];
   }
@@ -54,10 +65,9 @@ function simulator_engine(data, compiled, states, module, handlers) {
   /** Cut the rows into bands of about equal work: a row costs what it has of A, and a little. @param {State} state */
   function bands_of(state) {
     const raster = states.crop(state);
-    const reach = module.radius_of_a;
     const [, y] = module.image_points(raster);
-    const cost = y.map((at) => Math.sqrt(Math.max(0, reach * reach - at * at)) + 0.02 * reach);
-    const whole = total(Array.from(cost), Number);
+    const cost = y.map((at) => Math.sqrt(Math.max(0, 1 - (at / module.radius_of_a) ** 2)) + 0.02);
+    const whole = total([...cost], Number);
     let sum = 0;
     const band_of = cost.map((part) => {
       sum += part;
@@ -73,14 +83,12 @@ function simulator_engine(data, compiled, states, module, handlers) {
   /** Draw this state: at once, but only the last of those that a frame of the screen asks for. @param {State} state */
   function ask(state) {
     last = state;
-    next = state;
     clearTimeout(timer);
     if (frame || !workers.length) return;
     frame = requestAnimationFrame(() => {
       frame = 0;
-      if (next) ask(next);
+      if (last !== state) ask(last);
     });
-    next = null;
     if (resting) for (const worker of workers) worker.postMessage({ kind: "stop" });
     resting = 0;
     send(state, [page], [states.crop(state, Math.max(1, state.size / SMALL))]);
@@ -102,29 +110,34 @@ function simulator_engine(data, compiled, states, module, handlers) {
     if (drawer === page || reply.part.raster === refined) handlers.painted(reply, drawer === page);
     const { state, asked, replies } = waiting;
     if (reply.id !== waiting.id || replies.push(reply) < reply.part.bands) return;
-    const is_whole = drawer !== page || state.size <= SMALL;
+    clearTimeout(timer);
+    const is_whole = reply.band.wide === state.size;
     handlers.drawn(state, replies, asked, drawer === page, is_whole);
-    timer = is_whole ? setTimeout(rest, IDLE_AFTER, state) : setTimeout(refine, REFINED_AFTER, state);
+    timer = setTimeout(() => {
+      if (!workers.length) return;
+      timer = setTimeout(go_alone, PATIENCE, `no answer within ${PATIENCE / 1000} seconds`);
+      (is_whole ? rest : refine)(state);
+    }, AFTER);
   }
 
   /** @param {State} state */
   function refine(state) {
-    if (!workers.length) return;
     refined = Object.values(states.crop(state)).join();
     send(state, workers, bands_of(state));
   }
 
   /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
   function found(reply) {
-    if (reply.id !== id || !resting) return;
+    if (reply.id !== id) return;
     const piece = `${reply.kind} ${reply.index}`;
     pieces[piece] ??= [];
-    if (pieces[piece].push(reply) === resting) handlers[reply.kind](pieces[piece]);
+    if (pieces[piece].push(reply) < resting) return;
+    clearTimeout(timer);
+    handlers[reply.kind](pieces[piece]);
   }
 
   /** @param {State} state */
   function rest(state) {
-    if (document.hidden || !workers.length) return;
     const steps = handlers.resting(state);
     const bands = bands_of(state);
     resting = bands.length;

@@ -61,12 +61,15 @@ function simulator_hand(pictures, act) {
     act.zoom(event.key === "-" ? -1 : 1);
   }
 
+  /** @param {PointerEvent} event */
+  const put = ({ pointerId, clientX, clientY }) => fingers.set(pointerId, [clientX, clientY]);
+
   /** @param {HTMLElement} box */
   function wire(box) {
     box.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       box.setPointerCapture(event.pointerId);
-      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      put(event);
       begun = begin();
     });
     box.addEventListener("pointermove", (event) => {
@@ -74,7 +77,7 @@ function simulator_hand(pictures, act) {
         if (event.pointerType === "mouse" && !pinned) point(event, box);
         return;
       }
-      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      put(event);
       if (fingers.size > 1) pinch(box);
       else drag(event, box);
     });

@@ -15,8 +15,8 @@ function simulator_layout(root, resized) {
   const GAP = 16;
   const LEAST = 128; // of a picture's side: a low window is scrolled
   const stage = find_element(root, ".sim-stage");
-  const modes = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
-  modes[1].hidden = !document.fullscreenEnabled;
+  const [apart, large] = ["apart", "large"].map((name) => find_element(root, `[data-${name}]`));
+  large.hidden = !document.fullscreenEnabled;
   const page = root.closest("main") ?? document.body;
   let is_apart = false;
   let last = "";
@@ -49,7 +49,7 @@ function simulator_layout(root, resized) {
     /** @param {number} room */
     function alike(room) {
       const side = side_for(room, size);
-      return { large: side, small: side, is_tall: false };
+      return { side, small: side, is_tall: false };
     }
     if (wide < NARROW) return alike(wide);
     if (is_apart) return alike(Math.min((wide - 2 * GAP) / 3, high - PLOT - TABLE));
@@ -57,22 +57,22 @@ function simulator_layout(root, resized) {
     const [below, beside] = [Math.min(high - TABLE, wide - BESIDE), Math.min(high, wide - PIXEL)].map((room) =>
       side_for(room, size)
     );
-    const large = Math.max(below, beside);
+    const side = Math.max(below, beside);
     const is_tall = beside > below;
-    const small = side_for(Math.min(wide - large - 2 * GAP - 1.3 * SCENE, large - PLOT - (is_tall ? TABLE : 0)), size);
-    return { large, small, is_tall };
+    const small = side_for(Math.min(wide - side - 2 * GAP - 1.3 * SCENE, side - PLOT - (is_tall ? TABLE : 0)), size);
+    return { side, small, is_tall };
   }
 
   /** @param {number} size */
   function fit(size) {
     spread();
     if (!stage.clientWidth) return; // a page of the mailed file that is not open
-    const { large, small, is_tall } = sides(size);
-    root.style.setProperty("--side", `${large}px`);
+    const { side, small, is_tall } = sides(size);
+    root.style.setProperty("--side", `${side}px`);
     root.style.setProperty("--small", `${small}px`);
     root.classList.toggle("sim-tall", is_tall);
     root.classList.toggle("sim-compact", root.clientWidth >= NARROW && root.clientWidth < COMPACT);
-    const now = [large, small, window.devicePixelRatio].join();
+    const now = [side, small, window.devicePixelRatio].join();
     if (now !== last) resized();
     last = now;
   }
@@ -80,7 +80,7 @@ function simulator_layout(root, resized) {
   /** @param {number} size */
   function toggle_apart(size) {
     is_apart = root.classList.toggle("sim-apart");
-    modes[0].setAttribute("aria-pressed", String(is_apart));
+    apart.setAttribute("aria-pressed", String(is_apart));
     fit(size);
   }
 
@@ -90,7 +90,7 @@ function simulator_layout(root, resized) {
   }
 
   document.addEventListener("fullscreenchange", () =>
-    modes[1].setAttribute("aria-pressed", String(document.fullscreenElement === root))
+    large.setAttribute("aria-pressed", String(document.fullscreenElement === root))
   );
   return { fit, page, toggle_apart, toggle_large };
 }

@@ -185,7 +185,7 @@ function simulator_loupe(root, states, data, module, act) {
       );
       add_difference(heights, noise);
     }
-    const exact = module.gradients(state, module.methods_of(state).symbolic, stage)[n][0];
+    const exact = module.gradients(state, stage)[n][0];
     const proved = Number.isNaN(bound) ? "no theorem covers this" : `proved: at most ${scientific(bound, 2)}`;
     const off = `off by ${scientific(Math.abs(numeric - exact), 2)}; ${proved}`;
     add_pair([`h${"ᵤᵥ"[n]}`, "exact"], [numeric, exact], [off]);

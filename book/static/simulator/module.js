@@ -179,7 +179,11 @@ async function simulator_module(data, ...programs) {
     const changed = {
       way: data.fields[state.field].ways[beta === 0 ? "flat" : way],
       model: index,
-      ...{ power, ku, kv, beta, eps },
+      power,
+      ku,
+      kv,
+      beta,
+      eps,
       power_u: Math.abs(power_u),
       power_v: Math.abs(power_v),
       turn_u: Math.sign(power_u) || 1,
@@ -203,7 +207,7 @@ async function simulator_module(data, ...programs) {
     const { scene, lights } = numbers_of(state, method);
     floats(scene_at, scene.length).set(scene);
     floats(lights_at, data.light_size * lights.length).set(lights.flat());
-    const everywhere = ["draw_chambers", "draw_elsewhere", "draw_bounded"].includes(what);
+    const everywhere = !["draw_a", "draw_chart"].includes(what);
     const given = {
       ...stage.addresses,
       ...on_rows(stage, everywhere),
@@ -410,15 +414,19 @@ async function simulator_module(data, ...programs) {
     const open = place(stage, "open", "plane");
     const bounds = COLORS.map((color) => [`${color}_bound`, place(stage, "bound", color)]);
     const [x_bound, y_bound] = [Float64Array.of(...of_x[0], 0), of_y[0]].map(put);
-    const inputs = { x_bound, y_bound, scene_bounds: put(Float64Array.from(data.scene_bounds ?? [])) };
     draw("draw_bounded", state, method, stage, {
       ...target(stage, "bounded", COLORS),
       ...Object.fromEntries(bounds),
-      ...inputs,
+      x_bound,
+      y_bound,
+      scene_bounds: put(Float64Array.from(data.scene_bounds ?? [])),
       open
     });
-    const opened = rows(new Uint8Array(memory.buffer, open, stage.pitch * high), stage);
-    return { colors: colors_of(stage, "bounded"), bounds: colors_of(stage, "bound"), open: opened };
+    return {
+      colors: colors_of(stage, "bounded"),
+      bounds: colors_of(stage, "bound"),
+      open: rows(new Uint8Array(memory.buffer, open, stage.pitch * high), stage)
+    };
   }
 
   /** @param {Ground} stage @param {number} address */
@@ -438,10 +446,10 @@ async function simulator_module(data, ...programs) {
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.
    * @param {SceneState} state
-   * @param {Method} method
    * @param {Stage} stage
+   * @param {Method} method
    */
-  function gradients(state, method, stage) {
+  function gradients(state, stage, method = EXACT) {
     draw_a({ ...state, beta: 1 }, method, stage, "gradient");
     return slopes_of(stage, "gradient");
   }
@@ -514,16 +522,14 @@ async function simulator_module(data, ...programs) {
   }
 
   /** @param {Float64Array} numbers */
-  function first_of([number]) {
-    return number;
-  }
+  const first_of = ([number]) => number;
 
   /** @param {SceneState} state @param {Method} method @param {Stage} stage */
   function record_on_a(state, method, stage) {
     const { field, ku, kv, beta } = state;
     const [u, v] = chart(stage).map(first_of);
     const angles = angles_of(stage).map(first_of);
-    const gradient = gradients(state, method, stage).map(first_of);
+    const gradient = gradients(state, stage, method).map(first_of);
     const [theta, phi] = kernel("chart_radians", u, v);
     const [h] = kernel(`height_${field}`, u, v, ku, kv);
     const [kink] = kernel(`kink_${field}`, angles[3], u, v, ku, kv);
@@ -531,7 +537,12 @@ async function simulator_module(data, ...programs) {
     return {
       point: kernel("point_on_a", ...angles, radius),
       normal: kernel("bumped_normal", ...angles, ...gradient, beta),
-      ...{ gradient, u, v, h, theta, phi },
+      gradient,
+      u,
+      v,
+      h,
+      theta,
+      phi,
       kink: kink === 1,
       straddling: straddling === 1
     };
@@ -553,7 +564,6 @@ async function simulator_module(data, ...programs) {
     draw_a,
     draw_elsewhere,
     draw_bounded,
-    colors_of,
     paint,
     fill,
     bytes,

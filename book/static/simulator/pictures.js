@@ -48,8 +48,8 @@ function simulator_pictures(root, states, data, module) {
     canvas.height = side;
   }
 
-  /** How many of the screen's pixels a side of a box has. @param {number} n */
-  const screen_side = (n) => Math.round(boxes[n].clientWidth * (window.devicePixelRatio || 1));
+  /** How many of the screen's pixels a side of a box has. @param {Element} box */
+  const screen_side = (box) => Math.round(box.clientWidth * (window.devicePixelRatio || 1));
 
   /** Put what was drawn of a band into its canvases. @param {Drawn} reply @param {boolean} is_pages */
   function paint({ images, band, part, codes }, is_pages) {
@@ -85,7 +85,7 @@ function simulator_pictures(root, states, data, module) {
   // The difference in as many pixels as the screen has for it; the others as they are.
   function fit() {
     if (!shown) return;
-    const rooms = boxes.map((_, n) => screen_side(n) || seen.side); // all before any canvas changes the layout
+    const rooms = boxes.map((box) => screen_side(box) || seen.side); // all before any canvas changes the layout
     for (const [n, canvas] of seen.bases.entries()) {
       const room = rooms[n];
       if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
@@ -151,7 +151,7 @@ function simulator_pictures(root, states, data, module) {
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
-    const sides = boxes.map((_, n) => screen_side(n));
+    const sides = boxes.map(screen_side);
     const key = [size, zoom, left, top, whole, field, ku, kv, ...sides].join();
     if (key === decorated) return;
     decorated = key;
@@ -174,7 +174,7 @@ function simulator_pictures(root, states, data, module) {
       canvas.hidden = !bounds.length;
       if (canvas.hidden) continue;
       const side = bounds[n].length ** 0.5;
-      const image = scale.bounds(bounds[n], side, Math.min(side, screen_side(n) || side));
+      const image = scale.bounds(bounds[n], side, Math.min(side, screen_side(boxes[n]) || side));
       resize(canvas, image.width);
       context_of(canvas).putImageData(image, 0, 0);
     }

@@ -115,6 +115,7 @@ function simulator_presets(root, states, act) {
   }
 
   document.addEventListener("keydown", press);
+  root.addEventListener("focusin", (event) => is_typed(event) && pause()); // what moves would write into the box
   bar.addEventListener("input", () => {
     pause();
     put(Number(bar.value));

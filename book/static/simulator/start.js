@@ -7,7 +7,14 @@ function simulator_start(root, compiled, module) {
   /** @param {string} selector */
   const $ = (selector) => find_element(root, selector);
   const PANELS_EVERY = 100; // milliseconds
-  add_choices();
+  // Every field and every model of light that the renderer knows; the page has the chapter's models already.
+  for (const name of Object.keys(data.fields)) {
+    const button = make_element("input", { type: "radio", name: "sim-field", value: name });
+    $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
+  }
+  for (const name of Object.keys(data.models)) {
+    if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
+  }
   const states = simulator_states(root, data);
   let state = states.start();
   /** @type {State | null} */
@@ -31,17 +38,6 @@ function simulator_start(root, compiled, module) {
   const frames = []; // milliseconds from a change to its pictures in the canvases
   /** @type {number[]} */
   const refined = []; // milliseconds that the workers took for all pixels of a larger picture
-
-  // Every field and every model of light that the renderer knows; the page has the chapter's models already.
-  function add_choices() {
-    for (const name of Object.keys(data.fields)) {
-      const button = make_element("input", { type: "radio", name: "sim-field", value: name });
-      $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
-    }
-    for (const name of Object.keys(data.models)) {
-      if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
-    }
-  }
 
   /** @param {string} left_out */
   function key_without(left_out) {
@@ -185,10 +181,8 @@ function simulator_start(root, compiled, module) {
       panels_soon();
     },
     timed: (all) => readouts.timed(largest(all, "numeric"), largest(all, "symbolic")),
-    failed(text) {
-      engine.stop();
-      say_failure(root, text);
-    }
+    failed: (why) =>
+      say(root, `The browser’s workers draw nothing here (${why}): the page draws alone, and answers more slowly.`)
   };
   const engine = simulator_engine(data, compiled, states, module, handlers);
 
@@ -227,13 +221,6 @@ function simulator_start(root, compiled, module) {
     }
   };
 
-  function wire_buttons() {
-    for (const [name, work] of Object.entries(buttons)) {
-      for (const button of find_all(root, `button[data-${name}]`))
-        button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
-    }
-  }
-
   // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
   function watch_closer() {
     const watch = new IntersectionObserver(async (entries) => {
@@ -269,7 +256,21 @@ function simulator_start(root, compiled, module) {
     }
   }
 
-  function show_or_hide() {
+  for (const [name, work] of Object.entries(buttons)) {
+    for (const button of find_all(root, `button[data-${name}]`))
+      button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
+  }
+  watch_closer();
+  controls.show(state);
+  layout.fit(state.size); // before anything is drawn in it, which else moves once more
+  if (from_address()) root.scrollIntoView();
+  engine.start();
+  window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
+  const fitting = new ResizeObserver(() => layout.fit(state.size));
+  for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
+  new ResizeObserver(panels_soon).observe($(".sim-curve")); // also what stands beside it changes its width
+  window.addEventListener("resize", () => layout.fit(state.size));
+  document.addEventListener("visibilitychange", () => {
     if (document.hidden) {
       presets.pause();
       engine.stop();
@@ -277,20 +278,7 @@ function simulator_start(root, compiled, module) {
       engine.start();
       panels();
     }
-  }
-
-  engine.start();
-  wire_buttons();
-  watch_closer();
-  controls.show(state);
-  layout.fit(state.size); // before anything is drawn in it, which else moves once more
-  if (from_address()) root.scrollIntoView();
-  window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
-  const fitting = new ResizeObserver(() => layout.fit(state.size));
-  for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
-  new ResizeObserver(panels_soon).observe($(".sim-curve")); // also what stands beside it changes its width
-  window.addEventListener("resize", () => layout.fit(state.size));
-  document.addEventListener("visibilitychange", show_or_hide);
+  });
   return {
     act,
     states,
@@ -326,15 +314,7 @@ async function closer_parts(data, compiled) {
 
 /** @param {HTMLElement} root @param {string} text */
 function say(root, text) {
-  const message = find_element(root, ".sim-message");
-  message.textContent = text;
-  message.hidden = !text;
-}
-
-/** @param {HTMLElement} root @param {string} text */
-function say_failure(root, text) {
-  root.classList.add("sim-failed");
-  say(root, `The simulator could not start (${text}). The figure below shows the three fields.`);
+  find_element(root, ".sim-message").textContent = text; // hidden while it is empty
 }
 
 when_ready(async () => {
@@ -344,7 +324,8 @@ when_ready(async () => {
     const compiled = await compiled_program(Simulator.program);
     Simulator.running = simulator_start(root, compiled, await simulator_module(Simulator.data, compiled));
   } catch (error) {
-    say_failure(root, error_text(error));
+    root.classList.add("sim-failed");
     root.hidden = false;
+    say(root, `The simulator could not start (${error_text(error)}). The figure below shows the three fields.`);
   }
 });

@@ -10,7 +10,7 @@
 function simulator_worker(post) {
   const ROUNDS = 12;
   const SIDE = 32; // of a still
-  /** @type {Record<string, { key: Key, value: any, version: number, fresh: boolean }>} */
+  /** @type {Record<string, { key: string, value: any, version: number, fresh: boolean }>} */
   const kept = {};
   let apart = { largest: 0, squares: 0 };
   let versions = 0;
@@ -28,9 +28,9 @@ function simulator_worker(post) {
    * @param {() => any} make
    */
   function keep(name, key, make = () => null) {
-    const old = kept[name];
-    const fresh = !old || old.key.length !== key.length || key.some((part, n) => part !== old.key[n]);
-    if (fresh) kept[name] = { key, value: make(), version: ++versions, fresh };
+    const joined = key.join();
+    const fresh = kept[name]?.key !== joined;
+    if (fresh) kept[name] = { key: joined, value: make(), version: ++versions, fresh };
     kept[name].fresh = fresh;
     return kept[name];
   }
@@ -75,7 +75,7 @@ function simulator_worker(post) {
     if (view === "straddle") return module.kernel_over(`straddling_${field}`, u, v, ku, kv, eps)[0];
     if (view === "kink") return module.kernel_over(`kink_${field}`, module.angles_of(stage)[3], u, v, ku, kv)[0];
     const method = module.methods_of(state)[name];
-    if (view === "slope") return module.kernel_over("slope", ...module.gradients(state, method, stage))[0];
+    if (view === "slope") return module.kernel_over("slope", ...module.gradients(state, stage, method))[0];
     const bounds = name === "numeric" && module.bounds_of(state);
     return bounds ? module.kernel_over(bounds, u, v, ku, kv, eps)[1] : null;
   }
@@ -130,8 +130,6 @@ function simulator_worker(post) {
     const moved = codes ? [codes.buffer] : [];
     /** @type {Drawn["images"]} */
     const images = {};
-    draw_anew("numeric", state, stage);
-    draw_anew("symbolic", state, stage);
 
     /**
      * Paint a picture if what it shows has changed: all of it if what is around A has, too.
@@ -151,6 +149,7 @@ function simulator_worker(post) {
     }
 
     for (const name of ["numeric", "symbolic"]) {
+      draw_anew(name, state, stage);
       const by_step = ["straddle", "terms"].includes(state.view) && [state.eps, state.method].join();
       const around = [kept.around.version, state.view];
       picture(name, around, [kept[name].version, by_step], (whole) => paint_view(name, state, stage, whole));
