@@ -19,6 +19,7 @@ from proofs.engine.theorem import all_theorems
 from proofs.formulas.half_turns import sinpi
 from tests import one_page
 from tests.processes import python
+from verify import formal
 from verify.sources import ROOT
 
 THEOREMS = all_theorems()
@@ -48,8 +49,10 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
             formula.replace_with(f"${formula.annotation.get_text()}$")
-        for word in card.select(".grade-word"):
-            word.decompose()
+        whole = proofs.entries[id]["shown"] == "formal"
+        words = [word.extract().get_text() for word in card.select(".grade-word")]
+        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * whole
+        assert not (whole and theorem.expected == "argued")
         (statement,) = card.select(".statement")
         assert not card.details.has_attr("open")
         shown = statement.get_text().strip().replace("’", "'")
@@ -154,8 +157,11 @@ def test_evidence_in_words():
         "witness": [{"points": 1000, "digits": 50}],
         "mutants": [killed, spared],
     }
-    entry |= {"shown": "formal", "formal": {"printed": {"a": "x = x"}, "statements": {}, "here": False}}
+    entry |= {
+        "shown": "formal",
+        "formal": {"printed": {"a": "x = x"}, "statements": {}, "when": "recorded on 2026-11-27"},
+    }
     assert evidence_line(entry | {"side_conditions": [{"edges": ["x = 0"]}]}) == (
-        "Formal: 1 statement in Coq, recorded, not re-checked here; proved: 4 certificates, checked by two kernels; "
+        "Formal: 1 statement in Coq, recorded on 2026-11-27; proved: 4 certificates, checked by two kernels; "
         "1 of 2 false variants refuted; 1,000 samples at 50 digits; 1 edge test"
     )

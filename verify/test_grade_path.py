@@ -1,6 +1,9 @@
 """The command that counts what a grade passes through finds what decides one, and nothing that decides none."""
 
-from verify import grade_path
+import pytest
+
+from verify import conftest, grade_path
+from verify.checkers import theorem_files
 from verify.sources import ROOT
 
 
@@ -11,3 +14,10 @@ def test_what_decides_a_grade_is_counted():
     assert 150 < found["proofs/engine/kernel.py"] < 250  # prose is not counted
     assert not {"proofs/engine/search.py", "verify/checkers/measured.py", "renderer/kernels.py"} & found.keys()
     assert "renderer/generate/rules.py" in grade_path.modules(ROOT, grade_path.PRINTS_FLOAT64)
+
+
+def test_a_program_among_the_theorems_is_never_run(monkeypatch, tmp_path, pytestconfig):
+    (tmp_path / "evil.py").write_text("raise SystemExit")
+    monkeypatch.setattr(theorem_files, "FOLDER", tmp_path)
+    with pytest.raises(pytest.UsageError, match=r"data: evil.py, line 1: names SystemExit"):
+        conftest.pytest_configure(pytestconfig)

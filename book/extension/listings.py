@@ -1,6 +1,7 @@
 """Sources as pages with numbered lines, certificates and scripts as downloads, files counted and quoted.
 
 {source-lines}`proofs/engine/kernel.py`      how many lines a file has
+{trusted-lines}`claims`                      how many lines a grade passes through; `float64`: with its printers
 {source-link}`proofs/engine/kernel.py`       a link to its page
 
 :::{docstring} proofs/engine/certificate.py
@@ -28,6 +29,7 @@ from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, proofs_of
 from proofs.engine.standalone import standalone_script
 from renderer import kernels
+from verify import grade_path
 
 DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
 LISTED = (
@@ -104,6 +106,13 @@ def source_file(name: str) -> Path:
 def source_lines(here: SphinxRole) -> Nodes:
     lines = source_file(here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
+
+
+@role("trusted-lines")
+def trusted_lines(here: SphinxRole) -> Nodes:
+    beside = {"claims": (), "float64": (grade_path.PRINTS_FLOAT64,)}[here.text]
+    lines = sum(grade_path.modules(stamps.ROOT, *beside).values())
+    return [nodes.inline("", f"{lines:,}", classes=["number"])]
 
 
 @role("source-link")

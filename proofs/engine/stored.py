@@ -37,8 +37,10 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
         return _statements(claim, theorems)
     except Untranslatable:
         raise
-    except Exception as why:  # too deep, too large, nothing that can be compared; or not borrowed
-        raise Untranslatable(f"{claim.name}: {why!r}") from None
+    except RecursionError:
+        raise Untranslatable(f"{claim.name}: it is nested too deeply") from None
+    except Exception as why:  # too large, nothing that can be compared; or not borrowed
+        raise Untranslatable(f"{claim.name}: no rule translates it: {why!r}") from None
 
 
 def _statements(claim, theorems):

@@ -62,7 +62,9 @@ class SideCondition(Parts):
 
 @dataclass(frozen=True)
 class Mutant:
-    """A false variant of a claim: the checker has to refuse it, and a counterexample has to be found.
+    """A false variant of a claim, whose name it has and of which it changes one field.
+
+    The checker has to refuse it, and a counterexample has to be found that is exact or enclosed.
 
     at: a point where it fails, as a side condition's, for those that sampling is unlikely to hit.
     """

@@ -107,8 +107,6 @@ Theorem chart__seam_2__false : Mutants.chart__seam_2__false.
 Proof. intro F. refuted_at (F 1). Qed.
 Theorem chart_inverse__formula_1__false : Mutants.chart_inverse__formula_1__false.
 Proof. intro F. refuted_at (F (1/2) (1/2)). Qed.
-Theorem chart_inverse__recovered_2__false : Mutants.chart_inverse__recovered_2__false.
-Proof. intro F. refuted_at (F 0 0 (-1) (-1)). Qed.
 Theorem clamped_difference__first_order_1__false : Mutants.clamped_difference__first_order_1__false.
 Proof. intro F. refuted_at (F 0 (1/2) (1/2) (1/4) (3/5) (-1) (1/4)). Qed.
 Theorem clamped_difference__at_the_pole_itself_2__false : Mutants.clamped_difference__at_the_pole_itself_2__false.
@@ -121,8 +119,6 @@ Theorem straddling__every_crease_4__false : Mutants.straddling__every_crease_4__
 Proof. intro F. refuted_at (F 0 (1/2)). Qed.
 Theorem tangent_frame__right_handed_1__false : Mutants.tangent_frame__right_handed_1__false.
 Proof. intro F. refuted_at (F (-1) 1 1 0). Qed.
-Theorem tangent_frame__orthonormal_3__false : Mutants.tangent_frame__orthonormal_3__false.
-Proof. intro F. refuted_at (F (4/5) (3/5) (3/5) (1/2)). Qed.
 Theorem central_difference_of_sine__no_clamp_4__false : Mutants.central_difference_of_sine__no_clamp_4__false.
 Proof. intro F. refuted_at (F (1/4) (4/5)). Qed.
 Theorem gradients__sine_2__false : Mutants.gradients__sine_2__false.
@@ -135,8 +131,6 @@ Theorem hit_of_b__behind_4__false : Mutants.hit_of_b__behind_4__false.
 Proof. intro F. refuted_at (F (3/5) 0 1 2 (3/5) (-1) 2 0 0). Qed.
 Theorem ridges_on_creases__crease_in_u_1__false : Mutants.ridges_on_creases__crease_in_u_1__false.
 Proof. intro F. refuted_at (F 1 (-1) 1 1 (-1)). Qed.
-Theorem ridges_on_creases__crease_in_u_2__false : Mutants.ridges_on_creases__crease_in_u_2__false.
-Proof. intro F. refuted_at (F 1 (1/2) (1/2)). Qed.
 Theorem ridges_on_creases__differ_3__false : Mutants.ridges_on_creases__differ_3__false.
 Proof. intro F. refuted_at (F 1 0 0 0). Qed.
 Theorem rounded_powers__product_1__false : Mutants.rounded_powers__product_1__false.
@@ -157,8 +151,6 @@ Theorem lagrange_identity__of_b_1__false : Mutants.lagrange_identity__of_b_1__fa
 Proof. intro F. refuted_at (F 1 1 1 1 1 0 0). Qed.
 Theorem lagrange_identity__of_shadow_2__false : Mutants.lagrange_identity__of_shadow_2__false.
 Proof. intro F. refuted_at (F (-1) 0 0 1 0 1 1 1 1 1). Qed.
-Theorem shadow_out_of_reach__cone_1__false : Mutants.shadow_out_of_reach__cone_1__false.
-Proof. intro F. refuted_at (F (-1) 0 0 (3/2) 0 0 1 (3/2) (-3/2) 1 1). Qed.
 Theorem shadow_out_of_reach__turns_between_2__false : Mutants.shadow_out_of_reach__turns_between_2__false.
 Proof. intro F. refuted_at (F (-1) 1 2 (-1) 1). Qed.
 Theorem shadow_out_of_reach__quadratic_3__false : Mutants.shadow_out_of_reach__quadratic_3__false.
@@ -167,8 +159,6 @@ Theorem pole__sine_1__false : Mutants.pole__sine_1__false.
 Proof. intro F. refuted_at (F (-1) 1 (-PI/2)). Qed.
 Theorem pole__rings_2__false : Mutants.pole__rings_2__false.
 Proof. intro F. refuted_at (F (-1) (-PI/2)). Qed.
-Theorem pole__surface_gradient_3__false : Mutants.pole__surface_gradient_3__false.
-Proof. intro F. refuted_at (F 0 (PI)). Qed.
 Theorem ridges_at_crossings__flat_1__false : Mutants.ridges_at_crossings__flat_1__false.
 Proof. intro F. refuted_at (F 1 (-1) 1 1 2 2). Qed.
 Theorem ridges_at_crossings__crossing_3__false : Mutants.ridges_at_crossings__crossing_3__false.
@@ -199,18 +189,12 @@ Theorem unit_length__length_3__false : Mutants.unit_length__length_3__false.
 Proof. intro F. refuted_at (F 2 0 0 0 0 0 1). Qed.
 Theorem unit_length__length_4__false : Mutants.unit_length__length_4__false.
 Proof. intro F. refuted_at (F 1 (-1) 0 (-1) 1 0 0). Qed.
-Theorem stable_frame__seed_frame_4__false : Mutants.stable_frame__seed_frame_4__false.
-Proof. intro F. refuted_at (F 0 0 (-1) (-1)). Qed.
 Theorem silhouette_of_a__tangent_3__false : Mutants.silhouette_of_a__tangent_3__false.
 Proof. intro F. refuted_at (F (3/4) (3/5) (-3/5) (-4/5)). Qed.
 Theorem seam__sine_2__false : Mutants.seam__sine_2__false.
 Proof. intro F. refuted_at (F (1/2) (1/2) 1). Qed.
 Theorem seam__ridges_3__false : Mutants.seam__ridges_3__false.
 Proof. intro F. refuted_at (F (1/2) (1/2) (-1)). Qed.
-Theorem occlusion_by_signs__if_1__false : Mutants.occlusion_by_signs__if_1__false.
-Proof. intro F. refuted_at (F 2 2 2 0). Qed.
-Theorem occlusion_by_signs__if_2__false : Mutants.occlusion_by_signs__if_2__false.
-Proof. intro F. refuted_at (F 1 (-1) 1 0). Qed.
 Theorem silhouette_of_b__conic_1__false : Mutants.silhouette_of_b__conic_1__false.
 Proof. intro F. refuted_at (F (-1) 1 1 (-1) 0). Qed.
 Theorem silhouette_of_b__hyperbola_2__false : Mutants.silhouette_of_b__hyperbola_2__false.
@@ -223,10 +207,6 @@ Theorem angle_of_the_bump__angle_3__false : Mutants.angle_of_the_bump__angle_3__
 Proof. intro F. refuted_at (F 0 0 0 0 1 0 0). Qed.
 Theorem chart__round_trip_3__false : Mutants.chart__round_trip_3__false.
 Proof. intro F. refuted_at (F 0). Qed.
-Theorem seam__odd_1__false : Mutants.seam__odd_1__false.
-Proof. intro F. refuted_at (F 1 1 (1/2) (1/2)). Qed.
-Theorem seam__sine_4__false : Mutants.seam__sine_4__false.
-Proof. intro F. refuted_at (F 1 1 (1/2) (1/2)). Qed.
 Theorem gradients__sine_1__false : Mutants.gradients__sine_1__false.
 Proof. intro F. refuted_at (F 1 1 0 (1/2)). Qed.
 Theorem truncation_bound__rings_1__false : Mutants.truncation_bound__rings_1__false.
@@ -237,8 +217,6 @@ Theorem third_derivative_at_eight__at_eight_1__false : Mutants.third_derivative_
 Proof. intro F. refuted_at F. Qed.
 Theorem third_derivative_at_eight__at_four_2__false : Mutants.third_derivative_at_eight__at_four_2__false.
 Proof. intro F. refuted_at F. Qed.
-Theorem ridges_at_crossings__crossing_2__false : Mutants.ridges_at_crossings__crossing_2__false.
-Proof. intro F. refuted_at (F 1 1 1 (1/2) (1/2) 0). Qed.
 Theorem straddling__value_2__false : Mutants.straddling__value_2__false.
 Proof. intro F. refuted_at (F (1/2) 1 1). Qed.
 Theorem central_difference_of_sine__sine_in_u_3__false : Mutants.central_difference_of_sine__sine_in_u_3__false.

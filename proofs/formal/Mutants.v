@@ -104,7 +104,11 @@ Definition chart_inverse__recovered_2__false : Prop :=
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   normal_x ^ 2 + normal_y ^ 2 >= 0 ->
-  sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_phi).
+  sqrt (normal_x ^ 2 + normal_y ^ 2) <> 0 ->
+  (sqrt (normal_x ^ 2 + normal_y ^ 2)) ^ 2 = sin_phi ^ 2 /\
+  sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_phi /\
+  normal_x / sqrt (normal_x ^ 2 + normal_y ^ 2) = cos_theta /\
+  normal_y / sqrt (normal_x ^ 2 + normal_y ^ 2) = sin_theta).
 
 Definition clamped_difference__first_order_1__false : Prop :=
   ~ (
@@ -454,7 +458,7 @@ Definition tangent_frame__right_handed_1__false : Prop :=
   e_phi_x * e_theta_z - e_phi_z * e_theta_x = normal_y /\
   e_phi_y * e_theta_x - e_phi_x * e_theta_y = normal_z).
 
-Definition tangent_frame__e_theta_2__false : Prop :=
+Definition tangent_frame__derivatives_2__false : Prop :=
   ~ (
   forall phi theta : R,
   ex_derive (fun theta : R => (sin phi) * (cos theta)) theta ->
@@ -470,10 +474,18 @@ Definition tangent_frame__orthonormal_3__false : Prop :=
   let normal_x := cos_theta * sin_phi in
   let normal_y := sin_phi * sin_theta in
   let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
   let e_phi_x := cos_phi * cos_theta in
   let e_phi_y := cos_phi * sin_theta in
   let e_phi_z := -sin_phi in
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  e_theta_z * e_theta_z + e_theta_x * e_theta_x + e_theta_y * e_theta_y = 1 /\
+  e_phi_z * e_phi_z + e_phi_x * e_phi_x + e_phi_y * e_phi_y = 1 /\
+  normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 /\
+  e_phi_z * e_theta_z + e_phi_x * e_theta_x + e_phi_y * e_theta_y = 0 /\
+  e_theta_z * normal_z + e_theta_x * normal_x + e_theta_y * normal_y = 0 /\
   e_phi_z * normal_z + e_phi_x * normal_x + e_phi_y * normal_y = 0).
 
 Definition seed_bump_as_displacement__parallel_1__true : Prop :=
@@ -903,12 +915,21 @@ Definition ridges_on_creases__crease_in_u_1__false : Prop :=
 
 Definition ridges_on_creases__crease_in_u_2__false : Prop :=
   ~ (
-  forall k_u m to_u : R,
+  forall k_u k_v m to_u v : R,
   k_u > 0 ->
   to_u > 0 ->
   k_u * to_u <= 1 ->
   k_u <> 0 ->
-  Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) >= sin (to_u * PI * k_u)).
+  Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) >= sin (to_u * PI * k_u) /\
+  sin (to_u * PI * k_u) >= Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) /\
+  Rabs (sin (PI * (k_u * (1 * to_u + m / k_u)))) = sin (to_u * PI * k_u) /\
+  Rabs (sin (PI * (k_u * (m / k_u - to_u)))) >= sin (to_u * PI * k_u) /\
+  sin (to_u * PI * k_u) >= Rabs (sin (PI * (k_u * (m / k_u - to_u)))) /\
+  Rabs (sin (PI * (k_u * (m / k_u - to_u)))) = sin (to_u * PI * k_u) /\
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
+  Rabs ((sin (PI * (k_u * (m / k_u - to_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
+  to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) >= Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2)).
 
 Definition ridges_on_creases__differ_3__false : Prop :=
   ~ (
@@ -1115,6 +1136,13 @@ Definition shadow_out_of_reach__cone_1__false : Prop :=
   distance ^ 2 = axis_z * axis_z + axis_x * axis_x + axis_y * axis_y ->
   wander ^ 2 = aside_z * aside_z + aside_x * aside_x + aside_y * aside_y ->
   product = aside_z * axis_z + aside_x * axis_x + aside_y * axis_y ->
+  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) * (aside_y * axis_x - aside_x * axis_y) + (aside_x * axis_z - aside_z * axis_x) * (aside_x * axis_z - aside_z * axis_x) + (aside_z * axis_y - aside_y * axis_z) * (aside_z * axis_y - aside_y * axis_z) /\
+  distance ^ 2 * wander ^ 2 - product ^ 2 >= 0 /\
+  distance * wander >= 0 /\
+  distance * wander + product >= 0 /\
+  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) = (distance - wander) ^ 2 + 2 * (distance * wander + product) /\
+  distance - wander > body_radius /\
+  (distance - wander) ^ 2 > body_radius ^ 2 /\
   (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) > body_radius ^ 2).
 
 Definition shadow_out_of_reach__turns_between_2__false : Prop :=
@@ -1182,8 +1210,8 @@ Definition pole__rings_2__false : Prop :=
 Definition pole__surface_gradient_3__false : Prop :=
   ~ (
   forall k_u theta : R,
-  let surface_x := 1 / 2 * (cos (1 * (theta + PI) / 2)) * (-(sin theta)) + (sin (1 * (theta + PI) / 2)) * (cos theta) in
-  let surface_y := (sin theta) * (sin (1 * (theta + PI) / 2)) + 1 / 2 * (cos (1 * (theta + PI) / 2)) * (cos theta) in
+  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos theta) in
+  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
   k_u / 2 * (cos (k_u * (0 + PI) / 2)) * (-(sin 0)) + (sin (k_u * (0 + PI) / 2)) * (cos 0) = surface_x /\
   k_u / 2 * (cos (k_u * (0 + PI) / 2)) * (cos 0) + (sin 0) * (sin (k_u * (0 + PI) / 2)) = surface_y).
 
@@ -1234,7 +1262,9 @@ Definition ridges_at_crossings__crossing_2__false : Prop :=
   sin (PI * m) = 0 ->
   k_u <> 0 ->
   k_v <> 0 ->
-  (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 = ((sin (to_u * PI * k_u)) * (sin (to_v * PI * k_v))) ^ 2).
+  (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 = ((sin (to_u * PI * k_u)) * (sin (to_v * PI * k_v))) ^ 2 /\
+  ((sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2) ^ 2 >= 4 * (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 /\
+  (to_u * PI * k_u) ^ 2 + (to_v * PI * k_v) ^ 2 >= (sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2).
 
 Definition ridges_at_crossings__crossing_3__false : Prop :=
   ~ (
@@ -1597,11 +1627,24 @@ Definition stable_frame__angles_3__false : Prop :=
 Definition stable_frame__seed_frame_4__false : Prop :=
   ~ (
   forall cos_phi cos_theta sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
   let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
   cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   1 - normal_z ^ 2 >= 0 ->
-  sqrt (1 - normal_z ^ 2) = sin_phi).
+  sqrt (1 - normal_z ^ 2) <> 0 ->
+  sqrt (1 - normal_z ^ 2) = sin_phi /\
+  -normal_y / sqrt (1 - normal_z ^ 2) = e_theta_x /\
+  normal_x / sqrt (1 - normal_z ^ 2) = e_theta_y /\
+  normal_x * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_x /\
+  normal_y * normal_z / sqrt (1 - normal_z ^ 2) = e_phi_y /\
+  -sqrt (1 - normal_z ^ 2) = e_phi_z).
 
 Definition silhouette_of_a__only_inside_1__false : Prop :=
   ~ (
@@ -1681,7 +1724,7 @@ Definition seed_covers_the_view__behind_3__false : Prop :=
   eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
   t >= 1).
 
-Definition seam__odd_1__false : Prop :=
+Definition seam__even_1__false : Prop :=
   ~ (
   forall k_u k_v u v : R,
   cos (PI * k_u) = -1 ->
@@ -1704,10 +1747,13 @@ Definition seam__ridges_3__false : Prop :=
   h_first = 0 /\
   h_last = 0).
 
-Definition seam__sine_4__false : Prop :=
+Definition seam__even_4__false : Prop :=
   ~ (
   forall k_u k_v u v : R,
   sin (PI * k_u) = 0 ->
+  (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (0 * k_u))) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (1 * k_u))) = 0 /\
   (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))).
 
 Definition occlusion_by_signs__if_1__false : Prop :=
@@ -1720,7 +1766,16 @@ Definition occlusion_by_signs__if_1__false : Prop :=
   b > 0 ->
   d >= 0 ->
   a <> 0 ->
-  1 > (b - sqrt d) / a).
+  a > 0 /\
+  (b - sqrt d) * (b + sqrt d) = a * c /\
+  b + sqrt d > 0 /\
+  b - sqrt d > 0 /\
+  (a - b - sqrt d) * (sqrt d + a - b) = a * (c + a - 2 * b) /\
+  sqrt d + a - b > 0 /\
+  / a > 0 /\
+  (b - sqrt d) / a > 0 /\
+  1 > (b - sqrt d) / a /\
+  c + a * ((b - sqrt d) / a) ^ 2 - 2 * b * (b - sqrt d) / a = 0).
 
 Definition occlusion_by_signs__if_2__false : Prop :=
   ~ (
@@ -1733,7 +1788,16 @@ Definition occlusion_by_signs__if_2__false : Prop :=
   b < a ->
   d >= 0 ->
   a <> 0 ->
-  (b - sqrt d) / a > 0).
+  a > 0 /\
+  (b - sqrt d) * (b + sqrt d) = a * c /\
+  b + sqrt d > 0 /\
+  b - sqrt d > 0 /\
+  (a - b - sqrt d) * (sqrt d + a - b) = a * (c + a - 2 * b) /\
+  sqrt d + a - b > 0 /\
+  / a > 0 /\
+  (b - sqrt d) / a > 0 /\
+  1 > (b - sqrt d) / a /\
+  c + a * ((b - sqrt d) / a) ^ 2 - 2 * b * (b - sqrt d) / a = 0).
 
 Definition occlusion_by_signs__only_if_3__false : Prop :=
   ~ (
@@ -1859,7 +1923,7 @@ Definition bump_is_not_displacement__only_where_flat_1__false : Prop :=
   sin_phi <> 0 ->
   h_u = 0).
 
-Definition bump_is_not_displacement__like_blinn_2__false : Prop :=
+Definition bump_is_not_displacement__angle_2__false : Prop :=
   ~ (
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
   let normal_x := cos_theta * sin_phi in
@@ -2165,6 +2229,13 @@ Definition shadow_line_moves_within__shadow_line_1__false : Prop :=
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 ->
   m_length <> 0 ->
   g_z * g_z + g_x * g_x + g_y * g_y >= 0 ->
+  w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
+  w >= 0 /\
+  g_z * g_z + g_x * g_x + g_y * g_y - (g_z * towards_z + g_x * towards_x + g_y * towards_y) ^ 2 >= 0 /\
+  w ^ 2 - (beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y)) ^ 2 >= 0 /\
+  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + w >= 0 /\
+  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > 0 /\
+  m_length * (bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y) = beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y /\
   bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y > 0).
 
 Definition shadow_line_moves_within__shadow_line_2__false : Prop :=
@@ -2217,7 +2288,18 @@ Definition normalising_is_lipschitz__normalise_2__false : Prop :=
   turned ^ 2 = (a_z / length_a - b_z / length_b) * (a_z / length_a - b_z / length_b) + (a_x / length_a - b_x / length_b) * (a_x / length_a - b_x / length_b) + (a_y / length_a - b_y / length_b) * (a_y / length_a - b_y / length_b) ->
   length_a <> 0 ->
   length_b <> 0 ->
-  apart >= turned).
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x * b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z - a_z * b_y) * (a_y * b_z - a_z * b_y) /\
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 >= 0 /\
+  length_a * length_b - 1 >= 0 /\
+  length_a * length_b - product >= 0 /\
+  length_a * length_b + product >= 0 /\
+  turned ^ 2 * length_a * length_b = 2 * (length_a * length_b - product) /\
+  apart ^ 2 = length_a ^ 2 + length_b ^ 2 - 2 * product /\
+  length_a * length_b * (apart ^ 2 - turned ^ 2) >= 0 /\
+  apart ^ 2 >= turned ^ 2 /\
+  apart >= turned /\
+  4 >= turned ^ 2 /\
+  2 >= turned).
 
 Definition normalising_is_lipschitz__normalise_3__false : Prop :=
   ~ (
@@ -2319,7 +2401,16 @@ Definition visible_iff__visible_1__false : Prop :=
   Rmax 0 discriminant_a >= 0 ->
   eye ^ 2 + root_a <> 0 ->
   radius <> 0 ->
-  t = t_a).
+  t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
+  (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
+  2 * eye ^ 2 * t = eye ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) - radius ^ 2 /\
+  eye ^ 2 * t > 0 /\
+  t > 0 /\
+  0 >= t * (eye ^ 2 + rho ^ 2) - eye ^ 2 /\
+  -(t * (eye ^ 2 + rho ^ 2) - eye ^ 2) >= root_a /\
+  root_a >= -(t * (eye ^ 2 + rho ^ 2) - eye ^ 2) /\
+  t >= t_a /\
+  t_a >= t).
 
 Definition visible_iff__hidden_2__false : Prop :=
   ~ (
@@ -2344,6 +2435,12 @@ Definition visible_iff__hidden_2__false : Prop :=
   Rmax 0 discriminant_a >= 0 ->
   eye ^ 2 + root_a <> 0 ->
   radius <> 0 ->
+  t * (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) = radius * (radius - eye ^ 2 * (1 - t) / radius) /\
+  (t * (eye ^ 2 + rho ^ 2) - eye ^ 2) ^ 2 = discriminant_a /\
+  2 * eye ^ 2 * t = eye ^ 2 + t ^ 2 * (eye ^ 2 + rho ^ 2) - radius ^ 2 /\
+  eye ^ 2 * t > 0 /\
+  t > 0 /\
+  t * (eye ^ 2 + rho ^ 2) - eye ^ 2 > 0 /\
   t > t_a).
 
 Definition visible_iff__hidden_3__false : Prop :=
@@ -2470,27 +2567,49 @@ Definition difference_bound__all_lights_2__false : Prop :=
 
 Definition difference_bound__light_0_3__false : Prop :=
   ~ (
-  forall before mu other_mu other_specular q red so_far specular step : R,
+  forall albedo_red before kd ks light_red mu other_mu other_specular q red so_far specular step : R,
+  albedo_red >= 0 ->
+  light_red >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
   so_far - (red - before) >= 0 ->
   so_far + red - before >= 0 ->
   step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
   step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
   q * step - (specular - other_specular) >= 0 ->
   q * step + specular - other_specular >= 0 ->
-  so_far + step * 1 * 1 * 1 - (red + 1 * (1 * specular + 1 * 1 * (Rmax 0 mu)) - (before + 1 * (1 * other_specular + 1 * 1 * (Rmax 0 other_mu)))) >= 0 /\
-  so_far + step * 1 * 1 * 1 + red + 1 * (1 * specular + 1 * 1 * (Rmax 0 mu)) - (before + 1 * (1 * other_specular + 1 * 1 * (Rmax 0 other_mu))) >= 0).
+  albedo_red * kd >= 0 /\
+  kd * albedo_red * light_red >= 0 /\
+  ks * light_red >= 0 /\
+  step * kd * albedo_red * light_red - albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_red * light_red + kd * albedo_red * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  ks * light_red * q * step - ks * light_red * (specular - other_specular) >= 0 /\
+  ks * light_red * q * step + ks * light_red * (specular - other_specular) >= 0 /\
+  so_far + step * kd * albedo_red * light_red - (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * kd * albedo_red * light_red + light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0).
 
 Definition difference_bound__light_0_4__false : Prop :=
   ~ (
-  forall before mu other_mu other_specular q red so_far specular step : R,
+  forall albedo_red before kd ks light_red mu other_mu other_specular q red so_far specular step : R,
+  albedo_red >= 0 ->
+  light_red >= 0 ->
+  kd >= 0 ->
+  ks >= 0 ->
   so_far - (red - before) >= 0 ->
   so_far + red - before >= 0 ->
   step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
   step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
   q * step - (specular - other_specular) >= 0 ->
   q * step + specular - other_specular >= 0 ->
-  step * 1 * 1 * q + so_far - (red + 1 * (1 * specular + 1 * 1 * (Rmax 0 mu)) - (before + 1 * (1 * other_specular + 1 * 1 * (Rmax 0 other_mu)))) >= 0 /\
-  step * 1 * 1 * q + so_far + red + 1 * (1 * specular + 1 * 1 * (Rmax 0 mu)) - (before + 1 * (1 * other_specular + 1 * 1 * (Rmax 0 other_mu))) >= 0).
+  albedo_red * kd >= 0 /\
+  kd * albedo_red * light_red >= 0 /\
+  ks * light_red >= 0 /\
+  step * kd * albedo_red * light_red - albedo_red * kd * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  step * kd * albedo_red * light_red + kd * albedo_red * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
+  ks * light_red * q * step - ks * light_red * (specular - other_specular) >= 0 /\
+  ks * light_red * q * step + ks * light_red * (specular - other_specular) >= 0 /\
+  so_far + step * q * ks * light_red - (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * q * ks * light_red + light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0).
 
 Definition pixels_off_the_pole__raster_above_1__false : Prop :=
   ~ (

@@ -20,7 +20,7 @@ import importlib
 from collections.abc import Callable
 from dataclasses import fields
 
-from sympy import Basic, NumberSymbol, Symbol, expand, pi
+from sympy import Basic, Derivative, NumberSymbol, Symbol, expand, pi
 
 from proofs.check import reasons
 from proofs.engine import kernel
@@ -223,8 +223,12 @@ def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
     if len(changed) != 1:
         return f"it changes {', '.join(changed) or 'nothing'}: a variant changes one field"
     known = _atoms([*kept.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
-    for relation in variant.shows if changed == ["shows"] else ():
-        named = _atoms([expand(side) for side in relation.args] if relation.free_symbols else [relation])
+    for relation in getattr(variant, "shows", ()) if changed == ["shows"] else ():
+        named = _atoms(
+            [expand(side if side.has(Derivative) else side.doit()) for side in relation.args]
+            if relation.free_symbols
+            else [relation]
+        )
         if not (named and named <= known):
             return f"{relation} is about {', '.join(map(str, named - known)) or 'nothing'}"
     return None

@@ -22,7 +22,7 @@ def why_no_data(text: str) -> list[str]:
         id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr in ("Zero", "One")
     }
     found = ((node, _why_not(node)) for node in ast.walk(tree) if id(node) not in of_s)
-    return [f"line {node.lineno}: {why}" for node, why in found if why]
+    return [f"line {getattr(node, 'lineno', 1)}: {why}" for node, why in found if why]
 
 
 def _why_not(node):
