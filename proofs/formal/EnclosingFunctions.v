@@ -17,7 +17,7 @@ Hypothesis wave_range : forall x, -1 <= wave x <= 1.
 Lemma half_turns_rule (s x ex x' y ey y' : R) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 ->
   near_relative (19/4) computed_wave (wave (PI * (x * y))) ->
   let moved := rounded (7074237752028453 / 2251799813685248 * rounded (ROUNDING * rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)))) in
-  let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5674535530486825 / 10141204801825835211973625643008 * Rabs computed_wave) + least)) * SLACK)) in
+  let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5 / 9007199254740992 * Rabs computed_wave) + least)) * SLACK)) in
   float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' * y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
   intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded (rounded (_ * ey) + _)) in *.
@@ -33,7 +33,7 @@ Proof.
   - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
 Qed.
 End half_turns.
-Ltac of_half_turns f g part := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | eapply part; apply elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
+Ltac of_half_turns f g part := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | eapply part; apply of_product_relative; try assumption; apply not_tiny; assumption].
 Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
 Proof. of_half_turns sin cos @proj1. exact is_derive_sin. exact COS_bound. exact SIN_bound. Qed.
 Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
@@ -74,12 +74,12 @@ Proof. rewrite inverse_power, underflow_times. split; [apply generic_format_bpow
 Lemma exponential_rises (x y : R) : x <= y -> exp x <= exp y.
 Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
 (* The exponential at an end, which may lie below what float64 holds. *)
-Lemma exponential_at_an_end (t d : R) : float64 t -> t <= 709 -> Rabs d <= 1 / 2 ^ 100 -> let e := exponential_of_sum_float64.exponential t 0 in float64 e /\ Rabs (e - exp (t + d)) + 2 ^ 4 * underflow <= 9/8 * (1 / 4503599627370496 * Rabs e) + 1 / 2 ^ 1020.
+Lemma exponential_at_an_end (t d : R) : float64 t -> t <= 709 -> Rabs d <= 1 / 2 ^ 100 -> let e := exponential_of_sum_float64.exponential t 0 in float64 e /\ Rabs (e - exp (t + d)) + 2 ^ 4 * underflow <= 9/8 * (2476979795053773 / 10141204801825835211973625643008 * Rabs e) + 1 / 2 ^ 1020.
 Proof.
   intros F L D e. assert (V := proj2 vanishing). assert (T := proj1 underflow_in_least). set (v := 1 / 2 ^ 1020) in *. assert (X := exp_pos (t + d)). destruct (Rlt_le_dec t (-708)) as [S|S].
   - assert (Z : e = 0) by (unfold e, exponential_of_sum_float64.exponential; repeat destruct Rlt_dec; lra). rewrite Z, Rminus_0_l, Rabs_Ropp, Rabs_R0, (Rabs_pos_eq (exp _)) by lra. split; [apply generic_format_0|].
     assert (exp (t + d) <= exp (-7075/10)) by (apply exponential_rises; both_ways D; lra). assert (exp (-7075/10) <= 1 / 2 ^ 1019 * (2/5)) by interval. assert (1 / 2 ^ 1019 = 2 * v) by (unfold v; simpl; lra). lra.
-  - assert (Z : Rabs 0 <= 1 / 2 ^ 42) by (rewrite Rabs_R0; lra). assert (N := elementary_functions__exp t 0 F (conj S L) Z). fold e in N. rewrite Rplus_0_r in N. split.
+  - assert (Z : Rabs 0 <= 1 / 2 ^ 42) by (rewrite Rabs_R0; lra). assert (N := exponential_relative t 0 F (conj S L) Z). fold e in N. rewrite Rplus_0_r in N. split.
     + unfold e, exponential_of_sum_float64.exponential. repeat destruct Rlt_dec; try lra. apply rounded_is_float64.
     + assert (G : Rabs (exp d - 1) <= 1 / 2 ^ 90) by (both_ways D; interval with (i_prec 120)). rewrite exp_plus in *. assert (P := exp_pos t). set (w := exp t) in *. both_ways N. both_ways G. rewrite (Rabs_pos_eq e) by lra.
       assert (- (w * (1 / 2 ^ 90)) <= w * (exp d - 1) <= w * (1 / 2 ^ 90)) by (split; nra). unfold Rabs. destruct Rcase_abs; lra.

@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedAngle RoundedLogarithm EnclosingRules EnclosingFunctions.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedAngle RoundedLogarithm EnclosingRules EnclosingFunctions.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -24,7 +24,7 @@ Lemma logarithm_at_an_end (x t : R) : float64 x -> float64 t -> x <> t -> 0 < x 
   Rabs (natural_logarithm_float64.logarithm t - ln t) + 2 ^ 4 * underflow <= 9/8 * size t + 1/2 * size x + 0.
 Proof.
   intros X T N Px Pt. cbv zeta. assert (W := underflow_is_small). assert (V : bpow radix2 (-896) <= 1 / 2 ^ 200) by (rewrite inverse_power; apply bpow_le; easy).
-  generalize (elementary_functions__log x X Px) (elementary_functions__log t T Pt) (Rabs_triang_inv (ln x) (natural_logarithm_float64.logarithm x)) (Rabs_triang_inv (ln t) (natural_logarithm_float64.logarithm t)) (Rabs_pos (natural_logarithm_float64.logarithm x)) (Rabs_pos (natural_logarithm_float64.logarithm t)).
+  generalize (logarithm_relative x X Px) (logarithm_relative t T Pt) (Rabs_triang_inv (ln x) (natural_logarithm_float64.logarithm x)) (Rabs_triang_inv (ln t) (natural_logarithm_float64.logarithm t)) (Rabs_pos (natural_logarithm_float64.logarithm x)) (Rabs_pos (natural_logarithm_float64.logarithm t)).
   rewrite !(Rabs_minus_sym (ln _)). destruct (logarithm_away_from_one t T (proj1 Pt)) as [-> | A]; [|lra].
   destruct (logarithm_away_from_one x X (proj1 Px)) as [E | A]; [destruct (N E)|]. rewrite ln_1, Rabs_R0. lra.
 Qed.
@@ -38,4 +38,10 @@ Proof.
   assert (0 < low) by in_units. assert (high <= IZR (2 ^ 1024 - 2 ^ 971)) by in_units. assert (low < x < high) by in_units.
   destruct (Rlt_dec 0 low) as [_|N]; [|destruct (N ltac:(assumption))]. destruct (Rlt_dec 0 high) as [_|N]; [|lra].
   apply monotone_rule with (ln low) (ln high); try apply logarithm_is_float64; [lra | apply generic_format_0 | lra | in_units | split; apply ln_le; lra | apply logarithm_at_an_end; try is_float64; lra..].
+Qed.
+(* Of another number than 1, it is far above what underflows. *)
+Theorem elementary_functions__log : Statements.elementary_functions__log.
+Proof.
+  red. intros x X P L S. rewrite !pow_IZR, <- minus_IZR in L. destruct (logarithm_away_from_one x X P) as [->|A]; [rewrite ln_1, Rabs_R0 in S; lra|].
+  assert (V : bpow radix2 (-896) <= 1 / 2 ^ 200) by (rewrite inverse_power; apply bpow_le; easy). generalize (logarithm_relative x X (conj P L)). unfold enclosed_logarithm_float64.logarithm, enclosed_logarithm.logarithm. lra.
 Qed.

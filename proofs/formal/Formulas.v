@@ -693,6 +693,54 @@ End program.
 Ltac lines := unfold base_by_beta.
 End phong_base_derivative.
 
+Module enclosed_sine.
+Section program.
+Variables x y : R.
+Definition sine := sin (PI * (x * y)).
+End program.
+Ltac lines := unfold sine.
+End enclosed_sine.
+
+Module enclosed_cosine.
+Section program.
+Variables x y : R.
+Definition cosine := cos (PI * (x * y)).
+End program.
+Ltac lines := unfold cosine.
+End enclosed_cosine.
+
+Module enclosed_angle.
+Section program.
+Variables x y : R.
+Definition angle := atan2pi y x.
+End program.
+Ltac lines := unfold angle.
+End enclosed_angle.
+
+Module exponential_of_sum.
+Section program.
+Variables product product_error : R.
+Definition exponential := exp (product + product_error).
+End program.
+Ltac lines := unfold exponential.
+End exponential_of_sum.
+
+Module enclosed_logarithm.
+Section program.
+Variables x : R.
+Definition logarithm := ln x.
+End program.
+Ltac lines := unfold logarithm.
+End enclosed_logarithm.
+
+Module raised.
+Section program.
+Variables number exponent : R.
+Definition power := power number exponent.
+End program.
+Ltac lines := unfold power.
+End raised.
+
 Module half_turn_polynomials.
 Section program.
 Variables remainder : R.

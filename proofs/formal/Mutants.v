@@ -1100,6 +1100,67 @@ Definition roundoff_bound__three_roundings_4__false : Prop :=
   growth * (third + 1) = (first + 1) * (second + 1) ->
   unit ^ 2 + 2 * unit >= growth - 1).
 
+Definition elementary_functions__sinpi_nearer__false : Prop :=
+  ~ (
+  forall x y : R,
+  float64 x ->
+  float64 y ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  10 ^ 285 * (Rabs (sin (PI * (x * y)))) >= 1 ->
+  Rabs (enclosed_sine_float64.sine x y - enclosed_sine.sine x y) <= (1 / 1152921504606846976) * (Rmin ((33 / 10)) (5 * (Rabs (sin (PI * (x * y))))))).
+
+Definition elementary_functions__cospi_nearer__false : Prop :=
+  ~ (
+  forall x y : R,
+  float64 x ->
+  float64 y ->
+  Rabs (x * y) <= 2 ^ 21 ->
+  (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
+  10 ^ 285 * (Rabs (cos (PI * (x * y)))) >= 1 ->
+  Rabs (enclosed_cosine_float64.cosine x y - enclosed_cosine.cosine x y) <= (1 / 1152921504606846976) * (Rmin ((33 / 10)) (5 * (Rabs (cos (PI * (x * y))))))).
+
+Definition elementary_functions__angle_nearer__false : Prop :=
+  ~ (
+  forall x y : R,
+  float64 x ->
+  float64 y ->
+  10 ^ 285 * (Rmax (Rabs x) (Rabs y)) >= 1 ->
+  10 ^ 285 * (Rabs (atan2pi y x)) >= 1 ->
+  Rabs (enclosed_angle_float64.angle x y - enclosed_angle.angle x y) <= (5 / 1152921504606846976) * (Rabs (atan2pi y x))).
+
+Definition elementary_functions__exp_nearer__false : Prop :=
+  ~ (
+  forall product product_error : R,
+  float64 product ->
+  float64 product_error ->
+  product >= -708 ->
+  product <= 709 ->
+  2 ^ 42 * (Rabs product_error) <= 1 ->
+  Rabs (exponential_of_sum_float64.exponential product product_error - exponential_of_sum.exponential product product_error) <= (11 / 5764607523034234880) * (Rabs (exp (product + product_error)))).
+
+Definition elementary_functions__log_nearer__false : Prop :=
+  ~ (
+  forall x : R,
+  float64 x ->
+  x > 0 ->
+  x <= 2 ^ 1024 - 2 ^ 971 ->
+  10 ^ 285 * (Rabs (ln x)) >= 1 ->
+  Rabs (enclosed_logarithm_float64.logarithm x - enclosed_logarithm.logarithm x) <= (13 / 14411518807585587200) * (Rabs (ln x))).
+
+Definition elementary_functions__power_nearer__false : Prop :=
+  ~ (
+  forall number exponent : R,
+  float64 number ->
+  float64 exponent ->
+  number > 0 ->
+  number <= 2 ^ 1024 - 2 ^ 971 ->
+  2048 * exponent >= 1 ->
+  exponent <= 2 ^ 20 ->
+  100 * exponent * (ln number) >= -70799 ->
+  100 * exponent * (ln number) <= 70899 ->
+  Rabs (raised_float64.power number exponent - raised.power number exponent) <= (1 / 1152921504606846976) * ((3 / 100) * (Rabs (exponent * (ln number))) + (5 / 2)) * (Rabs (power number exponent))).
+
 Definition seed_step_in_beta__linear_1__true : Prop :=
   forall beta g_x normal_x : R,
   (g_x * (beta + (1 / 10000000)) + normal_x - (beta * g_x + normal_x)) / ((1 / 10000000)) = g_x.

@@ -275,7 +275,7 @@ Proof.
   split; [exact S | split; [exact Q | split; [exact BR | split; [exact E | split; [exact (proj2 (log_whole_exact x (conj Fm Bm) n D N)) | exists (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
 Qed.
 (* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)
-Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
+Lemma logarithm_relative (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
   Rabs (natural_logarithm_float64.logarithm x - ln x) <= 41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-896).
 Proof.
   intros F [P L]. destruct (parts_of_logarithm x F (conj P L)) as (S & _ & BR & E & _).
@@ -289,14 +289,4 @@ Proof.
   assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := sum_within r c _ (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
   assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
   generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with (natural_logarithm_float64.log_near x). lra.
-Qed.
-Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
-Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
-(* It is not so near its tangent at 1. *)
-Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
-  Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
-Proof.
-  intro H. assert (F := two_is_float64). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
-  generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow radix2 (-10)) with (/ 1024) in T.
-  assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H. intros. by_sides.
 Qed.

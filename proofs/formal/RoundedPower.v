@@ -4,7 +4,8 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential RoundedLogarithm.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedAngle RoundedExponential RoundedLogarithm.
+From Formal Require Statements.
 Open Scope R_scope.
 
 Section raised_in_two.
@@ -73,7 +74,7 @@ Proof.
   destruct product_in_two as [E Be]. set (s := p * y) in *. assert (Z : p * (Rabs y + / 2 ^ 200) <= Rabs s + / 2 ^ 100) by (unfold s; rewrite Rabs_mult, (Rabs_pos_eq p); lra).
   assert (Bs : Rabs s <= 709) by (apply Rabs_le; lra). assert (E' : Rabs (t + e - s) <= (26/1000 * Rabs s + 1/1000) / 2 ^ 53) by lra. assert (Be' : Rabs e <= 1 / 2 ^ 42) by lra.
   assert (Bt : -708 <= t <= 709) by (clear Be E Z; assert (Rabs (t + e - s) <= 20 / 2 ^ 53) by lra; clear E'; by_sides).
-  assert (X := elementary_functions__exp t e (rounded_is_float64 _) Bt Be'). change (exponential_of_sum_float64.exponential t e) with (raised_float64.exponential x p) in X.
+  assert (X := exponential_relative t e (rounded_is_float64 _) Bt Be'). change (exponential_of_sum_float64.exponential t e) with (raised_float64.exponential x p) in X.
   unfold raised_float64.power. destruct Rle_dec as [N|_]; [lra|]. set (f := raised_float64.exponential x p) in *.
   replace (t + e) with (s + (t + e - s)) in X by ring. rewrite exp_plus in X. set (v := exp s) in *. assert (V : 0 < v) by apply exp_pos. set (d := t + e - s) in *.
   assert (G : Rabs (exp d - 1 - d) <= 1 / 2 ^ 90).
@@ -84,16 +85,27 @@ Proof.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
 End raised_in_two.
-(* The power of a float64 above 0 is within (5/2 + 3/100 |p ln x|) 2^-53 of the power, relative to that: it errs like the exponential, and by what the logarithm's error becomes. *)
-Theorem elementary_functions__power (x p : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <= p * ln x <= 70899/100 ->
-  Rabs (raised_float64.power x p - Rpower x p) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower x p.
-Proof. apply power_near. Qed.
-Theorem elementary_functions__power__point : exists x p : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) /\ float64 p /\ / 2048 <= p <= 2 ^ 20 /\ - (70799/100) <= p * ln x <= 70899/100.
-Proof. exists 1, 1. rewrite ln_1. repeat split; try apply one_is_float64; try apply IZR_le; lra || easy. Qed.
-(* Base and exponent do not change places. *)
-Theorem elementary_functions__power__false : ~ forall x p, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <= p * ln x <= 70899/100 ->
-  Rabs (raised_float64.power x p - Rpower p x) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower p x.
+
+(* The printed claims, but the logarithm's. What is above 10^-285 is far above what underflows. *)
+Lemma seen (w : R) : 10 ^ 285 * Rabs w >= 1 -> bpow radix2 (-969) <= Rabs w /\ 0 <= bpow radix2 (-1074) <= / 2 ^ 100 * Rabs w.
 Proof.
-  intro H. assert (P : 0 < 1 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]). assert (B : - (70799/100) <= 2 * ln 1 <= 70899/100) by (rewrite ln_1; lra).
-  generalize (H 1 2 one_is_float64 P two_is_float64 ltac:(lra) B) (elementary_functions__power 1 2 one_is_float64 P two_is_float64 ltac:(lra) B). rewrite Rpower_1 by lra. unfold Rpower. rewrite ln_1, Rmult_0_r, exp_0, Rabs_R0. intros. by_sides.
+  intro S. destruct (not_tiny w (or_introl S)) as [Z|G]; [rewrite Z, Rabs_R0 in S; lra|]. split; [exact G | split; [apply bpow_ge_0|]]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra).
+  apply Rle_trans with (bpow radix2 (-100 + -969)); [apply bpow_le; easy | rewrite bpow_plus; apply Rmult_le_compat_l; [apply bpow_ge_0 | exact G]].
+Qed.
+Ltac wave part := red; intros x y X Y L U S; apply not_tiny in U; apply seen in S; destruct S as [_ S]; generalize (part _ _ (of_product_relative x y X Y U L)) (part _ _ (half_turns x y X Y U L)); cbv zeta; unfold near_relative, enclosed_sine_float64.sine, enclosed_sine.sine, enclosed_cosine_float64.cosine, enclosed_cosine.cosine; intros; apply Rmin_case; lra.
+Theorem elementary_functions__sinpi : Statements.elementary_functions__sinpi.
+Proof. wave @proj1. Qed.
+Theorem elementary_functions__cospi : Statements.elementary_functions__cospi.
+Proof. wave @proj2. Qed.
+Theorem elementary_functions__angle : Statements.elementary_functions__angle.
+Proof.
+  red. intros x y X Y L S. rewrite <- (Rabs_pos_eq (Rmax _ _)) in L by (apply Rle_trans with (2 := Rmax_l _ _), Rabs_pos). destruct (seen _ L) as [G _]. rewrite Rabs_pos_eq in G by (apply Rle_trans with (2 := Rmax_l _ _), Rabs_pos).
+  destruct (angle_near y x Y X (Rle_trans _ _ _ (bpow_le radix2 (-1018) (-969) ltac:(easy)) G)) as [_ N]. apply seen in S. destruct S as [_ S]. unfold enclosed_angle_float64.angle, enclosed_angle.angle. lra.
+Qed.
+Theorem elementary_functions__exp : Statements.elementary_functions__exp.
+Proof. red. intros p e P _ L U D. rewrite (Rabs_pos_eq (exp (p + e))) by (left; apply exp_pos). generalize (exponential_relative p e P ltac:(lra) ltac:(lra)). unfold exponential_of_sum.exponential. lra. Qed.
+Theorem elementary_functions__power : Statements.elementary_functions__power.
+Proof.
+  red. intros x p X P S L B T Low High. rewrite !pow_IZR, <- minus_IZR in L. generalize (power_near x p X (conj S L) P ltac:(lra) ltac:(lra)).
+  unfold raised.power, power. destruct Rlt_dec; [|lra]. rewrite (Rabs_pos_eq (Rpower x p)) by (left; apply exp_pos). unfold Rpower. lra.
 Qed.

@@ -1,4 +1,4 @@
-(* The kernels' sine and cosine of half-turns of one float64, relative to what they are: near a zero, too. *)
+(* The kernels' sine and cosine of half-turns of a product, relative to what they are: near a zero, too. *)
 
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -38,16 +38,8 @@ Lemma opposites_near (c x y : R) : near_relative c x y -> near_relative c (- x) 
 Proof. unfold near_relative. rewrite Rabs_Ropp. apply of_opposites. Qed.
 Lemma cosine_not_small (t : R) : - (1/4 + 1/2^30) <= t <= 1/4 + 1/2^30 -> 7071/10000 <= cos (PI * t).
 Proof. intro. interval. Qed.
-(* Those of a float64 are within 18/5 2^-53 of the sine and the cosine, relative to them, and 2^-1074, *)
-Theorem elementary_functions__half_turns_relative (x : R) : float64 x ->
-  near_relative (18/5) (sine_of_half_turns_float64.sine x 0) (sin (PI * x)) /\ near_relative (18/5) (cosine_of_half_turns_float64.cosine x 0) (cos (PI * x)).
-Proof.
-  intro F. destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). set (q := quarters x) in *. set (r := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
-  replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. apply in_each_quadrant; [apply sine_near_relative, N | | apply opposites_near].
-  unfold near_relative. assert (C := cosine_not_small r N). rewrite (Rabs_pos_eq (cos _)) by lra. generalize (elementary_functions__cosine_float64 r N) (bpow_ge_0 radix2 (-1074)). lra.
-Qed.
-(* and those of a product that is carried in two within 19/4 2^-53. *)
-Theorem elementary_functions__of_product_relative (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> Rabs (a * b) <= 2 ^ 21 ->
+(* Those of a product that is carried in two are within 19/4 2^-53 of the sine and the cosine, relative to them, and 2^-1074. *)
+Lemma of_product_relative (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> Rabs (a * b) <= 2 ^ 21 ->
   let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in
   near_relative (19/4) (sine_of_half_turns_float64.sine p e) (sin (PI * (a * b))) /\ near_relative (19/4) (cosine_of_half_turns_float64.cosine p e) (cos (PI * (a * b))).
 Proof.
@@ -69,26 +61,8 @@ Proof.
 Qed.
 Theorem elementary_functions__sine_relative__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof. exists 0. lra. Qed.
-Theorem elementary_functions__half_turns_relative__point : exists x : R, float64 x.
-Proof. exists 0. apply generic_format_0. Qed.
-Theorem elementary_functions__of_product_relative__point : exists a b : R, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
-Proof. exists 0, 0. rewrite Rmult_0_l, Rabs_R0. repeat split; try apply generic_format_0; [left; reflexivity | lra]. Qed.
-(* Over a whole half-turn the polynomial is not so near; nor is the sine the cosine. *)
+(* Over a whole half-turn the polynomial is not so near. *)
 Theorem elementary_functions__sine_relative__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. interval with (i_prec 120).
-Qed.
-Lemma not_near_both (c x : R) : c <= 5 -> near_relative c x 0 -> near_relative c x 1 -> False.
-Proof.
-  unfold near_relative. rewrite Rabs_R0, Rabs_R1. intros C X Y. both_ways X. both_ways Y. generalize (bpow_le radix2 (-1074) (-2) ltac:(easy)). change (bpow radix2 (-2)) with (/ 4). lra.
-Qed.
-Theorem elementary_functions__half_turns_relative__false : ~ forall x, float64 x -> near_relative (18/5) (sine_of_half_turns_float64.sine x 0) (cos (PI * x)).
-Proof.
-  intro H. assert (Z : float64 0) by apply generic_format_0. generalize (H 0 Z) (proj1 (elementary_functions__half_turns_relative 0 Z)). rewrite Rmult_0_r, sin_0, cos_0. intros X Y. apply (not_near_both (18/5) _ ltac:(lra) Y X).
-Qed.
-Theorem elementary_functions__of_product_relative__false : ~ forall a b, float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> Rabs (a * b) <= 2 ^ 21 ->
-  near_relative (19/4) (sine_of_half_turns_float64.sine (two_product_float64.product a b) (two_product_float64.product_error a b)) (cos (PI * (a * b))).
-Proof.
-  intro H. assert (Z : float64 0) by apply generic_format_0. assert (U : 0 * 0 = 0) by ring. assert (L : Rabs (0 * 0) <= 2 ^ 21) by (rewrite U, Rabs_R0; lra).
-  generalize (H 0 0 Z Z (or_introl U) L) (proj1 (elementary_functions__of_product_relative 0 0 Z Z (or_introl U) L)). rewrite U, Rmult_0_r, sin_0, cos_0. intros X Y. apply (not_near_both (19/4) _ ltac:(lra) Y X).
 Qed.

@@ -78,3 +78,34 @@ Proof.
   intro H. destruct some_float64 as (F0 & F1 & _). assert (X := H 0 1 F0 F1 ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(hypothesis_holds)). rewrite (Rabs_pos_eq (2 * 1)), Rmax_right in X by lra.
   no_float64 7074237752028440%Z (-50)%Z; [apply rounded_is_float64 | gradient_rings.lines; split; interval with (i_prec 100)].
 Qed.
+(* So has the sine, or the cosine, of an eighth of a turn, an angle of 1 and 2, e, the logarithm of 2, and its root. *)
+Ltac computed_is_float64 := repeat match goal with |- context [if ?d then _ else _] => destruct d end; try apply generic_format_opp; apply generic_format_0 || apply rounded_is_float64.
+Ltac of_wave H wave lines := intro H; destruct some_float64 as (_ & F1 & _ & F4 & _); assert (S : 7071/10000 <= wave (PI * (1/4 * 1))) by interval;
+  assert (X := H (1/4) 1 F4 F1 ltac:(hypothesis_holds) ltac:(hypothesis_holds) ltac:(rewrite Rabs_pos_eq; lra)); apply Rle_trans with (r3 := 33/10 / 2 ^ 60) in X; [|generalize (Rmin_l (33/10) (5 * Rabs (wave (PI * (1/4 * 1))))); lra];
+  no_float64 6369051672525772%Z (-53)%Z; [lines; computed_is_float64 | lines; split; interval with (i_prec 100)].
+Theorem elementary_functions__sinpi_nearer__false : Mutants.elementary_functions__sinpi_nearer__false.
+Proof. of_wave H sin ltac:(unfold enclosed_sine.sine, enclosed_sine_float64.sine, sine_of_half_turns_float64.sine, sine_of_half_turns_float64.sine_near, sine_of_half_turns_float64.cosine_near). Qed.
+Theorem elementary_functions__cospi_nearer__false : Mutants.elementary_functions__cospi_nearer__false.
+Proof. of_wave H cos ltac:(unfold enclosed_cosine.cosine, enclosed_cosine_float64.cosine, cosine_of_half_turns_float64.cosine, cosine_of_half_turns_float64.sine_near, cosine_of_half_turns_float64.cosine_near). Qed.
+Theorem elementary_functions__angle_nearer__false : Mutants.elementary_functions__angle_nearer__false.
+Proof.
+  intro H. destruct some_float64 as (_ & F1 & _). assert (A : atan2pi 1 2 = atan (1/2) / PI) by (unfold atan2pi, atan2; destruct Rlt_dec; lra). assert (B : 14/100 <= atan (1/2) / PI <= 15/100) by (split; interval).
+  assert (X := H 2 1 two_is_float64 F1). rewrite A, (Rabs_pos_eq 2), (Rabs_pos_eq 1), (Rabs_pos_eq (_ / _)), Rmax_left in X by lra. specialize (X ltac:(lra) ltac:(lra)).
+  no_float64 5317260203651848%Z (-55)%Z; [unfold enclosed_angle_float64.angle, angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant, angle_in_half_turns_float64.first_octant; computed_is_float64 | unfold enclosed_angle.angle; rewrite A; split; interval with (i_prec 100)].
+Qed.
+Theorem elementary_functions__exp_nearer__false : Mutants.elementary_functions__exp_nearer__false.
+Proof.
+  intro H. destruct some_float64 as (F0 & F1 & _). assert (X := H 1 0 F1 F0 ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_R0; lra)). rewrite (Rabs_pos_eq (exp _)) in X by (left; apply exp_pos).
+  no_float64 6121026514868073%Z (-51)%Z; [unfold exponential_of_sum_float64.exponential; repeat destruct Rlt_dec; try lra; apply rounded_is_float64 | unfold exponential_of_sum.exponential; split; interval with (i_prec 100)].
+Qed.
+Theorem elementary_functions__log_nearer__false : Mutants.elementary_functions__log_nearer__false.
+Proof.
+  intro H. assert (B : 69/100 <= ln 2 <= 7/10) by (split; interval). assert (X := H 2 two_is_float64 ltac:(lra) ltac:(lra)). rewrite (Rabs_pos_eq (ln 2)) in X by lra. specialize (X ltac:(lra)).
+  no_float64 6243314768165359%Z (-53)%Z; [unfold enclosed_logarithm_float64.logarithm, natural_logarithm_float64.logarithm; computed_is_float64 | unfold enclosed_logarithm.logarithm; split; interval with (i_prec 100)].
+Qed.
+Theorem elementary_functions__power_nearer__false : Mutants.elementary_functions__power_nearer__false.
+Proof.
+  intro H. destruct some_float64 as (_ & _ & F2 & _). assert (B : 69/100 <= ln 2 <= 7/10) by (split; interval). assert (X := H 2 (1/2) two_is_float64 F2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  rewrite (Rabs_pos_eq (1/2 * ln 2)) in X by lra. assert (R : power 2 (1/2) = exp (1/2 * ln 2)) by (unfold power; destruct Rlt_dec; [reflexivity | lra]). rewrite R, (Rabs_pos_eq (exp _)) in X by (left; apply exp_pos).
+  no_float64 6369051672525772%Z (-52)%Z; [unfold raised_float64.power, raised_float64.exponential; computed_is_float64 | unfold raised.power; rewrite R; split; interval with (i_prec 100)].
+Qed.

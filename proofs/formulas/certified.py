@@ -1,25 +1,24 @@
-"""The certified errors of our elementary functions: what theorem elementary_functions says, and bounds are made of."""
+"""How far what kernels compute can be off: what theorems say of it, and bounds are made of."""
 
-from fractions import Fraction
+from sympy import Rational
 
-CERTIFIED = {
-    name: Fraction(units)
-    for name, units in {
-        "sinpi": "1.53",
-        "cospi": "1.53",
-        "sinpi_of_product": "2.52",
-        "cospi_of_product": "2.52",
-        "atan2pi": "2.50",
-        "exp": "1.00",
-        "log": "0.52",
-        "power": "1.50",
-        "small_power": "11.03",
-    }.items()
-}
-"""{function: how far its float64 value can be off, in units in the last place}"""
-
-SMALL_POWER = Fraction(1, 2**72)
+SINE = Rational(33, 10)
+"""A sine and a cosine of half-turns, in units of 2⁻⁵³: theorem elementary_functions, as all that follows."""
+POWER, POWER_RATE = Rational(5, 2), Rational(3, 100)
+"""A power, of itself, in the same units: the first, and the second times |p ln x|."""
+SMALL_POWER = Rational(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""
+
+ROUNDINGS = {
+    "sinpi": Rational(5),
+    "cospi": Rational(5),
+    "atan2pi": Rational(5),
+    "exp": Rational(11, 5),
+    "log": Rational(26, 25),
+    "power": POWER + POWER_RATE * 50,
+    "small_power": POWER + POWER_RATE * 709,
+}
+"""{function: how far its float64 value can be off, of itself, in units of 2⁻⁵³}"""
 
 GENERAL_GRADIENT, ALGEBRAIC_GRADIENT = 10, 50
 """How far a slope can be off, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy (which

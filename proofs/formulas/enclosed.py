@@ -1,8 +1,13 @@
-"""The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds."""
+"""The operations whose rules the enclosing machine has: each is a program, which the machine carries out on bounds.
+
+And what the kernels of elementary functions stand for.
+"""
 
 from sympy import StrictLessThan, exp, floor, log, sqrt
 
-from proofs.engine.program import chain
+from proofs.engine.program import Program, chain
+from proofs.formulas.elementary import product, product_error
+from proofs.formulas.exponential import exponent, exponential, number, power
 from proofs.formulas.half_turns import atan2pi, cospi, rint, sinpi
 from proofs.formulas.symbols import real, where, x, y
 
@@ -25,3 +30,13 @@ RULES = {
         ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
     )
 }
+
+STANDS_FOR = {
+    "sinpi": RULES["enclosed_sine"],
+    "cospi": RULES["enclosed_cosine"],
+    "angle": RULES["enclosed_angle"],
+    "exp": Program("exponential_of_sum", (product, product_error), {exponential: exp(product + product_error)}),
+    "log": RULES["enclosed_logarithm"],
+    "power": Program("raised", (number, exponent), {power: number**exponent}),
+}
+"""{kernel: what it stands for}, as a program of the name that Coq has for what the kernel carries out"""

@@ -1,6 +1,25 @@
 """What theorems are written in, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
 
-from sympy import Abs, Basic, Derivative, Expr, Max, Mul, Or, Pow, Rational, S, Symbol, cos, pi, sign, sin, sqrt
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Expr,
+    Max,
+    Min,
+    Mul,
+    Or,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    log,
+    pi,
+    sign,
+    sin,
+    sqrt,
+)
 
 from proofs.engine.claim import (
     CitedLemma,

@@ -2,7 +2,10 @@
 
 The measurements are in verify/checkers/measurements."""
 
-from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
+from proofs.formulas import exponential
+from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT, POWER, POWER_RATE, ROUNDINGS, SINE
+from proofs.formulas.elementary import product, product_error
+from proofs.formulas.enclosed import STANDS_FOR
 from proofs.formulas.height_fields import gradient
 from proofs.theorems.enclosing_rules import not_tiny
 from proofs.theorems.language import *
@@ -158,21 +161,60 @@ slopes = Theorem(
 )
 
 
+def _off(kernel, rate, given, most=None):
+    """Return what Coq proves of a kernel: its error is `rate` of the result, and `most`, in units of 2⁻⁵³."""
+    ((output, exact),) = STANDS_FOR[kernel].definitions
+    off = rate * Abs(exact)
+    return Rounded(kernel, STANDS_FOR[kernel], {output: Pow(2, -53) * (off if most is None else Min(off, most))}, given)
+
+
+def _seen(kernel):
+    return [Abs(exact) * Pow(10, 285) >= 1 for _, exact in STANDS_FOR[kernel].definitions]
+
+
+def _finite(number):
+    return number > 0, number <= Pow(2, 1024) - Pow(2, 971)
+
+
+_product = exponential.exponent * log(exponential.number)
 functions = Theorem(
     "elementary_functions",
     "The elementary functions of the kernels",
-    r"""In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, $\cos\pi x$ by
-    {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and
-    {cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by
-    {log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.""".format(
-        **{name: float(ulps) for name, ulps in CERTIFIED.items()}
-    ),
+    rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi xy$ and $\cos\pi xy$ are off by at most
+    ${ROUNDINGS["sinpi"]}\mu$ of themselves, and by ${float(SINE)}\mu$; $\operatorname{{atan2}}(y, x)/\pi$ is by
+    ${ROUNDINGS["atan2pi"]}\mu$ of itself, $e^x$ by ${float(ROUNDINGS["exp"])}\mu$, $\ln x$ by
+    ${float(ROUNDINGS["log"])}\mu$, and $x^p$ by $({float(POWER)} + {float(POWER_RATE)}\,|p\ln x|)\mu$.""",
     hypotheses=(
-        "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
-        r"""the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding
-        of a product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants""",
-        r"""$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le
-        10^6$ for $x^p \ge e^{-708}$, and what is smaller is 0""",
+        r"$|xy| \le 2^{21}$; $xy$ is 0 or above $10^{-285}$, and so is the longer one of $|x|$ and $|y|$ of an angle",
+        "but for $e^x$ and $x^p$, a result that is above $10^{-285}$",
+        r"$-708 \le x \le 709$ for $e^x$, and with it a correction of at most $2^{-42}$; every $x > 0$ for $\ln x$",
+        r"$x > 0$, $\frac1{2048} \le p \le 2^{20}$ and $-707.99 \le p\ln x \le 708.99$ for $x^p$",
     ),
-    expected="certified",
+    rounded=(
+        [
+            _off(wave, ROUNDINGS[wave], (Abs(x * y) <= Pow(2, 21), not_tiny(x * y), _seen(wave)), SINE)
+            for wave in ("sinpi", "cospi")
+        ],
+        _off("angle", ROUNDINGS["atan2pi"], (Max(Abs(x), Abs(y)) * Pow(10, 285) >= 1, _seen("angle"))),
+        _off("exp", ROUNDINGS["exp"], (product >= -708, product <= 709, Abs(product_error) * Pow(2, 42) <= 1)),
+        _off("log", ROUNDINGS["log"], (_finite(x), _seen("log"))),
+        _off(
+            "power",
+            POWER + POWER_RATE * Abs(_product),
+            (
+                _finite(exponential.number),
+                exponential.exponent * 2048 >= 1,
+                exponential.exponent <= Pow(2, 20),
+                _product * 100 >= -70799,
+                _product * 100 <= 70899,
+            ),
+        ),
+    ),
+    steps={
+        "the argument is reduced": "exactly, but for the rounding of a product's remainder",
+        "a polynomial is off by less than $2^{-53}$ of what it stands for": "its Taylor series, on intervals",
+        "every line rounds once": "what it inherits and $2^{-53}$ of the largest value that it can have",
+        "a power errs like $e^x$": "and by what the logarithm's error becomes",
+    },
+    expected="measured",
 )

@@ -269,7 +269,7 @@ def _of_half_turns(kernel: Any, product: Any, factor: Any = 1.0) -> Enclosed:
     moved = times(ROUNDING, product.product_moves(factor))
     whole, rest = kernels.two_product(product.value, factor.value)
     found = kernel(whole, rest)
-    own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+    own = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(found) + LEAST
     if product.stays_exact or factor.stays_exact:  # the product is, so that 0 is no smaller number
         exact = abs(whole) >= 0.5
         for part in (product, factor):
@@ -293,7 +293,7 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
     found = kernels.atan2pi(y.value, x.value)
-    own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
+    own = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(found) + LEAST
     moved = plus(y.bound, x.bound)
     if is_zero(moved):
         return Enclosed(found, own * SLACK)
@@ -310,14 +310,14 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     return Enclosed(found, inner_where(on_axis, 0.0, bound), True)
 
 
-def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
-    """Return `found`, off by `ulps` of it: in each of its arguments the function rises or falls.
+def _monotone(kernel, roundings, found, arguments, vanishing=0.0):
+    """Return `found`, off by so many `roundings`: in each of its arguments the function rises or falls.
 
     So at some of their ends it is furthest from there.
     """
 
     def own(result):
-        return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
+        return roundings(result) * UNIT * abs(result) + vanishing
 
     moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
     if is_zero(moved):
@@ -333,7 +333,7 @@ def exp(product: Any, factor: Any = 1.0) -> Enclosed:
     """Return exp ab."""
     a, b = enclosed(product), enclosed(factor)
     found = kernels.exp(*kernels.two_product(a.value, b.value))
-    return _monotone(kernels.exp, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], found, [a * b], VANISHING)
 
 
 def log(number: Enclosed) -> Enclosed:
@@ -342,19 +342,19 @@ def log(number: Enclosed) -> Enclosed:
     def of_positive(end):
         return kernels.log(operations.maximum(0.0, end))
 
-    return _monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log(number.value), [number])
+    return _monotone(of_positive, lambda _: kernels.ROUNDINGS["log"], kernels.log(number.value), [number])
 
 
 def power(number: Any, exponent: Any) -> Enclosed:
     """Return a^p: 0 for a number that is certainly not positive."""
     number, exponent = enclosed(number), enclosed(exponent)
 
-    def ulps(result):
-        return inner_where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
+    def roundings(result):
+        return inner_where(result < kernels.SMALL_POWER, kernels.ROUNDINGS["small_power"], kernels.ROUNDINGS["power"])
 
     found = kernels.power(number.value, exponent.value)
     vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-    return _monotone(kernels.power, ulps, found, [number, exponent], vanishing)
+    return _monotone(kernels.power, roundings, found, [number, exponent], vanishing)
 
 
 def sign(number: Any) -> Enclosed:

@@ -16,11 +16,11 @@ from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.symbols import cos_phi, cos_theta, rho, sin_phi, sin_theta
 from renderer import kernels, operations
+from renderer.machines.bounded import Bounded
 from renderer.machines.enclosing import SLACK, Enclosed, enclosed
 from renderer.operations import UNIT
-from verify.accuracy.pieces import lines
-from verify.evaluate import code_of
-from verify.evaluate.rounding import Running, run
+from verify.evaluate import ANY_NUMBERS, code_of
+from verify.evaluate.programs import lines
 
 LEAST_SQUARE = 0.1
 """The least 1 − (ρ/ρ_s)²."""
@@ -29,15 +29,32 @@ RATIOS = (1e-6, 1 - 1e-9)
 BOXES, ANGLES = (6000, 200), 2000
 
 
-class OverBoxes(Running):
-    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most."""
+class OverBoxes(Bounded):
+    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most.
+
+    It goes through the printed text of a straight-line program in place of a float.
+    """
 
     def __init__(self, value: Any, error: Any = 0.0):
         super().__init__(enclosed(value), Enclosed(enclosed(error).size * SLACK))
 
-    def known_as(self, value: Enclosed) -> "OverBoxes":
-        """Return the number, of which more is known than its line says."""
-        return OverBoxes(value, self.error)
+    @classmethod
+    def of(cls, number: Any) -> "OverBoxes":
+        """Return a number as one of this kind."""
+        return number if isinstance(number, cls) else cls(number)
+
+    @property
+    def size(self) -> Any:
+        """How large the float64 number can be."""
+        return abs(self.value) + self.error
+
+    @staticmethod
+    def size_of_quotient(quotient: Any) -> Any:
+        """Return the size of a quotient."""
+        return abs(quotient)
+
+    def __neg__(self):
+        return OverBoxes(-self.value, self.error)
 
     def inverse(self) -> Enclosed:
         """Return how large its inverse can be."""
@@ -59,7 +76,8 @@ class OverBoxes(Running):
         root, least = operations.sqrt(self.value), operations.sqrt(self.value - self.error)
         return self.rounded(root, self.error / (root + least), UNIT)
 
-    names: ClassVar = Running.names | {
+    names: ClassVar = ANY_NUMBERS | {
+        "rational": lambda p, q: p / q,
         "sqrt": sqrt,
         "maximum": lambda zero, number: number,
         "compare": lambda *sides: True,  # A is hit, off the pole
@@ -76,8 +94,10 @@ def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
 
 def _errors(outputs, given, values, known):
     """Return [the errors] of outputs of A's lines, from given symbols on."""
-    found = run(code_of(lines(angles_on_a, given, outputs)), values, known, OverBoxes)
-    return [found[symbol.name].error for symbol in outputs]
+    for name, line in code_of(lines(angles_on_a, given, outputs)):
+        found = OverBoxes.of(eval(line, {**OverBoxes.names, "value": values}))
+        values[name] = OverBoxes(known[name], found.error) if name in known else found  # more is known than it says
+    return [values[symbol.name].error for symbol in outputs]
 
 
 def _largest(*parts):
@@ -89,7 +109,7 @@ def errors_around() -> tuple[float, float]:
     """Return by how much the base of u, and ρ of itself, are off at most: over a quarter of the circle ρ = 1."""
     angle = boxes(np.linspace(0, 0.5, ANGLES + 1))
     at = {"x": OverBoxes(kernels.cospi(angle)), "y": OverBoxes(kernels.sinpi(angle)), "eye": OverBoxes(1.0)}
-    *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": (Enclosed(1.0),)})
+    *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": Enclosed(1.0)})
     return _largest(*of_u), _largest(of_rho)
 
 
@@ -101,7 +121,7 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     radius, share = boxes(ratios, 0), boxes(np.sqrt(1 - np.linspace(least, 1, BOXES[1] + 1)))  # ρ/ρ_s
     rho_here = share * radius / operations.sqrt((1.0 - radius) * (1.0 + radius))
     at = {"eye": OverBoxes(1.0), "radius": OverBoxes(radius), "rho": OverBoxes(rho_here, rho_here * of_rho)}
-    known = {"discriminant_a": (radius * radius * ((1.0 - share) * (1.0 + share)),)}
+    known = {"discriminant_a": radius * radius * ((1.0 - share) * (1.0 + share))}
     return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, known))
 
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -12,9 +13,7 @@ from sympy import sin, symbols
 
 from proofs.engine.claim import CitedLemma, Claim, at_least
 from proofs.engine.theorem import Theorem, variant
-from proofs.formulas.certified import CERTIFIED
-from verify.accuracy import certified_ulps
-from verify.accuracy.certified_ulps import PIECES, errors_on_pieces
+from verify.accuracy import base_errors
 from verify.checkers import proof_checker
 from verify.checkers.grades import graded, summary
 from verify.checkers.measured import examine, measurements
@@ -87,24 +86,33 @@ def test_without_a_measurement_nothing_is_measured():
         measures(SOME.id, false={})
 
 
-SINE = Enclosure(
-    PIECES["sinpi"], {"x": ((0.001, 0.25),)}, partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
-)
-
-
 def forged(pieces):
     """Return a function that returns pieces, and looks like one of `verify`."""
-    function = lambda *points: pieces  # noqa: E731
-    function.__module__, function.__name__ = certified_ulps.__name__, f"forged_{id(pieces)}"
-    vars(certified_ulps)[function.__name__] = function
+    return as_ours(lambda *points: pieces)
+
+
+def as_ours(function):
+    """Return a function that looks like one of `verify`."""
+    function.__module__, function.__name__ = base_errors.__name__, f"forged_{id(function)}"
+    vars(base_errors)[function.__name__] = function
     return function
+
+
+_ENDS = [Fraction(n, 800) for n in range(401)]
+SQUARE = Enclosure(
+    forged([(low, high, 6 * high**2) for low, high in pairwise(_ENDS)]),
+    {"x": ((0.001, 0.25),)},
+    as_ours(lambda points: 6 * points**2),
+    Fraction(153, 100),
+    "six squares",
+)
 
 
 def elsewhere(points):
     return 0 * points
 
 
-elsewhere.__module__ = "verify.accuracy.pieces"
+elsewhere.__module__ = "verify.accuracy.differences"
 
 
 OWN = [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]
@@ -123,16 +131,16 @@ TAMPERED = {
     "wide ends": {"pieces": forged([(arb(0, 5), arb(1, 5), arb(1))]), "over": {"x": ((0.0, 1.0),)}},
     "a function's name alone": {"pieces": type("Made", (), {"func": forged(OWN), "__call__": lambda self: OWN})()},
     "no value": {"at": partial(forged(np.zeros((0, 1))))},
-    "a gap": {"pieces": forged(SINE.enclosed[:300] + SINE.enclosed[301:])},
+    "a gap": {"pieces": forged(SQUARE.enclosed[:100] + SQUARE.enclosed[101:])},
     "beyond its pieces": {"over": {"x": ((0.001, 0.51),)}},
-    "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
+    "another function": {"at": as_ours(lambda points: 7 * points**2)},
     "its own function": {"at": lambda points: 0 * points},
 }
 
 
 @pytest.mark.parametrize("changes", TAMPERED.values(), ids=TAMPERED)
 def test_an_enclosure_is_taken_apart_and_tried(changes):
-    assert replace(SINE, **changes).why_refused()
+    assert replace(SQUARE, **changes).why_refused()
 
 
 WORDS = [
@@ -148,7 +156,9 @@ WORDS = [
 @pytest.mark.parametrize(("words", "grade"), WORDS)
 def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     false = {"at most 1.33": {"bound": Fraction(133, 100)}}
-    found = measured(lambda bound=SINE.bound: replace(SINE, bound=bound), false, expected="certified", statement=words)
+    found = measured(
+        lambda bound=SQUARE.bound: replace(SQUARE, bound=bound), false, expected="certified", statement=words
+    )
     assert found.grade == grade
 
 
