@@ -667,8 +667,8 @@ def central4_in_v(height, u, v, k_u, k_v, epsilon):
     return h_v
 
 
-ROUNDINGS = {"sinpi": 5.0, "cospi": 5.0, "atan2pi": 5.0, "exp": 2.2, "log": 1.04, "power": 4.0, "small_power": 23.77}
-SMALL_POWER = 2.117582368135751e-22
+ROUNDINGS = {"sinpi": 5.0, "cospi": 5.0, "atan2pi": 5.0, "exp": 2.2, "log": 1.04, "power": 3.7, "small_power": 23.77}
+SMALL_POWER = 6.938893903907228e-18
 
 
 HEIGHT_EVALUATIONS = {"forward": 3, "central": 4, "central4": 8}

@@ -6,8 +6,8 @@ SINE = Rational(33, 10)
 """A sine and a cosine of half-turns, in units of 2⁻⁵³: theorem elementary_functions, as all that follows."""
 POWER, POWER_RATE = Rational(5, 2), Rational(3, 100)
 """A power, of itself, in the same units: the first, and the second times |p ln x|."""
-SMALL_POWER = Rational(1, 2**72)
-"""A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""
+SMALL_POWER = Rational(1, 2**57)
+"""A power of exp(−40) or more is a `power`; what is below this, a little above exp(−40), may be a `small_power`."""
 
 ROUNDINGS = {
     "sinpi": Rational(5),
@@ -15,7 +15,7 @@ ROUNDINGS = {
     "atan2pi": Rational(5),
     "exp": Rational(11, 5),
     "log": Rational(26, 25),
-    "power": POWER + POWER_RATE * 50,
+    "power": POWER + POWER_RATE * 40,
     "small_power": POWER + POWER_RATE * 709,
 }
 """{function: how far its float64 value can be off, of itself, in units of 2⁻⁵³}"""
