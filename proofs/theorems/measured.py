@@ -180,14 +180,14 @@ _product = exponential.exponent * log(exponential.number)
 functions = Theorem(
     "elementary_functions",
     "The elementary functions of the kernels",
-    rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi xy$ and $\cos\pi xy$ are off by at most
-    ${ROUNDINGS["sinpi"]}\mu$ of themselves, and by ${float(SINE)}\mu$; $\operatorname{{atan2}}(y, x)/\pi$ is by
-    ${ROUNDINGS["atan2pi"]}\mu$ of itself, $e^x$ by ${float(ROUNDINGS["exp"])}\mu$, $\ln x$ by
-    ${float(ROUNDINGS["log"])}\mu$, and $x^p$ by $({float(POWER)} + {float(POWER_RATE)}\,|p\ln x|)\mu$.""",
+    rf"""With $\mu = 2^{{-53}}$, the kernels' float64 functions are off by at most a part of the exact value:
+    $\sin\pi xy$ and $\cos\pi xy$ by ${ROUNDINGS["sinpi"]}\mu$ of it, and by ${float(SINE)}\mu$ in all,
+    $\operatorname{{atan2}}(y, x)/\pi$ by ${ROUNDINGS["atan2pi"]}\mu$, $e^x$ by ${float(ROUNDINGS["exp"])}\mu$, $\ln x$
+    by ${float(ROUNDINGS["log"])}\mu$, and $x^p$ by $({float(POWER)} + {float(POWER_RATE)}\,|p\ln x|)\mu$ of it.""",
     hypotheses=(
-        r"$|xy| \le 2^{21}$; $xy$ is 0 or above $10^{-285}$, and so is the longer one of $|x|$ and $|y|$ of an angle",
-        "but for $e^x$ and $x^p$, a result that is above $10^{-285}$",
-        r"$-708 \le x \le 709$ for $e^x$, and with it a correction of at most $2^{-42}$; every $x > 0$ for $\ln x$",
+        r"$|xy| \le 2^{21}$; $xy$ is 0 or above $10^{-285}$, and of an angle the larger of $|x|$ and $|y|$ is",
+        "of all but $e^x$ and $x^p$ the exact value is above $10^{-285}$",
+        r"$-708 \le x \le 709$ for $e^x$, and a correction of $x$ of at most $2^{-42}$; every $x > 0$ for $\ln x$",
         r"$x > 0$, $\frac1{2048} \le p \le 2^{20}$ and $-707.99 \le p\ln x \le 708.99$ for $x^p$",
     ),
     rounded=(
