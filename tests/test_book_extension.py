@@ -14,7 +14,7 @@ from renderer.picture.differences import Interval
 from tests import one_page
 from verify import records
 
-STALE = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "texture")}
+STALE = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "simulator")}
 LABEL = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}
 TIMES = {"time_ms": 16.25, "time_ms_low": 15.5, "time_ms_high": 18.75, "quick_ms": 1.5}
 FIGURE = """:::{chapter-figure} %s
@@ -33,7 +33,7 @@ def book(tmp_path, monkeypatch):
     results.mkdir(parents=True)
     (folder / "sweep.py").touch()
     numbers = {"rms_1e-3": 0.01214, "rms_1e-3_lower": 0.01212, "rms_1e-3_upper": 0.01216, "flips": 0}
-    for id, undecided, reads in (("sweep", 0, []), ("old", 1234, [records.RECORDS["texture"].path])):
+    for id, undecided, reads in (("sweep", 0, []), ("old", 1234, [records.RECORDS["simulator"].path])):
         drawn = {"kind": "svg", "size": [640, 300], "numbers": numbers, "source": "book/sweep.py", "function": "sweep"}
         drawn |= {"data": f"{id}.csv", "key": f"{id}9abcdef", "reads": reads}
         drawn |= {"certified": {"within": 8.1e-10, "undecided": undecided, "pixels": 4096}}
@@ -57,10 +57,10 @@ def test_a_page_shows_figures_and_numbers_and_says_which_are_stale(book):
     for stale, since in (("", ""), (mark.format(STALE["frames"], "†"), "; the code has changed since")):
         assert f"Measured on two cores, 2025-01-01, at commit abc1234{since}.</p>" in html
         assert f'<span class="number">16.2{stale}</span> ms (16 to 19), no.' in html
-    for stale in ("", mark.format(STALE["texture"], "††")):
+    for stale in ("", mark.format(STALE["simulator"], "††")):
         assert f'The RMS is <span class="number">0.012{stale}</span>.' in html
     said = {name: f"{text[0].upper()}{text[1:]}." for name, text in STALE.items()}
-    notes = [said["texture"], f"† {said['frames']}", f"†† {said['texture']}"]
+    notes = [said["simulator"], f"† {said['frames']}", f"†† {said['simulator']}"]
     assert re.findall(r'<p class="stale">(.*?)</p>', html) == notes
     assert 'id="fig-sweep"' in html and 'href="#fig-sweep"><span class="std std-numref">Fig. 1</span>' in html
     assert html.count('alt="a falling curve"') == 4

@@ -143,7 +143,7 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
 def test_without_tqdm_a_terminal_is_told_what_is_under_way(is_terminal, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "tqdm", None)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: is_terminal)
-    for name, options in {"eps": ["--eps", "1e-3"], "frames": ["--eps", "1e-3", "--workers", "1"]}.items():
+    for name, options in {"eps": ["--eps", "1e-3"], "batches of frames": ["--eps", "1e-3", "--workers", "1"]}.items():
         assert run("sweep", "--size", "8", "--no-facts", *options) == 0
         assert capsys.readouterr().err == (f"{name} …\n" if is_terminal else "")
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
-PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints"}
+PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints", "node_modules"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
 IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec", "importlib.util.resolve_name")
@@ -65,9 +65,10 @@ def code_hashes(paths: Iterable[Path]) -> dict[str, str]:
 
 
 def file_hashes(
-    paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes, root: Path = ROOT
+    paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes, root: Path | None = None
 ) -> dict[str, str]:
     """Path from the root → hash of its content, for files that exist."""
+    root = root or ROOT
     found = sorted(path for path in set(paths) if path.is_file())
     return {path.relative_to(root).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
 

@@ -29,7 +29,7 @@ Proof.
   replace (PI * d * k) with y by (unfold y; ring). replace (PI * e * k) with x by (unfold x; ring). clearbody rest. repeat split; first [lra | nra].
 Qed.
 Theorem crease_error_area__mirrored : Statements.crease_error_area__mirrored.
-Proof. red. intros d e k E. replace (- d * PI * k) with (- (d * PI * k)) by ring. rewrite cos_neg, sin_neg. split; [lra | field; lra]. Qed.
+Proof. red. intros d e k difference after E. unfold difference, after. replace (- d * PI * k) with (- (d * PI * k)) by ring. rewrite cos_neg, sin_neg. split; [lra | field; lra]. Qed.
 Theorem crease_error_area__tents : Statements.crease_error_area__tents.
 Proof.
   red. intros d e k E K. generalize PI_RGT_0. intro P. assert (D : is_derive (fun d : R => (d - e) ^ 3 / (3 * e ^ 2)) d ((d - e) ^ 2 / e ^ 2)) by (auto_derive; [trivial | field; lra]).

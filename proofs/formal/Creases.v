@@ -33,10 +33,6 @@ Theorem straddling__slope_before : Statements.straddling__slope_before.
 Proof.
   red. intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_m1 by lra. ring.
 Qed.
-Theorem straddling__factor_of_height : Statements.straddling__factor_of_height.
-Proof. red. intros. beside_half. rewrite Rabs_mult. do 3 f_equal. ring. Qed.
-Theorem straddling__factor_of_slope : Statements.straddling__factor_of_slope.
-Proof. red. intros k_u k_v u v _. beside_half. replace (v * PI * k_v) with (PI * (k_v * v)) by ring. rewrite sign_mult, <- times_its_sign. ring. Qed.
 
 (* Beside any crease of ridges, in u and in v: what the kernels print as difference and as slope. *)
 Lemma sine_of_whole (n : Z) : sin (PI * IZR n) = 0.

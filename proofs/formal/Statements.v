@@ -441,15 +441,6 @@ Definition straddling__every_crease : Prop :=
   sin (PI * m) = 0 ->
   Rabs (sin (delta + PI * m)) = Rabs (sin delta).
 
-Definition straddling__factor_of_height : Prop :=
-  forall k_u k_v u v : R,
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * u))))) * (Rabs (sin (v * PI * k_v))).
-
-Definition straddling__factor_of_slope : Prop :=
-  forall k_u k_v u v : R,
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) > 0 ->
-  PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) * (sin (PI * (k_v * v))) = PI * k_u * (cos (PI * (k_u * u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * u))))) * (sin (PI * ((1 / 2) * 1))) * (Rabs (sin (v * PI * k_v))).
-
 Definition straddling__slope_after : Prop :=
   forall delta k_u : R,
   1 * (sin (delta * PI * k_u)) > 0 ->
@@ -2669,9 +2660,11 @@ Definition crease_error_area__tent : Prop :=
 
 Definition crease_error_area__mirrored : Prop :=
   forall delta epsilon k_u : R,
+  let difference := (sin ((-delta) * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon in
+  let after := PI * k_u * (cos ((-delta) * PI * k_u)) in
   epsilon > 0 ->
   epsilon <> 0 /\
-  PI * k_u * (cos ((-delta) * PI * k_u)) + (sin ((-delta) * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon = -((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon - PI * k_u * (cos (delta * PI * k_u))).
+  after + difference = PI * k_u * (cos (delta * PI * k_u)) - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon.
 
 Definition crease_error_area__tents : Prop :=
   forall delta epsilon k_u : R,

@@ -45,10 +45,6 @@ _centre = Claim(
     chain("beside", {difference: straddled, after: slope_after}).at({delta: S.Zero}),
 )
 _period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
-_factors = [
-    Claim(f"factor_of_{name}", equation(of, Abs(sin(pi * k_v * v)) * of.subs(half)), given)
-    for name, of, given in (("height", ridges.expression, ()), ("slope", ridges.gradient()[0], ridges.expression > 0))
-]
 _slopes = [
     Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
     for name, side in (("after", 1), ("before", -1))
@@ -63,11 +59,10 @@ theorem = Theorem(
     and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
-        r"ridges in $u$ where $|\sin\pi k_v v| = 1$; elsewhere that is a factor of each height and, off the creases, "
-        "of the slope",
+        r"ridges in $u$ where $|\sin\pi k_v v| = 1$",
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
-    claims=(_value, _centre, _period, _factors, _slopes),
+    claims=(_value, _centre, _period, _slopes),
     steps={
         r"$|\sin(\pi m + x)| = |\sin x|$": r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike",
         r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$": (
@@ -155,7 +150,10 @@ _near_tent = Claim(
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
 )
 _mirrored = Claim(
-    "mirrored", equation((straddled + slope_after).subs(delta, -delta), -(straddled - slope_after)), epsilon > 0
+    "mirrored",
+    equation(difference + after, slope_after - straddled),
+    epsilon > 0,
+    chain("mirrored", {difference: straddled.subs(delta, -delta), after: slope_after.subs(delta, -delta)}),
 )
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)

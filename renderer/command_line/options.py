@@ -168,5 +168,5 @@ def progress_bar(**options: Any) -> Callable:
     except ImportError:
         if is_shown:
             print(f"{options['desc']} …", file=sys.stderr)
-        return iter
+        return lambda iterable, **_: iterable
     return partial(tqdm, delay=1.0, disable=not is_shown, leave=False, **options)
