@@ -54,7 +54,7 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
     until: what to wait for. prepare: a script to run before the page's own. given: scripts to give for others, by their
     addresses. home: what addresses begin with that it may ask for. options: as Playwright's new_context.
     """
-    context, asked, complaints = browser.new_context(**DESKTOP | options), [], []
+    context, asked, complaints = browser.new_context(**DESKTOP | {"reduced_motion": "reduce"} | options), [], []
     context.add_init_script(prepare)
     for place, script in dict(given).items():
         context.route(place, partial(Route.fulfill, body=script, content_type="text/javascript"))
