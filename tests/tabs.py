@@ -81,10 +81,13 @@ def visits(browser, site, server):
     """A function that opens a page of the site by its name, over http or from the disk; §4 when its simulator runs."""
     with ExitStack() as pages:
 
-        def visit(page, scheme="http", fragment="", **options):
+        def visit(page, scheme="http", fragment="", folded=False, **options):
             base = server if scheme == "http" else site.as_uri()
             until = {"until": RUNNING} if page == "s4" else {}
-            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
+            tab = pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
+            if not folded:
+                tab.evaluate("document.querySelectorAll('.sim-fold').forEach(fold => { fold.open = true })")
+            return tab
 
         yield visit
 

@@ -291,7 +291,7 @@ function simulator_start(root, compiled, module) {
       const next = states.from_fragment(hash);
       if (next) {
         presets.stop();
-        is_sized = hash.includes("size=");
+        is_sized = true; // 256 where the address says nothing
         act.replace(next);
         addressed = state;
       }
