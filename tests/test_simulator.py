@@ -384,7 +384,7 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab, tmp_path):
 def test_another_page_shows_the_simulator_alone(visit):
     page = visit("s4", fragment="?embed")
     shown = "nodes => nodes.filter(node => node.checkVisibility()).map(node => node.id || node.className)"
-    parts = ".bd-article section > *, .bd-sidebar, .bd-header-article, footer"
+    parts = ".bd-article > section > *, .bd-sidebar, .bd-header-article, footer"
     assert page.locator(parts).evaluate_all(shown) == ["simulator"]
 
 
