@@ -11,7 +11,7 @@ from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
 from verify.sources import ROOT, is_test
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
-BESIDE = {"proofs/formulas/half_turns.py", "proofs/theorems/__init__.py"}  # what claims are written in, and their list
+BESIDE = {"proofs/theorems/__init__.py"}  # the list of claims
 ASKS_COQ = {f"verify/{name}.py" for name in ("formal", "sources", "survey", "vernacular")}  # of which its end tells
 
 

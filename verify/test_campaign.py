@@ -18,8 +18,8 @@ from functools import cache
 import pytest
 from sympy import Eq, Number
 
+from proofs.engine.half_turns import ordinary
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.half_turns import ordinary
 from verify.checkers.stale import why_stale
 from verify.records import Run
 from verify.sources import ROOT

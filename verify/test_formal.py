@@ -13,7 +13,7 @@ from sympy import Derivative, sign, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.symbols import real
+from proofs.engine.vectors import real
 from renderer.generate import statements as printing
 from renderer.generate.statements import proposition
 from renderer.whole_files import write_whole

@@ -12,15 +12,16 @@ from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
 from sympy import Abs, Max, Piecewise, Rational, atan, log, sqrt
 
+from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.engine.program import Program
+from proofs.engine.registry import by_name
+from proofs.engine.vectors import real
 from proofs.formulas.finite_difference import central
-from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.ranges import enclosure
-from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
-from proofs.formulas.symbols import h_u, h_v, k_u, k_v, real, u, v
+from proofs.formulas.symbols import h_u, h_v, k_u, k_v, u, v
 from renderer import kernels
 from renderer.generate.__main__ import write_all
 from renderer.generate.creases import crease_point, crease_rates

@@ -27,11 +27,12 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
+from proofs.engine.half_turns import cospi, sinpi
 from proofs.engine.program import Program, evaluated
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.engine.registry import by_name, check_name, not_allowed
+from proofs.engine.vectors import real
 from proofs.formulas.ranges import DIGITS, enclosure, values_of
-from proofs.formulas.registry import by_name, check_name, not_allowed
-from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
+from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
 
 sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
 IN_CHART = (u, v, k_u, k_v)

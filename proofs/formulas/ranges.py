@@ -9,8 +9,8 @@ from sympy import Abs, Add, Basic, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbo
 from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair
 
-from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.registry import shown
+from proofs.engine.half_turns import cospi, sinpi
+from proofs.engine.registry import shown
 
 
 def _hull(lowest, highest):

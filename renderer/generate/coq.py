@@ -9,6 +9,7 @@ from typing import ClassVar
 from sympy import And, Basic, Or, Rational, S
 
 from proofs.engine.program import Program
+from proofs.engine.registry import by_name
 from proofs.formulas import (
     algebraic_form,
     bump,
@@ -25,7 +26,6 @@ from proofs.formulas import (
     shadow_cone,
     tangent_frame,
 )
-from proofs.formulas.registry import by_name
 from renderer.generate.printer import KernelPrinter
 
 HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.

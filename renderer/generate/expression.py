@@ -38,8 +38,8 @@ from sympy.logic.boolalg import Boolean
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
+from proofs.engine.half_turns import cospi, sinpi
 from proofs.engine.program import evaluated
-from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer.checks import not_allowed
 

@@ -6,7 +6,7 @@ They alone let SymPy and the proofs be imported where something is drawn.
 from functools import cache
 from typing import Any
 
-from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
+from proofs.engine.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
 from renderer.checks import check_kind, not_allowed

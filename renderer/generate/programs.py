@@ -3,6 +3,8 @@
 from sympy import Function
 
 from proofs.engine.program import Program
+from proofs.engine.registry import by_name
+from proofs.engine.vectors import real
 from proofs.formulas import (
     algebraic_form,
     bounds,
@@ -19,8 +21,7 @@ from proofs.formulas import (
 )
 from proofs.formulas.chart import chart, chart_radians
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.registry import by_name
-from proofs.formulas.symbols import h_v, k_u, k_v, mu, real, u, v, x, y
+from proofs.formulas.symbols import h_v, k_u, k_v, mu, u, v, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 from sympy import Abs, diff
 
+from proofs.engine.half_turns import cospi, ordinary
 from proofs.formulas import step_bounds
 from proofs.formulas.finite_difference import central as central_difference
-from proofs.formulas.half_turns import cospi, ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
