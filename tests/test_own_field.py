@@ -33,8 +33,8 @@ from renderer import (
 )
 from renderer.command_line.verbs import main
 from renderer.files import record
-from renderer.generate.expression import LONGEST, expression_text, parse_expression
-from renderer.generate.own_kernels import CALLED, OwnPrinter
+from renderer.generate.custom_printer import CALLED, OwnPrinter
+from renderer.generate.reader import LONGEST, expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.machines.enclosing import Enclosed
 from renderer.scene.own import field_from_record, field_kernels

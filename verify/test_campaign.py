@@ -20,7 +20,7 @@ from sympy import Eq, Number
 
 from proofs.engine.half_turns import ordinary
 from proofs.engine.theorem import all_theorems
-from verify.checkers.stale import why_stale
+from verify.stale import why_stale
 from verify.records import Run
 from verify.sources import ROOT
 
@@ -34,7 +34,7 @@ STAGES = (
     (*PYTEST, "verify/test_theorems.py", "-n", "2"),
 )
 """What Python runs: the quick check, all but the theorems, the theorems with their samples and false variants."""
-OF_NUMBERS = (STAGES[0], ("verify.checkers.stale",), *STAGES[1:])
+OF_NUMBERS = (STAGES[0], ("verify.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
 FEW_NUMBERS, FEW_RELATIONS = 3, 20
 

@@ -14,8 +14,8 @@ from sympy import Derivative, sign, sqrt
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
-from renderer.generate import statements as printing
-from renderer.generate.statements import proposition
+from proofs.printers import coq_statements as printing
+from proofs.printers.coq_statements import proposition
 from renderer.whole_files import write_whole
 from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
@@ -306,11 +306,10 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
 
 
 PRINT = """import json
-from renderer.generate.coq import formulas_source
-from renderer.generate.float64 import float64_source
-print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))
-from renderer.generate.statements import statements_source
-print(json.dumps({"Statements": statements_source()}))"""
+from renderer.generate.__main__ import PRINTED
+sources = {path.stem: source_of for path, source_of in PRINTED.items()}
+print(json.dumps({name: sources[name]() for name in ("Formulas", "Float64")}))
+print(json.dumps({"Statements": sources["Statements"]()}))"""
 PART = re.compile(
     r"^(?:Module|Definition) (\w+)(?:\.$| : Prop)(.*?)(?=^Module|^Definition \w+ : Prop|\Z)", re.MULTILINE | re.DOTALL
 )

@@ -26,7 +26,7 @@ from renderer import kernels
 from renderer.generate.__main__ import write_all
 from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of, kernels_source
-from renderer.generate.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
+from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
 from verify.evaluate.arrays import distance, in_balls
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2

@@ -13,6 +13,7 @@ from sympy import (
     DiracDelta,
     Dummy,
     Expr,
+    Function,
     Heaviside,
     Mul,
     Piecewise,
@@ -155,6 +156,7 @@ class AnyField(HeightField):
         pass
 
 
+ANY_FIELD = AnyField("any", Function("height")(u, v, k_u, k_v))
 _product = sinpi(k_u * u) * sinpi(k_v * v)
 
 HEIGHT_FIELDS: dict[str, HeightField] = by_name((

@@ -1,4 +1,4 @@
-"""Theorems without claims: their measurements, in every module of verify/checkers/measurements, and their grade.
+"""Theorems without claims: their measurements, in every module of verify/measurements, and their grade.
 
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
@@ -18,7 +18,7 @@ from verify.checkers.grades import Examination
 from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says, unnamed
 from verify.optional import lacking
 
-FOLDER = Path(__file__).parent / "measurements"
+FOLDER = Path(__file__).parents[1] / "measurements"
 
 
 @cache
@@ -27,7 +27,7 @@ def _left_out():
     needs = {}
     for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
         try:
-            importlib.import_module(f"verify.checkers.measurements.{module}")
+            importlib.import_module(f"verify.measurements.{module}")
         except ImportError as error:
             if not (library := lacking(error)):
                 raise
@@ -67,7 +67,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
         if examination.reached == "certified" and missing:
             examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
         if not evidence:
-            examination.problems.append("no measurement is registered for it in verify/checkers/measurements")
+            examination.problems.append("no measurement is registered for it in verify/measurements")
     examination.record["grade"] = examination.grade
     return examination
 

@@ -1,21 +1,25 @@
-"""Print one definition of a straight-line program in Python.
+"""Print a straight-line program as a Python function, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
 What is printed fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
+import builtins
+from collections.abc import Callable, Container, Mapping
 from functools import reduce
-from typing import ClassVar
+from inspect import isfunction
+from typing import Any, ClassVar
 
-from sympy import Basic, Derivative, Mul, Rational, S, evaluate, prod, sympify
+from sympy import Basic, Mul, Rational, S, Symbol
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
-from renderer.checks import not_allowed
+from proofs.engine.program import Program
+from proofs.engine.registry import not_allowed
 
 
 class KernelPrinter(StrPrinter):
-    """Prints for `renderer.operations`; `verify.evaluate` prints the same lines for any other kind of number."""
+    """Prints one definition for `renderer.operations`; `NumberPrinter` prints the same for any other kind of number."""
 
     names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "Infinity": "inf", "NegativeInfinity": "-inf"}
 
@@ -144,18 +148,37 @@ class KernelPrinter(StrPrinter):
         return self._print_And(expr, " | ")
 
 
-def differentiated(expression: Basic) -> Basic:
-    """Return an expression with the derivatives in it as SymPy takes them, whatever the rules of a translation do.
+def print_function(
+    name: str, program: Program, printer: KernelPrinter, before: str = "", optional: Container[Symbol] = ()
+) -> str:
+    """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
 
-    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+    before: further parameters, as text. optional: the inputs that are 0 unless they are given.
     """
-    expression = sympify(expression)
-    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
-    with evaluate(False):
-        return expression.xreplace(taken)
+    needed = program.reaches(*program.outputs)
+    printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
+    results, used = [s.name for s in program.outputs], set().union(*(e.free_symbols for _, e in program.definitions))
+    at_once = f"return {', '.join(printed.values())}"
+    if list(printed) == results and used.isdisjoint(program.outputs) and len(at_once) <= 100:
+        lines = [at_once]
+    else:
+        lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
+    parameters = ", ".join(f"{s.name}=0.0" if s in optional else s.name for s in program.inputs)
+    return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
-def _without_products_of_numbers(expression):
-    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
-    with evaluate(False):
-        return expression.xreplace(numbers)
+def function_of(program: Program, names: Mapping[str, Any], optional: Container[Symbol] = ()) -> Callable:
+    """Return a program as a Python function of its inputs, in order, that returns its outputs.
+
+    names: what the printed text may call. optional: the inputs that are 0 unless they are given.
+    """
+    scope = dict(names)
+    exec(print_function(program.name, program, KernelPrinter(), optional=optional), scope)
+    return scope[program.name]
+
+
+def refuse_unknown_calls(known: dict[str, Any]) -> None:
+    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
+    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
+        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
+            raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

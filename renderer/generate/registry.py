@@ -11,9 +11,9 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightFi
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
-from renderer.generate.expression import check_operations, expression_text, parse_expression
+from renderer.generate.custom_printer import OwnPrinter, exact_waves, made
 from renderer.generate.kernels import field_entry, print_function
-from renderer.generate.own_kernels import OwnPrinter, exact_waves, made
+from renderer.generate.reader import check_operations, expression_text, parse_expression
 
 _KNOWN: dict[str, HeightField] = dict(HEIGHT_FIELDS)
 _OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(),)
