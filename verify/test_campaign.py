@@ -20,9 +20,9 @@ from sympy import Eq, Number
 
 from proofs.engine.half_turns import ordinary
 from proofs.engine.theorem import all_theorems
-from verify.stale import why_stale
 from verify.records import Run
 from verify.sources import ROOT
+from verify.stale import why_stale
 
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,

@@ -15,7 +15,6 @@ from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
 from proofs.engine.program import Program
-from proofs.engine.registry import not_allowed
 
 
 class KernelPrinter(StrPrinter):
@@ -131,7 +130,7 @@ class KernelPrinter(StrPrinter):
         """Return the text of a Piecewise, of the texts of its values and conditions."""
         (last, otherwise) = expr.args[-1]
         if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
-            raise not_allowed("expression", expr, "a selection whose last value is for all else")
+            raise ValueError(f"expression = {expr} is not allowed: a selection whose last value is for all else")
         text = branch(last)
         for value, condition in reversed(expr.args[:-1]):
             text = self.select(decision(condition), branch(value), text)
