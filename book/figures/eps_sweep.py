@@ -20,7 +20,8 @@ from book.drawing.style import (
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
-from renderer.picture.differences import Interval, distance_on_a
+from renderer.intervals import Interval
+from renderer.picture.differences import distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, records, sweep
 from verify.accuracy.orders import enclosed_slope

@@ -17,7 +17,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from renderer.picture.differences import Interval, rms
+from renderer.intervals import Interval, rms
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import distance, in_balls
