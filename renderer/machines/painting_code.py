@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable
 
 import llvmlite.ir as ir
 
+from renderer.machines.forms import COLORS
 from renderer.machines.traced import BYTE, WHOLE, Tracer, Value
 from renderer.operations import maximum, minimum, rint
-from renderer.shader.shader import COLORS
 
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
             "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
