@@ -15,6 +15,7 @@ from sympy import Mul, Piecewise, Rational, exp, pi
 from proofs.engine.program import flat
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.printers.text import LONGEST
 from renderer import (
     HeightField,
     Scene,
@@ -34,7 +35,7 @@ from renderer import (
 from renderer.command_line.verbs import main
 from renderer.files import record
 from renderer.generate.custom_printer import CALLED, OwnPrinter
-from renderer.generate.reader import LONGEST, expression_text, parse_expression
+from renderer.generate.reader import expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.machines.enclosing import Enclosed
 from renderer.scene.own import field_from_record, field_kernels

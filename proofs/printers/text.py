@@ -1,0 +1,210 @@
+"""Print a formula as text that reads back as it was, and read one by a list of what is allowed.
+
+A text from a file, a command line or a picture may be anybody's. It has to be short and of few letters; Python's parser
+makes a tree of it, of which nothing is run: a walk makes SymPy's expression of the nodes that it knows.
+"""
+
+import ast
+import operator
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import Any
+
+from sympy import (
+    Abs,
+    Add,
+    And,
+    Basic,
+    Expr,
+    Function,
+    Max,
+    Min,
+    Mul,
+    Or,
+    Piecewise,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    Tuple,
+    exp,
+    log,
+    pi,
+    sign,
+    sqrt,
+)
+from sympy.logic.boolalg import Boolean
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.str import StrPrinter
+
+from proofs.engine.half_turns import cospi, sinpi
+from proofs.engine.program import evaluated
+from proofs.engine.registry import not_allowed
+
+LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
+MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
+MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
+_OF_ONE = {"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "sqrt": sqrt}
+_CHOICES = {"abs": Abs, "sign": sign, "max": Max, "min": Min, "Piecewise": Piecewise}
+_CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
+_COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
+_LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
+_NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
+_BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # what SymPy may raise too
+
+
+class _Reader:
+    """Reads one text."""
+
+    def __init__(self, text: str, names: Mapping[str, Symbol]):
+        self.text, self.names = text, {**names, "pi": pi}
+        self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
+
+    def refused(self, why: str) -> ValueError:
+        """Return the error that says so of the text, of which it shows the beginning."""
+        return not_allowed("expression", self.text if len(self.text) < 80 else f"{self.text[:60]}...", why)
+
+    def whole(self) -> Expr:
+        """Return the expression of the whole text."""
+        if len(self.text) > LONGEST:
+            raise self.refused(f"a text of at most {LONGEST} letters, and it has {len(self.text)}")
+        known = _LETTERS.match(self.text).end()  # type: ignore[union-attr]
+        if known < len(self.text):
+            raise self.refused(f"no formula has the letter {self.text[known]!r}")
+        try:
+            tree = ast.parse(self.text, mode="eval")
+        except _BROKEN as error:
+            raise self.refused(f"it is no formula ({getattr(error, 'msg', type(error).__name__)})") from None
+        return self.read(tree.body, 0)
+
+    def said(self, node: ast.expr) -> str:
+        """Return the text of a node."""
+        return self.text[node.col_offset : node.end_col_offset]
+
+    def read(self, node: ast.expr, depth: int, kind: type = Expr) -> Any:
+        """Return the expression of a node so deep in the tree; kind: a condition's is Boolean, a choice's Tuple."""
+        if depth > DEEPEST:
+            raise self.refused(f"it is nested more than {DEEPEST} deep")
+        try:
+            found = self._of(node, depth + 1)
+        except _BROKEN as error:
+            if str(error).startswith("expression = "):
+                raise
+            raise self.refused(f"{self.said(node)[:60]} is not defined") from None
+        if next(known for known in (Expr, Tuple, Boolean) if isinstance(found, known)) is not kind:
+            raise self.refused(f"{self.said(node)[:60]!r} is not of the kind that belongs there")
+        return self._bounded(found, node)
+
+    def _of(self, node, depth):
+        match node:
+            case ast.Name(name) if name in self.names:
+                return self.names[name]
+            case ast.Constant() if _NUMBER.fullmatch(self.said(node)):
+                return Rational(self.said(node))
+            case ast.UnaryOp(ast.UAdd() | ast.USub() as operation, operand):
+                return self.read(operand, depth) * (-1 if isinstance(operation, ast.USub) else 1)
+            case ast.BinOp(_, ast.Add() | ast.Sub(), _):
+                return Add(*self._chained(node, ast.Add, ast.Sub, lambda part: -part, depth))
+            case ast.BinOp(_, ast.Mult() | ast.Div(), _):
+                return Mul(*self._chained(node, ast.Mult, ast.Div, lambda part: 1 / part, depth))
+            case ast.BinOp(base, ast.Pow(), power):
+                return Pow(self.read(base, depth), self._power(self.read(power, depth), node))
+            case ast.Call(ast.Name(name), [argument], []) if name in _OF_ONE:
+                return _OF_ONE[name](self.read(argument, depth))
+            case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in _CHOICES:
+                self.choices += max(1, len(arguments) * (len(arguments) - 1)) * 4**self.inside
+                if self.choices > MOST_CHOICES:
+                    raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
+                self.inside += 1
+                kind = Tuple if name == "Piecewise" else Expr
+                found = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
+                self.inside -= 1
+                return found
+            case ast.Tuple([value, condition]):
+                return Tuple(self.read(value, depth), self.read(condition, depth, Boolean))
+            case ast.Constant(True):
+                return S.true
+            case ast.BinOp(one, ast.BitAnd() | ast.BitOr() as connective, other):
+                sides = self.read(one, depth, Boolean), self.read(other, depth, Boolean)
+                return And(*sides) if isinstance(connective, ast.BitAnd) else Or(*sides)
+            case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
+                return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
+        allowed = ", ".join([*self.names, *_OF_ONE, *_CHOICES])
+        raise self.refused(f"{self.said(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
+
+    def _chained(self, node, join, part_from, inverse, depth):
+        """Return the terms of a sum, or the factors of a product: all at once, or SymPy would multiply some out."""
+        parts = []
+        while isinstance(node, ast.BinOp) and isinstance(node.op, (join, part_from)):
+            part = self.read(node.right, depth)
+            parts.append(part if isinstance(node.op, join) else inverse(part))
+            node = node.left
+        if join is ast.Mult and isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            parts.append(S.NegativeOne)
+            node = node.operand
+        return [self.read(node, depth), *reversed(parts)]
+
+    def _power(self, power, node):
+        """Return the exponent of a node, or refuse it."""
+        if not (power.is_Integer and abs(power) <= LARGEST_POWER) and abs(power) != S.Half:
+            allowed = f"whole and at most {LARGEST_POWER}, or a half"
+            raise self.refused(f"a power in {self.said(node)[:60]} is not {allowed}")
+        return power
+
+    def _bounded(self, found, node):
+        """Return what is found at a node, or refuse it: numbers and powers are small, and all is real and finite."""
+        for part in (found, *found.args):
+            if part.is_Rational and max(abs(part.p), part.q) > LARGEST_NUMBER:
+                raise self.refused(f"{self.said(node)[:60]} has a number above 2**256")
+            if part.is_Pow:
+                self._power(part.exp, node)
+        if found.has(S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, S.ImaginaryUnit):
+            raise self.refused(f"{self.said(node)[:60]} is no real number")
+        return found
+
+
+class _Writer(StrPrinter):
+    """Writes a product factor by factor, as it is read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
+
+    def _print_Mul(self, expr):
+        first, *factors = expr.args if expr.args[0].is_Rational else (S.One, *expr.args)
+        text = str(first)
+        for factor in factors:
+            below = factor.is_Pow and factor.exp.is_Rational and factor.exp.is_negative
+            part = self.parenthesize(1 / factor if below else factor, PRECEDENCE["Mul"], strict=not below)
+            text += f"/{part}" if below else f"*{part}"
+        return text.removeprefix("1*") if first == 1 else text.replace("-1*", "-", 1) if first == -1 else text
+
+
+@cache
+def _operations(expression: Basic) -> int:
+    """Return about how many operations a kernel has for an expression: a whole power is printed as a product."""
+    if expression.is_Pow and expression.exp.is_Integer:
+        return abs(int(expression.exp)) * (1 + _operations(expression.base))
+    return sum(map(_operations, expression.args)) + (OF_A_FUNCTION if isinstance(expression, Function) else 1)
+
+
+def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> None:
+    """Raise ValueError, which names what they are of, where the expressions of a text are too much for a kernel."""
+    if (count := sum(map(_operations, expressions))) > MOST_OPERATIONS:
+        raise not_allowed(name, value, f"at most {MOST_OPERATIONS} operations, slopes included, and here are {count}")
+
+
+@evaluated
+def parse_expression(text: str, names: Mapping[str, Symbol]) -> Expr:
+    """Return the SymPy expression of a text: numbers, names, π, + - * / ** and the functions that have kernels.
+
+    A decimal is the exact fraction that it says. Raises ValueError, in one sentence, on anything else.
+    """
+    if not isinstance(text, str):
+        raise not_allowed("expression", text, "a text")
+    return _Reader(text.strip(), names).whole()
+
+
+def expression_text(expression: Expr, names: Mapping[str, Symbol]) -> str:
+    """Return the text that `parse_expression` reads as the expression. Raises ValueError where there is none."""
+    text = _Writer().doprint(expression)
+    if parse_expression(text, names) != expression:
+        raise not_allowed("expression", text[:60], "one that is as SymPy evaluates it, which a text can say")
+    return text
