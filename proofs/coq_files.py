@@ -1,10 +1,11 @@
-"""Which programs are printed for Coq: as they are into Formulas.v, as kernels carry them out into Float64.v."""
+"""What is printed for Coq: programs (Formulas.v), what kernels carry out of them (Float64.v), claims (Statements.v)."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
+from proofs.engine.theorem import all_theorems
 from proofs.formulas import (
     algebraic_form,
     bump,
@@ -24,6 +25,7 @@ from proofs.formulas import (
 )
 from proofs.printers.coq import in_module, module_of
 from proofs.printers.coq_float64 import carried_out, rule
+from proofs.printers.coq_statements import statements_of
 
 FORMULAS = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
    Each module is one program of the chapter; each definition is one line of its derivation. *)
@@ -138,3 +140,8 @@ def float64_source(operations: Mapping[str, Any], kernels: Mapping[str, Any], co
     rules = {program.name: rule(program, kernels, counted) for program in enclosed.RULES.values()}
     modules += [in_module(f"{name}_float64", lines) for name, lines in rules.items()]
     return FLOAT64 + "".join(f"\n{module}" for module in modules)
+
+
+def statements_source() -> str:
+    """Return the text of proofs/formal/Statements.v."""
+    return statements_of(all_theorems().values())

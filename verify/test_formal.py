@@ -14,8 +14,7 @@ from sympy import Derivative, sign, sqrt
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
-from proofs.printers import coq_statements as printing
-from proofs.printers.coq_statements import proposition
+from proofs.printers.coq_statements import proposition, statements_of
 from renderer.whole_files import write_whole
 from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
@@ -289,12 +288,11 @@ ONE_NAME = [("a", "b__c"), ("a", "b__c")], [("a__b", "c")], [("a", "c : Prop := 
 
 
 @pytest.mark.parametrize("named", ONE_NAME)
-def test_a_printed_name_is_a_name_and_one_claims(named, monkeypatch):
+def test_a_printed_name_is_a_name_and_one_claims(named):
     of = {"rounded": (), "expected": "proved"}
     claims = [SimpleNamespace(id=id, claims=[Claim(name, x + 1 > x)], **of) for id, name in named]
-    monkeypatch.setattr(printing, "all_theorems", lambda: dict(enumerate(claims)))
     with pytest.raises(ValueError, match="no name in Coq"):
-        printing.statements_source()
+        statements_of(claims)
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():

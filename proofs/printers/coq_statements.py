@@ -236,8 +236,8 @@ def statements(theorem: Theorem) -> dict[str, str]:
     return printed
 
 
-def statements_source(theorems: Iterable[Theorem]) -> str:
-    """Return the text of proofs/formal/Statements.v."""
+def statements_of(theorems: Iterable[Theorem]) -> str:
+    """Return the text of a file of Coq's with every printed claim of some theorems."""
     texts: dict[str, str] = {}
     for theorem in theorems:
         printed = statements(theorem)

@@ -5,28 +5,17 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from proofs import coq_files
-from proofs.engine.theorem import all_theorems
-from proofs.printers.coq_statements import statements_source
+from renderer.generate.float64 import float64_source
 from renderer.generate.kernels import kernels_source
 from renderer.whole_files import write_whole
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMAL = ROOT / "proofs" / "formal"
-
-
-def float64_source() -> str:
-    """Return the text of Float64.v, of the operations that our machines carry out."""
-    from renderer import kernels, operations  # not above: kernels may be what is about to be printed
-    from renderer.machines.enclosing import Enclosed
-
-    return coq_files.float64_source(vars(operations), vars(kernels), Enclosed.counted)
-
-
 PRINTED = {
     ROOT / "renderer" / "kernels.py": kernels_source,
     FORMAL / "Formulas.v": coq_files.formulas_source,
     FORMAL / "Float64.v": float64_source,
-    FORMAL / "Statements.v": lambda: statements_source(all_theorems().values()),
+    FORMAL / "Statements.v": coq_files.statements_source,
 }
 """{file: what returns its text}"""
 
