@@ -13,7 +13,7 @@ from typing import Any
 
 import llvmlite.ir as ir
 
-from renderer.machines.forms import Shader, Step, Variables, flat, of_form
+from renderer.machines.forms import Step, Variables, flat, of_form
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -130,7 +130,7 @@ class Tracer:
         lanes: int,
         names: Sequence[str] = (),
         number: ir.Type = FLOAT,
-        shader: Shader | None = None,
+        shader: Any = None,
     ):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
         (self._arguments,), self.lanes, self.module = function.args, lanes, module
