@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from sympy import And, Basic, Or, Rational, S
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
 from proofs.printers.python import KernelPrinter
 
@@ -26,9 +27,8 @@ class CoqPrinter(KernelPrinter):
     real part is taken.
     """
 
-    names: ClassVar = {
-        "Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln", "Pi": "PI", "Infinity": "p_infty",
-    }  # fmt: skip
+    names: ClassVar = {function.made.__name__: function.coq for function in FUNCTIONS if function.coq}
+    names |= {"Pi": "PI", "Infinity": "p_infty"}
 
     def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"

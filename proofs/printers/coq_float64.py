@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from functools import partialmethod
 from typing import Any
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
 from proofs.printers.python import KernelPrinter, function_of
 
@@ -143,21 +144,8 @@ class Line(Term):
         return cls(f"({super().where(mask, value, otherwise).text})")
 
 
-NAMES = {
-    "floor": "whole_below",
-    "rint": "rint",
-    "maximum": "Rmax",
-    "minimum": "Rmin",
-    "sign": "sign",
-    "power_of_two": "power_of_two",
-    "binary_exponent": "binary_exponent",
-    "height": "height",
-    "sinpi": "sine_of_half_turns_float64.sine",
-    "cospi": "cosine_of_half_turns_float64.cosine",
-    "atan2pi": "angle_in_half_turns_float64.angle",
-    "exp": "exponential_of_sum_float64.exponential",
-    "log": "natural_logarithm_float64.logarithm",
-}
+NAMES = {function.kernel: function.coq_float64 for function in FUNCTIONS if function.coq_float64}
+NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")}
 """{what is called: Coq's function}, none of which is rounded but as it says itself"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 

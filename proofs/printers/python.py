@@ -14,13 +14,15 @@ from sympy import Basic, Mul, Rational, S, Symbol
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
 
 
 class KernelPrinter(StrPrinter):
     """Prints one definition for `renderer.operations`; `NumberPrinter` prints the same for any other kind of number."""
 
-    names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "Infinity": "inf", "NegativeInfinity": "-inf"}
+    names: ClassVar = {function.made.__name__: function.kernel for function in FUNCTIONS}
+    names |= {"Infinity": "inf", "NegativeInfinity": "-inf"}
 
     def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""

@@ -28,8 +28,6 @@ from sympy import (
     S,
     Symbol,
     Tuple,
-    exp,
-    log,
     pi,
     sign,
     sqrt,
@@ -38,15 +36,16 @@ from sympy.logic.boolalg import Boolean
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from proofs.engine.half_turns import cospi, sinpi
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import evaluated
 from proofs.engine.registry import not_allowed
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
 MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
 MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
-_OF_ONE = {"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "sqrt": sqrt}
-_CHOICES = {"abs": Abs, "sign": sign, "max": Max, "min": Min, "Piecewise": Piecewise}
+_CALLED = {function.text or function.kernel: function.made for function in FUNCTIONS if function.enclosed}
+_OF_ONE = {name: made for name, made in _CALLED.items() if made not in (Abs, sign, Max, Min)} | {"sqrt": sqrt}
+_CHOICES = {name: made for name, made in _CALLED.items() if name not in _OF_ONE} | {"Piecewise": Piecewise}
 _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")

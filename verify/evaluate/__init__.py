@@ -15,6 +15,7 @@ from typing import Any
 import mpmath
 from sympy import Basic, Symbol, sympify
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
 from proofs.printers.numbers import NumberPrinter
 
@@ -44,11 +45,11 @@ ANY_NUMBERS = {
 }
 """What the text calls, where comparisons are decided."""
 
-MPMATHS_OWN = ("sqrt", "floor", "sign", "power", "inf", "pi", "sin", "cos", "sinpi", "cospi", "exp", "log")
+MPMATHS_OWN = {f.kernel: f.mpmath or f.kernel for f in FUNCTIONS if hasattr(mpmath, f.mpmath or f.kernel)}
+MPMATHS_OWN |= {name: name for name in ("sqrt", "power", "inf", "pi", "sin", "cos")}
 MPMATH = ANY_NUMBERS | {
-    **{name: getattr(mpmath, name) for name in MPMATHS_OWN},
+    **{name: getattr(mpmath, of_mpmath) for name, of_mpmath in MPMATHS_OWN.items()},
     "rational": lambda p, q: mpmath.mpf(p) / q,
-    "rint": mpmath.nint,
     "nan": mpmath.nan,
     "binary_exponent": lambda x: mpmath.mpf(mpmath.frexp(x)[1] - 1),
     "power_of_two": lambda n: mpmath.mpf(2) ** n,
