@@ -52,7 +52,7 @@ CHART = (u, v, k_u, k_v)
 
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: function.kernel)
 def test_a_function_is_one_by_all_its_names(function):
-    """In a kernel, at 50 digits, over balls and in Coq's float64; where fields may call it, of intervals and as text."""
+    """In a kernel, at 50 digits, over balls, in Coq's float64; where fields may call it, of intervals and as text."""
     two = function.made in (Max, Min, atan2pi)
     expression, at = function.made(*(u, v)[: 1 + two]), {"u": 0.375, "v": 0.8125}
     program = Program("call", (u, v), {h: expression})
