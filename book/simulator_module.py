@@ -19,7 +19,6 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
 from renderer.files.srgb import tables, thresholds
-from renderer.generate.creases import crease_point, crease_rates
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
 from renderer.machines.forms import flat
@@ -28,6 +27,7 @@ from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
+from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
 
 SCENE = Scene()

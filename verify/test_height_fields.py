@@ -26,9 +26,9 @@ from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
 from renderer import kernels, operations
 from renderer.generate.__main__ import write_all
-from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
+from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
 from verify.evaluate import Reference
 from verify.evaluate.arrays import distance, in_balls
