@@ -5,12 +5,12 @@ whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals 
 """
 
 import builtins
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
 from inspect import isfunction
 from typing import Any, ClassVar
 
-from sympy import Basic, Mul, Rational, S, Symbol
+from sympy import Basic, Mul, Rational, S
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
@@ -149,12 +149,13 @@ class KernelPrinter(StrPrinter):
         return self._print_And(expr, " | ")
 
 
-def print_function(
-    name: str, program: Program, printer: KernelPrinter, before: str = "", optional: Container[Symbol] = ()
-) -> str:
+OPTIONAL = "product_error"  # an input that is 0 unless it is given: of what is called with two_product
+
+
+def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
     """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
 
-    before: further parameters, as text. optional: the inputs that are 0 unless they are given.
+    before: further parameters, as text.
     """
     needed = program.reaches(*program.outputs)
     printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
@@ -164,17 +165,17 @@ def print_function(
         lines = [at_once]
     else:
         lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
-    parameters = ", ".join(f"{s.name}=0.0" if s in optional else s.name for s in program.inputs)
+    parameters = ", ".join(f"{s.name}=0.0" if s.name == OPTIONAL else s.name for s in program.inputs)
     return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
-def function_of(program: Program, names: Mapping[str, Any], optional: Container[Symbol] = ()) -> Callable:
+def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
-    names: what the printed text may call. optional: the inputs that are 0 unless they are given.
+    names: what the printed text may call.
     """
     scope = dict(names)
-    exec(print_function(program.name, program, KernelPrinter(), optional=optional), scope)
+    exec(print_function(program.name, program, KernelPrinter()), scope)
     return scope[program.name]
 
 

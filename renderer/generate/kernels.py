@@ -2,18 +2,16 @@
 
 import textwrap
 from collections.abc import Callable, Mapping
-from functools import partial
 from typing import Any
 
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.certified import CERTIFIED, SMALL_POWER
-from proofs.formulas.elementary import product_error
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.printers import python
-from proofs.printers.python import KernelPrinter, refuse_unknown_calls
+from proofs.printers.python import KernelPrinter, print_function, refuse_unknown_calls
 from renderer.generate import programs
 
 HEADER = '''"""Printed from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
@@ -42,10 +40,6 @@ from renderer.operations import (
 '''
 
 
-print_function = partial(python.print_function, optional=(product_error,))
-"""Prints a function; the error of a product is 0 unless it is given."""
-
-
 def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
@@ -54,7 +48,7 @@ def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Cal
     """
     from renderer import kernels  # not above: they may be what is about to be printed
 
-    return python.function_of(program, vars(kernels) if names is None else names, (product_error,))
+    return python.function_of(program, vars(kernels) if names is None else names)
 
 
 def field_entry(field: HeightField) -> str:

@@ -9,11 +9,12 @@ from typing import Any
 from proofs.engine.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
+from proofs.printers.python import print_function
 from proofs.printers.text import check_operations
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
 from renderer.generate.custom_printer import OwnPrinter, exact_waves, made
-from renderer.generate.kernels import field_entry, print_function
+from renderer.generate.kernels import field_entry
 from renderer.generate.reader import expression_text, parse_expression
 
 _KNOWN: dict[str, HeightField] = dict(HEIGHT_FIELDS)
