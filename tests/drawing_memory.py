@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from renderer.machines.drawing_code import ARGUMENTS
-from renderer.shader.shader import WORK
+from renderer.machines.drawing_code import arguments
+from renderer.shader.shader import PLANES, WORK
 
 WORD = 8
+ARGUMENTS = arguments(PLANES)
 
 
 def drawer_over_memory(run, base=0):
     """Return a machine's `drawer` that draws by run(want, memory): the block as it is afterwards, both as bytes.
 
-    The block begins with `drawing_code.ARGUMENTS` and stands at the address `base` where the code runs.
+    The block begins with ARGUMENTS and stands at the address `base` where the code runs.
     """
 
     def drawer(want, job):

@@ -12,7 +12,7 @@ from book.extension.ledger import require_ledger
 from book.ledger import check
 from book.ledger.check import Run, faults_in, last_run
 from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, load, relation
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from tests.processes import python
 from verify.sources import ROOT
 

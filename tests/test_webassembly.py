@@ -10,7 +10,7 @@ from renderer.machines.webassembly import compiled_module
 from tests.drawing_memory import drawer_over_memory
 from tests.test_machines import SCENES, SIZE, drawn_by
 
-# Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
+# Draws by a module on a memory that begins with `drawing_memory.ARGUMENTS`: what it is afterwards, as text.
 DRAW = """async ([module, given]) => {
     const decoded = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)), bytes = decoded(given);
     const memory = new WebAssembly.Memory({ initial: Math.ceil(bytes.length / 65536) });

@@ -7,7 +7,7 @@ from flint import arb, ctx
 from sympy import And, Or, Piecewise, sign, sqrt
 
 from proofs.engine.program import chain
-from proofs.formulas.symbols import real
+from proofs.engine.vectors import real
 from renderer import Scene, render
 from verify.accuracy.pixels import COLORS, SCENES, checked_pixel, problems, truth_of
 from verify.evaluate.arrays import in_balls

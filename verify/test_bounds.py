@@ -15,11 +15,12 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import x, y
 from renderer import Light, Scene, central, exact, kernels, operations, render
-from renderer.machines import enclosing, numpy_rows, rounded_inputs
+from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
 from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
+from renderer.shader import rounded_inputs
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls

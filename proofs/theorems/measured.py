@@ -1,6 +1,6 @@
 """What is measured and not proved: the float64 programs, the seed's formulas in them, what it says of its pictures.
 
-The measurements are in verify/checkers/measurements."""
+The measurements are in verify/measurements."""
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
 from proofs.formulas.height_fields import gradient

@@ -13,7 +13,7 @@ from proofs.formulas import step_bounds
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer.generate.kernels import function_of
-from renderer.generate.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
+from verify.accuracy.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
 from verify.evaluate.arrays import in_balls, in_float64
 from verify.evaluate.programs import naive
 

@@ -14,8 +14,9 @@ import numpy as np
 from proofs.formulas.colour_bounds import light_bound
 from renderer import Light, Scene, central, exact, kernels, render
 from renderer.generate.kernels import function_of
+from renderer.intervals import Interval
 from renderer.operations import UNIT
-from renderer.picture.differences import Interval, enclosed_distance
+from renderer.picture.differences import enclosed_distance
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A

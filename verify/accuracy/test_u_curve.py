@@ -10,8 +10,8 @@ from proofs.formulas.certified import ALGEBRAIC_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import u, v
 from renderer import Scene, central, gradient_at
-from renderer.generate.expression import parse_expression
-from renderer.generate.own import HeightField
+from renderer.generate.custom_fields import HeightField
+from renderer.generate.reader import parse_expression
 from verify.accuracy import best_step
 from verify.accuracy.any_field import third_derivatives, u_curve
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts

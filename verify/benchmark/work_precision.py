@@ -21,7 +21,7 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
-from renderer.picture.differences import rms
+from renderer.intervals import rms
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls

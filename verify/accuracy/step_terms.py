@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from sympy import Abs, Expr, Mul
 
+from proofs.engine.half_turns import cospi, sinpi
 from proofs.formulas import step_bounds
 from proofs.formulas.certified import CERTIFIED
-from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import u as along_u, v as along_v
