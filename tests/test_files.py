@@ -140,10 +140,13 @@ def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monk
     assert [*contents(tmp_path)] == ["a.csv"]
 
 
-@pytest.mark.parametrize("place, name", [(whole_files, "fcntl"), (whole_files.fcntl, "flock")])
-def test_without_locks_a_file_is_written_all_the_same(place, name, tmp_path, monkeypatch):
+REFUSING = Mock(side_effect=OSError("no locks available"))
+
+
+@pytest.mark.parametrize("place, name, value", [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)])
+def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
     """Where there are locks, a file of which one cannot be had may be somebody's."""
-    monkeypatch.setattr(place, name, name == "flock" and Mock(side_effect=OSError("no locks available")))
+    monkeypatch.setattr(place, name, value)
     left = tmp_path / ".b-12345678-unfinished.csv"
     left.write_text("half")
     FRAME.save(tmp_path / "a.npy")
