@@ -148,6 +148,7 @@ REFUSED = {
         "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
         f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
         "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
+        "--again file": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
         "--again ''": "again = '' is not allowed: no --size beside it",
         "--again a.png --scene a.toml": "again = 'a.png' is not allowed: no --scene beside it",
         "--field SINE": f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}",

@@ -20,8 +20,6 @@ SCENES = {  # beside those that are drawn at random below
     "sine": (Scene(field="sine"), exact()),
     "general": (Scene(ku=7.3, model="phong"), exact("general")),
     "central_rings": (Scene(field="rings", shininess=7.5), central(1e-6)),
-    "rings": (Scene(field="rings"), exact()),
-    "central": (Scene(field="sine"), central(1e-3)),
     "forward": (Scene(ku=7.0, kv=3.5), forward(1e-2)),
     "fractional_phong": (Scene(shininess=0.7, model="phong"), central(1e-2)),
     "five_lights": (Scene(lights=tuple(Light((3.0 * n - 6, 4, 9), (0.3, 0.4, 0.2)) for n in range(5))), exact()),
