@@ -27,13 +27,7 @@ FALSIFY = """async place => {
     of['h_u^2'] = '1';
     if ('all' in place.dataset) check_all(place, async () => data, checking_clerk());
     else checker_card(place, data, checking_clerk()); }"""
-COMPLAINTS = {
-    "cos_theta^2 +": "a term is missing",
-    "q": "nothing is called q here",
-    "1/0": "a division by zero",
-    "cos_theta^99": "an exponent is a whole number",
-    "(1 - 1)": "cannot be read",
-}
+COMPLAINTS = {"cos_theta^2 +": "a term is missing", "q": "nothing is called q here", "1/0": "a division by zero"}
 STORED = stored()
 CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", all_theorems())
@@ -74,7 +68,6 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
     place = tab.locator(".checker[data-all]")
     said = verdict(place, CHECK_ALL)
     assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
-    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(STORED)] * 2
     marked = tab.locator("[data-claim]:has(.check-mark)")
     marks = dict(
         marked.evaluate_all("all => all.map(e => [e.dataset.claim, e.querySelector('.check-mark').innerText])")
@@ -94,9 +87,7 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
     place.locator(".check-line").first.press("Enter")
     for key in ("Tab", "Tab", "Space"):  # the second term's sign
         press(key)
-    said = rejected.inner_text()
-    assert "at line 15: the two sides differ" in said and changed.count() == 1
-    assert "It should be 0" in place.inner_text() and place.locator(".check-residual :is(sup, sub)").count() > 0
+    assert "at line 15: the two sides differ" in rejected.inner_text() and changed.count() == 1
     press("Space")  # and back: the focus has stayed
     place.get_by_text("as it was").wait_for()
     assert changed.count() == 0
@@ -108,18 +99,6 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
         box.fill(typed)
         assert complaint in error.inner_text() and box.get_attribute("aria-invalid") == "true"
     assert violations(tab, place="#theorem-unit_length") == []
-    verdict(place, "Put everything back")
-    place.get_by_text("as it was").wait_for()
-
-
-def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(visit):
-    """That sin² + cos² = 1 is what the oddness of a sine does not need."""
-    name = "clamped_difference_of_odd"
-    place = card(visit(PLACES[name]), name)
-    verdict(place, CHANGE)
-    place.locator(".check-line").nth(1).click()
-    place.locator(".check-chips button").first.click()
-    place.get_by_text("Accepted all the same").wait_for()
 
 
 @pytest.mark.parametrize("name, at, button, words", [
@@ -142,19 +121,16 @@ FORBIDDEN = "window.Worker = class { constructor() { throw new Error('forbidden'
 BROKEN = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
 
 
-@pytest.mark.parametrize("name, button, breakage, words", [
-    ("lemmas", CHECK_HERE, FORBIDDEN, "forbidden"),
-    ("lemmas", CHECK_HERE, SILENT, "no answer within 20 seconds"),
-    ("findings", CHECK_ALL, BROKEN, "the worker failed"),
+@pytest.mark.parametrize("breakage, words", [
+    (FORBIDDEN, "forbidden"), (SILENT, "no answer within 20 seconds"), (BROKEN, "the worker failed"),
 ])  # fmt: skip
-def test_a_worker_that_does_not_start_or_answer_says_so(visit, name, button, breakage, words):
-    tab = visit(name)
+def test_a_worker_that_does_not_start_or_answer_says_so(visit, breakage, words):
+    tab = visit("lemmas")
     tab.clock.install()
     tab.evaluate(f"() => {{ {breakage} }}")
-    place = card(tab) if name == "lemmas" else tab.locator(".checker[data-all]")
-    place.get_by_role("button", name=button, exact=True).click()
-    if breakage == SILENT:
-        tab.clock.run_for(21000)
+    place = card(tab)
+    place.get_by_role("button", name=CHECK_HERE, exact=True).click()
+    tab.clock.run_for(21000)
     said = verdict(place)
     assert "No verdict" in said and words in said and "Accepted" not in said
 
