@@ -11,7 +11,7 @@ from numpy.testing import assert_array_equal
 
 from renderer import Light, Scene, exact, pixel, render
 from renderer.kernels import FIELDS
-from tests.strategies import methods, rasters, rejected_fields, scaled_triple, scenes
+from tests.strategies import methods, rasters, scaled_triple, scenes
 
 FLOOR = 3
 DARK = 128
@@ -87,11 +87,3 @@ def test_one_bad_number_is_found():
     object.__setattr__(record.lights[0], "mu", float("nan"))
     with pytest.raises(AssertionError):
         check(frame, record)
-
-
-@given(scenes(), rejected_fields)
-def test_every_other_value_is_refused(scene, rejected):
-    """With a ValueError that names the field."""
-    name, value = rejected
-    with pytest.raises(ValueError, match="radius|ball" if name in ("radius", "ball_radius", "ball_center") else name):
-        replace(scene, **{name: value})

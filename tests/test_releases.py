@@ -2,7 +2,6 @@
 
 import copy
 import re
-import shutil
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -168,52 +167,17 @@ def test_an_id_is_named_as_a_whole():
         assert not release_notes.names(id, text), text
 
 
-PROGRAM = """
-import os, pathlib
-for part in ('html', '../_generated'):
-    out = pathlib.Path('book/_build') / part
-    out.mkdir(parents=True)
-    for name, content in {files}.items():
-        (out / name).write_text(content)
-"""
-
-
-def built(root, monkeypatch, files):
-    """Make a project, a stand-in for this one, whose build writes {name: content}; commit and build it."""
-    for package in stamps.PACKAGES:
-        shutil.rmtree(root / package, ignore_errors=True)
-        (root / package).mkdir()
-        (root / package / "__init__.py").touch()
-    (root / "book" / "__main__.py").write_text(PROGRAM.format(files=files))
-    for name, text in {"requirements.lock": "", "pyproject.toml": "", ".gitignore": "_*\n!__*.py\n"}.items():
-        (root / name).write_text(text)
-    git = ["git", "-c", "user.name=a", "-c", "user.email=a@b"]
-    for step in (
-        [*git, "init", "-q"],
-        [*git, "add", "."],
-        [*git, "commit", "-qm", "x"],
-        [sys.executable, "-m", "book"],
-    ):
-        run(*step, cwd=root)
-    monkeypatch.setattr(stamps, "ROOT", root)
-
-
-def test_a_build_that_depends_on_its_place_is_found_out_and_a_clone_is_of_what_is_committed(
-    tmp_path, monkeypatch, capfd
-):
-    place = "'folder': os.getcwd(), 'zone': os.environ.get('TZ', ''), 'seed': str(hash('word')), 'same': ''"
-    built(tmp_path, monkeypatch, f"{{{place}, 'home': os.environ['HOME'], os.path.basename(os.getcwd()): ''}}")
-    assert same_bytes.same_bytes() == 1
-    said = capfd.readouterr().out
-    for name in ("folder", "zone", "seed", "home"):
-        assert f"book/_build/html/{name}: differs from byte" in said
-    assert said.count(": only in ") == 4 and "same: differs" not in said and "agree" not in said
-    built(tmp_path, monkeypatch, "{'index.html': 'the same'}")
-    assert same_bytes.same_bytes() == 0
-    assert "2 files, built in two folders, agree in every byte" in capfd.readouterr().out
-    (tmp_path / "book" / "new.py").touch()
-    with pytest.raises(stamps.Refused, match=r"book/new\.py"):
-        same_bytes.same_bytes()
+def test_two_builds_that_differ_are_told_apart(tmp_path):
+    builds = [tmp_path / name for name in ("here", "there")]
+    for build in builds:
+        build.mkdir()
+        (build / "same").write_text("same")
+        (build / "folder").write_text(str(build))
+        (build / build.name).touch()
+    differs, *alone = same_bytes.differences(*builds)
+    assert differs.startswith("folder: differs from byte") and len(alone) == 2
+    with pytest.raises(ValueError, match="nothing was built there"):
+        same_bytes.differences(tmp_path, tmp_path / "none")
 
 
 def test_the_workflows_are_valid_pinned_and_without_secrets_and_the_citation_is_of_this_version():

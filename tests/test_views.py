@@ -3,7 +3,7 @@
 import matplotlib
 import numpy as np
 
-from renderer import Scene, central, render
+from renderer import Scene, render
 from renderer.files import srgb
 from renderer.picture import views
 
@@ -31,10 +31,3 @@ def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     for found in (delta, np.stack([-delta, 0 * delta], axis=2)):
         expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
         np.testing.assert_array_equal(views.difference_logarithmic(found), expected)
-
-
-def test_a_colour_bar_leaves_the_picture_alone():
-    picture = views.difference_logarithmic(render(Scene(), 48, 40, central(1e-2)).rgb - FRAME.rgb)
-    sheet = views.with_colour_bar(picture)
-    assert sheet.dtype == "uint8" and (sheet[:40, :48] == picture).all()
-    assert len(np.unique(sheet[8:-8, 48:].reshape(-1, 3), axis=0)) > 100  # inferno's colours
