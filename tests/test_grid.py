@@ -42,10 +42,8 @@ def test_a_key_is_of_the_task_and_of_its_version(monkeypatch):
 
 def test_a_batch_shares_its_chambers_and_has_no_task_twice():
     assert grid.grid(Scene(), [SIZE] * 2, ["central"] * 2, [1e-3] * 2, beta=[0.35] * 2) == [TASK]
-    tasks = MANY + grid.grid(Scene(ball=False), [(8, 8), (9, 8)], ["central"], (1e-2,), ku=range(1, 11))
-    batches = grid.batches(tasks)
-    assert [*map(len, batches)] == [8] * 10 + [8, 2] * 2
-    assert [task for batch in batches for task in batch] == tasks
+    tasks = MANY + grid.grid(Scene(ball=False), [(8, 8)], ["central"], (1e-2,), ku=range(1, 11))
+    assert [*map(len, grid.batches(tasks))] == [8] * 10 + [8, 2]
 
 
 def lines(path):

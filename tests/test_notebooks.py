@@ -8,7 +8,6 @@ from pathlib import Path
 
 import matplotlib
 import pytest
-import yaml
 
 from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER
@@ -17,7 +16,6 @@ from book.notebooks.laboratory import PAGE, cells, notebooks, plain
 from book.notebooks.printed import refreshed
 from tests import one_page
 from tests.processes import python
-from verify.sources import ROOT
 
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
 # The code of each notebook by itself. The page's own build runs the one of all cells, by Jupyter's kernel.
@@ -163,16 +161,6 @@ def test_colab_and_binder_are_offered_where_a_repository_is_configured(tmp_path)
     colab, binder = (link["href"] for link in paragraph.select("a:not([download])"))
     assert colab == f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb"
     assert binder.startswith("https://mybinder.org/v2/gh/a/b/pages?")
-
-
-def test_what_they_open_is_published_on_that_branch(site):
-    """The site's own folder is pushed there, with what Binder installs."""
-    config, workflow = (ROOT / path for path in ("book/_config.yml", ".github/workflows/publish.yml"))
-    branch = yaml.safe_load(config.read_text("utf-8"))["repository"]["branch"]
-    begun, pushed = workflow.read_text("utf-8").split("git push")
-    assert f"initial-branch={branch}\n" in begun and f"{branch}\n" in pushed
-    pinned = re.findall("^(.*?)==", (site / "requirements.txt").read_text("utf-8"), re.MULTILINE)
-    assert {*pinned} == {"matplotlib", "mpmath", "numpy", "sympy"}
 
 
 def test_links_save_notebooks_from_a_disk_and_a_copied_cell_is_complete_though_folded(site, visit):

@@ -21,14 +21,9 @@ def test_a_record_has_the_bits_of_the_frame_and_what_adds_up_to_them(scene, size
     planes = frame.chambers, frame.kink, frame.straddling
     assert told == (tuple(frame.rgb[row, column]), *(plane[row, column] for plane in planes))
     assert record.surface == ("none", "A", "B", "floor")[record.chamber & 3]
-    if record.surface != "A":
-        names = ("theta", "phi", "u", "v", "h", "gradient", "kink", "straddling")
-        assert {getattr(record, name) for name in names} == {None}
     if record.surface == "none":
         assert (record.rgb, record.lights) == ((0.0, 0.0, 0.0), ())
         return
-    on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    assert [light.number for light in record.lights] == on
     for light in record.lights:
         assert light.occluded == bool(record.chamber >> (2 + light.number) & 1)
         assert not light.occluded or light.adds == (0.0, 0.0, 0.0)
