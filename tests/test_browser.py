@@ -3,8 +3,6 @@
 axe-core is an npm package and used here alone: `npm ci --prefix tests/npm` installs it. Without it the rest is asked.
 """
 
-from itertools import pairwise
-
 import pytest
 
 from book.assembly.contents import page_files
@@ -218,19 +216,6 @@ def test_on_a_phone_what_is_too_wide_is_moved_by_keys(visit):
     assert tab.get_attribute(scrolling, "aria-label").startswith("Figure ")
     tab.press(scrolling, "ArrowRight")
     tab.wait_for_function("selector => document.querySelector(selector).scrollLeft > 0", arg=scrolling)
-
-
-def assert_stacked(parts):
-    """Hold parts of a page to a phone's width, each below the one before."""
-    boxes = [part.bounding_box() for part in parts.all()]
-    assert all(box["x"] >= 0 and box["x"] + box["width"] <= 400 for box in boxes)
-    assert all(above["y"] + above["height"] <= below["y"] for above, below in pairwise(boxes)) and len(boxes) >= 3
-
-
-def test_on_a_phone_panels_stand_below_each_other_and_a_wide_table_is_a_list(visit):
-    assert_stacked(visit("s1", **PHONE).locator("#fig-three_pictures .panel:visible"))
-    cells = visit("trusted", **PHONE).locator("table.as-list tbody tr >> nth=0 >> td")
-    assert_stacked(cells)
 
 
 def test_back_leads_where_one_was(visit):

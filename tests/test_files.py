@@ -42,8 +42,7 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
     assert {*tmp_path.iterdir()} == {path, other}
     assert shows(path, FRAME)
     if name == "a.npz":
-        planes = {"chambers": FRAME.chambers, **FRAME.surface_data}
-        assert all(np.array_equal(np.load(path)[kind], plane, equal_nan=True) for kind, plane in planes.items())
+        assert (np.load(path)["chambers"] == FRAME.chambers).all()
 
 
 @pytest.mark.parametrize("library", [files.zlib, zlib])

@@ -11,7 +11,6 @@ from renderer import HeightField, Light, Scene, k_u, sinpi, u, v
 from renderer.command_line import grid
 from renderer.command_line.grid import Checkpoint, key_of
 from renderer.command_line.verbs import main
-from renderer.machines import numpy_rows
 from renderer.picture.sweep import Task, compared, sweep, table
 from renderer.scene.methods import GradientMethod, central
 from tests.processes import started, wait_until
@@ -33,8 +32,6 @@ def test_a_key_is_of_the_task_and_of_its_version(monkeypatch):
     others = {"method": central(1e-4)}, {"width": 9}, {"scene": Scene(beta=0.1)}
     keys = {key_of(TASK), *(key_of(replace(TASK, **other)) for other in others)}
     assert key_of(Task(Scene(beta=0.35), central(0.001), *SIZE)) in keys and len(keys) == 4
-    monkeypatch.setattr(grid, "machine", lambda: numpy_rows)
-    assert grid.version.__wrapped__() != grid.version()
     monkeypatch.setattr(grid, "version", lambda: "another")
     assert key_of(TASK) not in keys
     assert rejection(grid.compare_batch, MANY[:1], "yet another").startswith("a worker's renderer is not allowed")

@@ -100,15 +100,12 @@ def test_keys_move_the_cursor_the_zoom_and_the_step(tab):
 def test_hover_shows_the_pixel_and_a_click_holds_it(tab):
     frame = "[data-picture=numeric]"
     scale = tab.locator(frame).bounding_box()["width"] / 256
-    for act, place, seen in (
-        (tab.hover, (60, 90), (60, 90)),
-        (tab.click, (60, 90), (60, 90)),
-        (tab.hover, (10, 11), (60, 90)),
-        (tab.click, (20, 30), (20, 30)),
-    ):  # lets go again
-        act(frame, position={axis: (at + 0.5) * scale for axis, at in zip("xy", place, strict=True)})
-        becomes(tab, column=seen[0], row=seen[1])
-    says(tab, ".sim-facts dd >> nth=0", "20, 30")
+    held = {"x": 60.5 * scale, "y": 90.5 * scale}
+    tab.hover(frame, position=held)
+    says(tab, ".sim-facts dd >> nth=0", "60, 90")
+    tab.click(frame, position=held)
+    tab.hover(frame, position={"x": 9, "y": 9})
+    becomes(tab, column=60, row=90)
 
 
 def test_a_malformed_address_is_refused_with_a_message(tab):

@@ -143,7 +143,7 @@ def test_a_helper_that_comes_late_is_not_waited_for_and_keeps_nothing(monkeypatc
 def test_what_frames_share_cannot_be_written():
     stage = stage_of(Scene(), 40, 30)
     frame = render(Scene(), 40, 30, central(1e-3), stage=stage)
-    for array in (stage.chambers, stage.x, stage.y, frame.chambers, frame.planes_on_a, *frame.surface_data.values()):
+    for array in (stage.chambers, stage.x, frame.chambers, frame.planes_on_a, *frame.surface_data.values()):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0
     frame.rgb[:] = 0.0  # its own
