@@ -5,7 +5,6 @@ import re
 import shlex
 import sys
 import tomllib
-from concurrent.futures import BrokenExecutor
 from dataclasses import fields
 from unittest.mock import Mock
 
@@ -66,13 +65,6 @@ def test_image(name, tmp_path, capsys):
         assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
 
 
-def test_a_step_that_float64_loses_is_told_in_one_line(tmp_path, capsys):
-    assert run("image", "--size", 8, "--gradient", "forward", "--eps", "1e-17", "--out", tmp_path / "a.png") == 0
-    assert re.fullmatch(
-        r"symbolic-rendering image: warning: eps = 1e-17 is below 2\^-53, .*\n", capsys.readouterr().err
-    )
-
-
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
@@ -97,16 +89,12 @@ def test_sweep(tmp_path, monkeypatch, capsys):
     assert len(target.read_text().splitlines()) == 3
 
 
-@pytest.mark.parametrize(
-    "error, status, told",
-    [(KeyboardInterrupt, 130, "interrupted: "), (BrokenExecutor, 2, "error: the workers are gone; ")],
-)
-def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path, monkeypatch, capsys):
+def test_a_sweep_that_ends_early_says_what_is_kept(tmp_path, monkeypatch, capsys):
     kept, compare = tmp_path / "a.jsonl", grid.compare_batch
 
     def ended(batch, *arguments):
         if len(batch) < 8:
-            raise error
+            raise KeyboardInterrupt
         return compare(batch, *arguments)
 
     monkeypatch.setattr(grid, "compare_batch", ended)
@@ -116,8 +104,8 @@ def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path
         ([], "nothing is kept without --checkpoint"),
         (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
     ):
-        assert run(*command, *options) == status
-        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: {told}{rest}\n")
+        assert run(*command, *options) == 130
+        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: interrupted: {rest}\n")
 
 
 @pytest.mark.parametrize(
@@ -148,7 +136,7 @@ REFUSED = {
         "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
         f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
         "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
-        "--again file": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
+        "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
         "--again ''": "again = '' is not allowed: no --size beside it",
         "--again a.png --scene a.toml": "again = 'a.png' is not allowed: no --scene beside it",
         "--field SINE": f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}",

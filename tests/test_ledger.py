@@ -141,7 +141,7 @@ def test_relations():
         ("> 0.3", Interval(0.5, 0.4, 0.6), Interval(0.5, 0.3, 0.6)),
     ):
         assert relation(text).holds(yes) and not relation(text).holds(no), text
-    for text in ("= 0", "== zero", "in [2, 1]", "< 1 and > 0", 3):
+    for text in ("= 0", "== zero", "in [2, 1]", 3):
         with pytest.raises(ValueError, match="is not a relation; allowed is"):
             relation(text)
 

@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 from hypothesis import given
 
-from renderer import Light, Scene
+from renderer import Scene
 from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
 from tests.strategies import NOT_NUMBERS, NOT_TRIPLES, rejected_fields
@@ -26,11 +26,6 @@ def test_a_rejection_names_field_and_value(rejected):
 def test_whatever_is_no_number_and_no_sequence_of_three_is_refused():
     for name, values in (("beta", NOT_NUMBERS), ("albedo_a", NOT_TRIPLES)):
         assert all(rejection(Scene, **{name: value}).startswith(f"{name} = {value!r} ") for value in values)
-
-
-def test_what_is_absent_forbids_no_light():
-    Scene(floor=False, lights=(Light((3, 0, 0)),))
-    Scene(ball=False, lights=(Light(INSIDE_B),))
 
 
 def test_numbers_are_converted():
