@@ -42,7 +42,7 @@ def with_parts(scene, parts, names):
 
 
 @pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(looks, rasters(), st.data())
 def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
