@@ -115,16 +115,19 @@ FORBIDDEN = "window.Worker = class { constructor() { throw new Error('forbidden'
 BROKEN = "certificate_kernel = function certificate_kernel() { throw new Error('broken') }"
 
 
-@pytest.mark.parametrize("breakage, words", [
-    (FORBIDDEN, "forbidden"), (SILENT, "no answer within 20 seconds"), (BROKEN, "the worker failed"),
+@pytest.mark.parametrize("name, button, breakage, words", [
+    ("lemmas", CHECK_HERE, FORBIDDEN, "forbidden"),
+    ("lemmas", CHECK_HERE, SILENT, "no answer within 20 seconds"),
+    ("findings", CHECK_ALL, BROKEN, "the worker failed"),
 ])  # fmt: skip
-def test_a_worker_that_does_not_start_or_answer_says_so(visit, breakage, words):
-    tab = visit("lemmas")
+def test_a_worker_that_does_not_start_or_answer_says_so(visit, name, button, breakage, words):
+    tab = visit(name)
     tab.clock.install()
     tab.evaluate(f"() => {{ {breakage} }}")
-    place = card(tab)
-    place.get_by_role("button", name=CHECK_HERE, exact=True).click()
-    tab.clock.run_for(21000)
+    place = card(tab) if name == "lemmas" else tab.locator(".checker[data-all]")
+    place.get_by_role("button", name=button, exact=True).click()
+    if breakage == SILENT:
+        tab.clock.run_for(21000)
     said = verdict(place)
     assert "No verdict" in said and words in said and "Accepted" not in said
 
