@@ -25,8 +25,8 @@ ROUNDINGS = {
     "power": Fraction(3),
     "small_power": Fraction("22.06"),
 }
-"""{function: what the enclosing machine charges a result with}, of itself, in the same units: that this is enough is
-theorem enclosing_rules. What rises or falls is charged twice, so that half of the largest error is enough."""
+"""{function: what the enclosing machine charges a result with}, of itself, in the same units: more than what is PROVED,
+or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules, but for powers."""
 
 SMALL_POWER = Fraction(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""

@@ -323,7 +323,7 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
 def _monotone(kernel, roundings, found, arguments, vanishing=0.0):
     """Return `found`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
 
-    What roundings of a result take is charged at that end, and of `found` again: an end may be off by twice as much.
+    The roundings are charged at that end, and for `found` again: with SLACK an end may be off by as many more, up to 8.
     """
 
     def own(result):
