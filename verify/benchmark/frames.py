@@ -11,11 +11,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import cycle, product
+from unittest.mock import patch
 
 from renderer import Scene, central, exact, render, stage_of
+from renderer.machines import numpy_rows
+from renderer.picture import stage as picture
+from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from renderer.shader.shader import ON_A
-from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.timing import Case
 from verify.sources import ROOT
@@ -38,6 +41,12 @@ def calls(side: int) -> int:
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
+def on_numpy(scene: Scene, width: int, height: int, threads: int = 1) -> Frame:
+    """Return a frame as NumPy draws it, where there is no LLVM."""
+    with patch.object(picture, "machine", lambda: numpy_rows):
+        return render(scene, width, height, threads=threads)
+
+
 def frame_cases(largest: int) -> list[Case]:
     """Return every case of a whole frame, from nothing, up to a side of `largest`; the slow ones get fewer visits."""
     cases = []
@@ -47,20 +56,10 @@ def frame_cases(largest: int) -> list[Case]:
             if name in METHODS:
                 cases.append(Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side)))
             elif name == "numpy":
-                cases.append(Case(label, partial(numpy_tiles, *frame, threads), max(1, calls(side) // 8), 5))
+                cases.append(Case(label, partial(on_numpy, *frame, threads), max(1, calls(side) // 8), 5))
             elif threads == 1:
                 cases.append(Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3))
     return cases
-
-
-def bounds_cases() -> list[Case]:
-    """Return the cases of a frame of sine on all threads, with bounds and without."""
-    sine, sides = replace(SCENE, field="sine"), {"bounds": (256, 1024), "no_bounds": (256, 1024, 2048)}
-    return [
-        Case(f"{name}_{side}", partial(render, sine, side, side, bounds=name == "bounds"), calls(side))
-        for name in sides
-        for side in sides[name]
-    ]
 
 
 def stepping(scene: Scene, frames: Sequence[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], None]:

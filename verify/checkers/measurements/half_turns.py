@@ -8,7 +8,7 @@ from verify.accuracy import sine
 from verify.checkers.measurement import Enclosure, measures
 
 
-@measures("elementary_functions", {"within 5/2": {"bound": Fraction(5, 2)}, "π²/2 is off by 1 ulp": {"off": 1}})
+@measures("elementary_functions", {"within 12/5": {"bound": Fraction(12, 5)}, "π²/2 is off by 1 ulp": {"off": 1}})
 def enclosed(bound: Fraction = SINE, off: int = 0) -> Enclosure:
     """Sine and cosine at every reduced argument."""
     return Enclosure(
