@@ -1,7 +1,6 @@
-"""Our own elementary functions for float64, against balls: no error is above what Coq proves, or the certified one.
+"""Our own elementary functions, against balls: no error is above what Coq proves, or the certified one.
 
-Arguments are dense and random, and adversarial: on and beside the zeros, the quadrants' and the nodes' edges, tiny,
-large.
+Arguments are random, and adversarial: on and beside the zeros, the quadrants' and the nodes' edges, tiny, large.
 """
 
 import json
@@ -19,7 +18,6 @@ from proofs.formulas.symbols import real, x, y
 from renderer import kernels
 from renderer.operations import UNIT
 from verify import formal
-from verify.accuracy import sine
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 
@@ -32,20 +30,19 @@ RANDOM = np.random.default_rng(5)
 SPREAD = RANDOM.uniform(-2, 2, 3000), RANDOM.uniform(-(2**20), 2**20, 1000), 10.0 ** -np.arange(1.0, 100)
 NUMBERS = np.concatenate([*SPREAD, beside(np.arange(-16, 17) / 8)])
 POSITIVE = np.abs(NUMBERS)[np.abs(NUMBERS) > 1e-90]
-K = RANDOM.integers(1, 65, 800).astype(float)
-CREASES = beside(np.floor((K + 1) * RANDOM.random(800)) / K)
-WAVES = RANDOM.uniform(-64, 64, 3000), RANDOM.uniform(0, 2.0**20, 500), np.resize(K, CREASES.size)
-PRODUCTS = np.concatenate([*WAVES, np.ones(NUMBERS.size)]), np.concatenate([RANDOM.random(3500), CREASES, NUMBERS])
-NODES = beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)
-RATIOS = np.concatenate([RANDOM.random(2000), *NODES])
-SIDES = [(RATIOS, np.ones_like(RATIOS)), (np.ones_like(RATIOS), RATIOS)]
-OCTANTS = [(s * a, t * b) for a, b in SIDES for s in (1, -1) for t in (1, -1)]
+WAVES = RANDOM.integers(1, 65, 800).astype(float)
+CREASES = beside(np.floor((WAVES + 1) * RANDOM.random(800)) / WAVES)
+RATIOS = np.concatenate(
+    [RANDOM.random(2000), beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)]
+)
+SIDES = np.concatenate([RATIOS, np.ones_like(RATIOS)]), np.concatenate([np.ones_like(RATIOS), RATIOS])
 EXPONENTS = 10.0 ** RANDOM.uniform(-3, 6, 5000)
 BASES = np.exp(-np.where(RANDOM.random(5000) < 0.5, 50, 707) * RANDOM.random(5000) / EXPONENTS)
+PRODUCTS = np.append(np.resize(WAVES, CREASES.size), np.ones(NUMBERS.size)), np.append(CREASES, NUMBERS)
 CASES = {
     "sine": (RULES["enclosed_sine"], PRODUCTS, PROVED["of_product_relative"]),
     "cosine": (RULES["enclosed_cosine"], PRODUCTS, PROVED["of_product_relative"]),
-    "angle": (RULES["enclosed_angle"], tuple(map(np.concatenate, zip(*OCTANTS, strict=True))), ROUNDINGS["atan2pi"]),
+    "angle": (RULES["enclosed_angle"], SIDES * RANDOM.choice([-1, 1], np.shape(SIDES)), ROUNDINGS["atan2pi"]),
     "exponential": (RULES["enclosed_exponential"], (350 * NUMBERS[np.abs(NUMBERS) <= 2],), PROVED["exp"]),
     "logarithm": (RULES["enclosed_logarithm"], (np.concatenate([POSITIVE, POSITIVE**-3]),), PROVED["log"]),
     "power": (chain("raised", {real("raised"): x**y}), (BASES[BASES > 0], EXPONENTS[BASES > 0]), PROVED["power"]),
@@ -68,11 +65,6 @@ def test_no_error_is_larger(name):
     assert (off <= (most + rate) * size).all()
     if name in ("sine", "cosine"):
         assert (off <= float(SINE)).all()
-
-
-def test_the_certificate_reads_the_lines():
-    """A coefficient that is wrong by one unit in its last place is found out."""
-    assert max(most for *_, most in sine.pieces()) <= float(SINE) < max(most for *_, most in sine.pieces(1))
 
 
 def test_what_a_step_says_is_what_coq_accepted():
