@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.benchmark.frames import FITTED, frame_cases, image_gradient_case, start_cases, step_cases
+from verify.benchmark.frames import FITTED, frame_cases, start_cases, step_cases
 from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
 from verify.records import command
 
@@ -51,7 +51,7 @@ def derived(numbers: Mapping[str, float]) -> dict[str, float]:
 def measure(rounds: int, quick: bool, only: str) -> dict[str, Any]:
     """Return the numbers of whole frames; only: of the cases whose name contains it."""
     before, rounds = load(), 1 if quick else rounds
-    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), image_gradient_case(), *start_cases()]
+    cases = [*frame_cases(QUICK_SIDE if quick else 2**24), *step_cases(), *start_cases()]
     cases = [replace(case, visits=min(rounds, case.visits)) for case in cases if only in case.name]
     if not cases:
         raise SystemExit(f"--only {only}: no case has that in its name")

@@ -18,7 +18,6 @@ from renderer.machines import numpy_rows
 from renderer.picture import stage as picture
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
-from renderer.shader.shader import ON_A
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.timing import Case
 from verify.sources import ROOT
@@ -33,7 +32,6 @@ SIDES = {"seed_exact": (64, 128, 256), "seed_central": (64, 128, 256), "numpy": 
          "algebraic": (64, *FITTED), "general": (64, 256, 1024, 4096), "central": (64, 256, 1024, 4096)}  # fmt: skip
 PIXELS_A_VISIT = 2**23
 STEP = 1024
-IN_CACHE = 256  # six planes of that side stay in a cache: it is the gradient that is timed, not the memory
 
 
 def calls(side: int) -> int:
@@ -87,15 +85,6 @@ def step_cases() -> list[Case]:
         **{f"a_alone_{name}_{STEP}_1": [(A_ALONE, method)] for name, method in METHODS.items()},
     }
     return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
-
-
-def image_gradient_case() -> Case:
-    """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
-    stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
-    planes = {name: stage.new_plane() for name in ON_A}
-    method = exact("algebraic")
-    work = partial(stage.draw, A_ALONE, method, 1, planes, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
-    return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
 
 START = {
