@@ -209,7 +209,7 @@ def test_the_bounds_are_sharp():
     for k in (1.0, 8.0, 64.0):
         error = np.pi * k * (1 - np.sinc(1e-2))
         assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1
-    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.6e-7, rel=1e-2)
+    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.56e-7, rel=1e-2)
 
 
 @np.errstate(all="ignore")

@@ -6,7 +6,7 @@ from typing import Any
 
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
-from proofs.formulas.certified import CERTIFIED, SMALL_POWER
+from proofs.formulas.certified import ROUNDINGS, SMALL_POWER
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.shading import LIGHT_MODELS
@@ -70,8 +70,8 @@ def kernels_source() -> str:
         for name, program in programs.named().items()
     ]
     parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
-    ulps = ", ".join(f'"{name}": {float(most)!r}' for name, most in CERTIFIED.items())
-    parts.append(f"ULPS = {{{ulps}}}\nSMALL_POWER = {float(SMALL_POWER)!r}\n")
+    roundings = {name: float(most) for name, most in ROUNDINGS.items()}
+    parts.append(f"ROUNDINGS = {roundings}\n".replace("'", '"') + f"SMALL_POWER = {float(SMALL_POWER)!r}\n")
     parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
     parts.append("\n".join(["FIELDS = {", *map(field_entry, fields), "}", ""]))
     models = [

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.step_bounds import TERMS
-from verify.accuracy.pieces import lines
 from verify.accuracy.step_terms import SLOPE_TERMS
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
+from verify.evaluate.programs import lines
 
 PER_DECADE = 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)

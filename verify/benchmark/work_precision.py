@@ -153,11 +153,9 @@ def measure(rounds: int, pixels: int) -> dict[str, Any]:
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)
-    print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
+    print(f"left out, not installed: {', '.join(absent) or 'none'}")
     more = {"absent": absent, "seed": SEED, "rounds": rounds, "side": SIDE}
-    gradients, frames = gradient_rows(rounds), frame_rows(rounds, pixels)
-    print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
-    return {"label": more, "gradients": gradients, "frames": frames}
+    return {"label": more, "gradients": gradient_rows(rounds), "frames": frame_rows(rounds, pixels)}
 
 
 main = partial(command, "work_precision", __doc__, measure, rounds=ROUNDS, pixels=PIXELS)

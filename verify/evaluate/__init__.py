@@ -1,6 +1,6 @@
 """Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
-What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` and `Rounded.names` in the modules beside it.
+What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` in the module beside it.
 The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are the
 table's.
 For float64 and what is `Enclosed` there is `renderer.generate.kernels.function_of`.
