@@ -61,12 +61,6 @@ RECORDS = {
             "-m tests.measure_simulator",
             ("tests/measure_simulator.py", "book/simulator_module.py", "book/static/simulator"),
         ),
-        Record(
-            "pages",
-            BENCHMARKS,
-            "-m tests.measure_pages",
-            ("tests/measure_pages.py", "book/simulator_module.py", "book/static"),
-        ),
         Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer/__main__.py")),
         Record(
             "work_precision",
@@ -87,7 +81,7 @@ RECORDS = {
             "edited_formulas",
             RESULTS,
             _CAMPAIGN,
-            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/checkers/stale.py"),
+            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/stale.py"),
             ("sympy", "mpmath"),
         ),
     )
