@@ -56,7 +56,7 @@ class CitedLemma(Parts):
     """A relation that is taken from a source, a key of the bibliography, and not proved here.
 
     What is proved with it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
-    cites it has to prove each, and samples test the relation under them alone.
+    cites it has to prove each. A grade counts those alone that `proofs.theorems.cited` makes.
     """
 
     relation: Basic

@@ -17,6 +17,11 @@ def sine_above(x: Expr) -> CitedLemma:
     return CitedLemma(at_least(sin(x), x - x**3 / 6), SOURCE, at_least(x, 0))
 
 
+def sine_squared_below(x: Expr) -> CitedLemma:
+    """sin²x ≤ x², for every x."""
+    return CitedLemma(x**2 >= sin(x) ** 2, SOURCE)
+
+
 def cosine_above(x: Expr) -> CitedLemma:
     """cos x ≥ 1 − x²/2, for every x."""
     return CitedLemma(at_least(cos(x), 1 - x**2 / 2), SOURCE)

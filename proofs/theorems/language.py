@@ -2,23 +2,19 @@
 
 from sympy import Abs, Basic, Derivative, Expr, Max, Mul, Or, Pow, Rational, S, Symbol, cos, pi, sign, sin, sqrt
 
-from proofs.engine.claim import (
-    CitedLemma,
-    Claim,
-    Encloses,
-    Induction,
-    Rounded,
-    Separation,
-    at_least,
-    equation,
-    greater,
-    number,
-)
+from proofs.engine.claim import Claim, Encloses, Induction, Rounded, Separation, at_least, equation, greater, number
 from proofs.engine.program import Program, Some, chain, evaluated, flat
 from proofs.engine.theorem import SideCondition, Theorem, variant
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import *
-from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_inside_half_turn, sine_of_half_turn
+from proofs.theorems.cited import (
+    cosine_above,
+    sine_above,
+    sine_below,
+    sine_inside_half_turn,
+    sine_of_half_turn,
+    sine_squared_below,
+)
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
 SIDES = ("above", 1), ("below", -1)  # of a crease of an absolute value: the sign of what that is taken of

@@ -16,7 +16,7 @@ _crossed = Claim(
     ),
     (k_u > 0, k_v > 0, _whole),
     squares=named(_sine_u) ** 2 - named(_sine_v) ** 2,
-    cited=[CitedLemma((pi * k * d) ** 2 >= sin(pi * k * d) ** 2, "DLMF") for k, d in ((k_u, to_u), (k_v, to_v))],
+    cited=[sine_squared_below(pi * k * d) for k, d in ((k_u, to_u), (k_v, to_v))],
 )
 _a, _b, _h, _steepest, _distance, _small_enough = real("a b h steepest distance small_enough")
 _flat = Claim(
