@@ -2,7 +2,7 @@
 
 import itertools
 from dataclasses import replace
-from operator import mul, truediv
+from operator import mul
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,8 +11,6 @@ from flint import arb, ctx
 
 from proofs.engine.program import chain
 from proofs.formulas.camera import image_extent, image_point
-from proofs.formulas.height_fields import HEIGHT_FIELDS
-from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import x, y
 from renderer import Light, Scene, central, exact, kernels, operations, render
 from renderer.machines import enclosing, numpy_rows, rounded_inputs
@@ -34,10 +32,9 @@ def by_rows(monkeypatch):
     monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
 
 
-@pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
-def test_no_error_is_above_its_bound(drawn, by_rows):
+def test_no_error_is_above_its_bound(by_rows):
     """Nor bounds that say nothing, of any kind of picture."""
-    found = measure(*drawn)["numbers"]
+    found = measure(42, 0)["numbers"]
     assert (found["above_bound"], found["chambers_missed"]) == (0, 0)
     assert found["decided"] >= 0.95 * found["pixels"]
     assert all(found[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
@@ -47,19 +44,6 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
 def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
     monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
     assert measure(3, first=0)["numbers"]["above_bound"] > 0
-
-
-@pytest.mark.parametrize("field", HEIGHT_FIELDS)
-@pytest.mark.parametrize("model", LIGHT_MODELS)
-def test_the_default_scene(field, model):
-    """Nothing is open, at 256²; bounds are tight."""
-    scene = Scene(field=field, model=model)
-    frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
-    assert not frame.open.any()
-    assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
-    found = [errors(frame, *place) for place in random.integers(0, 256, (200, 2)).tolist()]
-    share = np.median([share for off, bounds, _ in found for share in bounds[off > 0] / off[off > 0]])
-    assert share <= (300 if scene == Scene() else 1000)
 
 
 def on_creases(numbers=range(1, 25)):
@@ -88,21 +72,16 @@ def test_a_floor_without_squares_is_open(radius, by_rows):
 WIDE = (-50.0, 50.0)
 OPERATIONS = {
     "product": (mul, mul, WIDE, WIDE),
-    "quotient": (truediv, truediv, WIDE, WIDE),
     "selection": (
         lambda a, b: operations.where((a > b) & ~(a * a <= 9.0), 1.0, -1.0),
         lambda a, b: arb(1 if a > b and a * a > 9 else -1),
         WIDE,
         (3, 3),
     ),
-    "sinpi": (kernels.sinpi, arb.sin_pi, WIDE),
-    "cospi": (kernels.cospi, arb.cos_pi, WIDE),
     "atan2pi": (kernels.atan2pi, BALLS["atan2pi"], WIDE, WIDE),
-    "exp": (kernels.exp, arb.exp, (-700.0, 700.0)),
-    "log": (kernels.log, arb.log, (1.0, 50.0)),
     "power": (kernels.power, arb.__pow__, (1e-6, 1.0), (1e-3, 100.0)),
 }
-"""What Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and what false bounds are of."""
+"""What Coq does not prove, or not where numbers stay exact: theorem `enclosing_rules` is of all the machine's rules."""
 
 
 def escapes(name, count=2000):
@@ -141,32 +120,13 @@ def one_sided(mask, value, otherwise):
     return where(Mask(mask.holds), value, otherwise)
 
 
-def product(own=1.0, second_order=1.0):
-    """Return a product whose own rounding, or the product of the bounds, counts for so much."""
-
-    def of(a, b):
-        bound = abs(a.value) * b.bound + abs(b.value) * a.bound + second_order * a.bound * b.bound
-        return Enclosed(a.value * b.value, bound + own * enclosing.UNIT * abs(a.value * b.value))
-
-    return of
-
-
-def uncounted(kind, value, roundings, keeps_zero=False):
-    """Return an Enclosed whose bound is halved."""
-    return kind(value, 0.5 * enclosing.UNIT * roundings, keeps_zero)
-
-
 @pytest.mark.parametrize("broken, name, value, operation", [
-    (Enclosed, "__mul__", product(own=0.0), "product"),
-    (Enclosed, "counted", classmethod(uncounted), "quotient"),
     (enclosing, "where", one_sided, "selection"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "selection"),
-    (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
-    (Enclosed, "__mul__", product(second_order=0.0), "product"),
     (Enclosed, "is_zero", property(lambda number: abs(number.value) < 1.0), "atan2pi"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
-    """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""
+    """A selection of one side, a mask taken for decided, a number for an exact 0."""
     monkeypatch.setattr(broken, name, value)
     assert escapes(operation) > 0
 
@@ -174,15 +134,6 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
 def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
     monkeypatch.setattr(enclosing, "where", one_sided)
     assert any(wrong(frame, 0, 0) for frame in on_creases())
-
-
-def test_b_is_as_accurate_as_its_condition():
-    """As small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
-    crop = 30, 20, 1, 1
-    (left,), (top,) = Raster(64, 64, crop).image_points(Scene(eye=1e6, ball=False))
-    center = left * (1 - 1.3e-6) + 4e-9, top * (1 - 1.3e-6) + 3e-9, 1.3
-    frame = render(Scene(eye=1e6, ball_center=center, ball_radius=1e-8), 64, 64, crop=crop, bounds=True)
-    assert frame.chambers[0, 0] & 3 == 2 and frame.bounds.max() <= 30 * 1.2e-8
 
 
 # On an axis an image point is exact, and so is the side of a crease, of the seam and of a floor square

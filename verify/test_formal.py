@@ -3,8 +3,6 @@
 import json
 import re
 import shutil
-import subprocess
-import sys
 from importlib.util import find_spec
 from types import SimpleNamespace
 
@@ -19,7 +17,6 @@ from renderer.generate.statements import proposition
 from renderer.whole_files import write_whole
 from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
-from verify.test_campaign import draw, edited, everywhere, sites
 
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None or find_spec("tqdm") is None,
@@ -303,37 +300,3 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
     named = re.findall(r"(\d+)\.(\d+)\\mu", words)
     assert len(named) == 2
     assert all(f" <= {int(whole + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for whole, digits in named)
-
-
-PRINT = """import json
-from renderer.generate.coq import formulas_source
-from renderer.generate.float64 import float64_source
-print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))
-from renderer.generate.statements import statements_source
-print(json.dumps({"Statements": statements_source()}))"""
-PART = re.compile(
-    r"^(?:Module|Definition) (\w+)(?:\.$| : Prop)(.*?)(?=^Module|^Definition \w+ : Prop|\Z)", re.MULTILINE | re.DOTALL
-)
-
-
-@needs_coq
-@pytest.mark.long
-def test_no_broken_formula_is_accepted(tmp_path, written):
-    """One operator of proofs/formulas/ at a time: Coq refuses it, or no statement is about what is printed of it."""
-    for name in ("proofs", "renderer"):
-        shutil.copytree(ROOT / name, tmp_path / name)
-    texts = {path.stem: path.read_text("utf-8") for path in (ROOT / "proofs" / "formal").glob("*.v")}
-    accepted = []
-    for place in draw(everywhere(sites), 20):
-        with edited(tmp_path, *place) as what:
-            done = subprocess.run([sys.executable, "-c", PRINT], cwd=tmp_path, capture_output=True, text=True)
-        printed = {name: text for line in done.stdout.splitlines() for name, text in json.loads(line).items()}
-        written(**texts | printed)
-        changed = [{*PART.findall(text)} ^ {*PART.findall(texts[file])} for file, text in printed.items()]
-        names = {name for parts in changed for name, _ in parts}
-        about = [file for file in texts.keys() - printed if any(f"{name}." in texts[file] for name in names)]
-        try:
-            accepted += [what] if about and formal.compile_files(*about) else []
-        except formal.NotAccepted as error:
-            print(f"{what}: refused: {re.search(r'File .*line [0-9]+|$', str(error))[0]}", flush=True)
-    assert accepted == []
