@@ -10,6 +10,7 @@ from verify.checkers import theorem_files
 from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
 from verify.sources import ROOT, is_test
 
+CITED = (ROOT / "proofs" / "theorems" / "cited.py").read_text("utf-8")
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 BESIDE = {"proofs/formulas/half_turns.py", "proofs/theorems/__init__.py"}  # what claims are written in, and their list
 ASKS_COQ = {f"verify/{name}.py" for name in ("formal", "sources", "survey", "vernacular")}  # of which its end tells
@@ -37,8 +38,16 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
     assert "renderer/command_line/verbs.py" in code_of("frames")
 
 
-def test_a_program_among_the_theorems_is_never_run(monkeypatch, tmp_path, pytestconfig):
-    (tmp_path / "evil.py").write_text("raise SystemExit")
+@pytest.mark.parametrize("name, text, why", [
+    ("evil.py", "raise SystemExit", "line 1: names SystemExit"),
+    ("evil/__init__.py", "raise SystemExit", "stands in a folder"),
+    ("cited.py", CITED.replace("at_least(x, 0)", "at_least(x, -1)"), "is not the text that is trusted"),
+])  # fmt: skip
+def test_a_program_among_the_theorems_or_another_lemma_is_never_run(
+    name, text, why, monkeypatch, tmp_path, pytestconfig
+):
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text(text)
     monkeypatch.setattr(theorem_files, "FOLDER", tmp_path)
-    with pytest.raises(pytest.UsageError, match=r"data: evil.py, line 1: names SystemExit"):
+    with pytest.raises(pytest.UsageError, match=f"data: {name}, {why}"):
         conftest.pytest_configure(pytestconfig)

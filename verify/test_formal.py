@@ -7,9 +7,10 @@ from importlib.util import find_spec
 from types import SimpleNamespace
 
 import pytest
-from sympy import Derivative, sign, sqrt
+from sympy import Abs, Derivative, Max, Piecewise, cos, evaluate, sign, sqrt
 
-from proofs.engine.claim import Claim, equation
+from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.program import chain
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.symbols import real
 from renderer.generate import statements as printing
@@ -247,17 +248,32 @@ def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed,
         survey.read(found, survey.groups(found, {}), printed)
 
 
-x = real("x")
-OF_ROOT = """forall x : R,
-  x >= 0 /\\
-  x > 0 /\\
-  ex_derive (fun x : R => sqrt x) x /\\
-  (Derive (fun x : R => sqrt x) x) = 1"""
+x, y, z = real("x y z")
+with evaluate(False):
+    NEEDS = [
+        ({"shows": equation(1 / x - 1 / x, 0)}, "x <> 0"),
+        ({"shows": equation(cos(x * y / x), cos(y))}, "x <> 0"),
+        ({"shows": greater(Abs(1 / x) + 1, Max(y, 0))}, "x <> 0"),
+        ({"shows": greater(x + 1, sqrt(x) * sqrt(x))}, "x >= 0"),
+        ({"shows": equation(y / sqrt(x), y)}, "x >= 0"),
+        ({"shows": equation(y / sqrt(x), y)}, "sqrt x <> 0"),
+        ({"given": greater(1 / x, y)}, "x <> 0"),
+        ({"lines": chain("line", {z: 1 / x})}, "x <> 0"),
+        ({"shows": equation(Piecewise((1 / x, y > 0), (0, True)), z)}, "(y > 0 -> x <> 0)"),
+        ({"shows": equation(Piecewise((0, y > 0), (1 / x, True)), z)}, "(~ (y > 0) -> x <> 0)"),
+        ({"shows": equation(Piecewise((0, 1 / x > 0), (1, True)), z)}, "x <> 0"),
+        ({"shows": equation(Derivative(Abs(x), x), 1)}, "ex_derive (fun x : R => Rabs x) x"),
+        ({"shows": equation(Derivative(sqrt(x), x), 1)}, "x > 0"),
+    ]
+"""[(of a claim, what Coq is asked, too)]: of the same the kernel is asked, as test_attacks shows."""
 
 
-def test_a_derivative_has_to_exist():
-    """Beyond 0 Coq's root is a number, and so is its Derive."""
-    assert proposition(Claim("one", (equation(Derivative(sqrt(x), x), 1),))) == OF_ROOT
+@pytest.mark.parametrize("changes, need", NEEDS)
+def test_the_printed_form_of_a_claim_asks_what_the_kernel_asks(changes, need):
+    """It is shown, and given where the claim is refuted."""
+    claim = Claim("one", equation(z, 0)).but(**changes)
+    assert f"\n  {need} /\\\n" in proposition(claim)
+    assert f"\n  {need} ->\n" in proposition(claim, refuted=True)
 
 
 def test_a_second_derivative_of_corners_has_no_proposition():
