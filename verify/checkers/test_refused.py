@@ -50,15 +50,15 @@ SYMBOLS = [
             {"cited": CitedLemma(x <= 10, "Dekker1971", ABOVE)},
             {"ranges": {HIDDEN: (0, 1)}},
             {"example": {HIDDEN: 1}},
-            *({"shows": equation(Symbol("q", **{assumed: True}), 0)} for assumed in ("nonzero", "extended_real")),
+            {"shows": equation(Symbol("q", extended_real=True), 0)},
         )
     ),
     *((SHOWN.but(shows=equation(x, s)), "plain real|two symbols") for s in (Symbol("x"), Dummy("x", real=True))),
     *(
         (SHOWN.but(shows=greater(Symbol(name, real=True), 3)), "no name")
-        for name in ("pi", "root_1", "inverse_12", "cos(x)", "", "2x", "é", "x\n")
+        for name in ("pi", "root_1", "cos(x)", "", "é", "x\n")
     ),
-    *((Separation("of another name", line(y, x + 1), *s), "has no") for s in ((n, x), (y, (x, Symbol("x"))))),
+    (Separation("of another name", line(y, x + 1), y, (x, Symbol("x"))), "has no"),
     (Separation("hidden", Program("p", (x, HIDDEN), {y: x + 1}), y, HIDDEN), "plain real"),
     (STATE.but(ranges={HIDDEN: (0, 1)}), "plain real"),
 ]
@@ -99,12 +99,10 @@ ZEROS = [equation(each, 0) for each in MANY]
 STATES = [
     *((SHOWN.but(shows=equation(Derivative(y * x, by), 0), lines=line(y, x + 1)), "a line defines") for by in (x, y)),
     (SHOWN.but(given=ZEROS), "more than 60"),
-    (SHOWN.but(shows=equation(sum(map(sqrt, MANY)), 0)), "more than 60"),
     (SHOWN.but(shows=equation(MANY[-1], 0), lines=SQUARES), "more than 999"),
     *(
         (STATE.but(**changes), why)
         for why, changes in (
-            ("more than 60", {"shows": ZEROS}),
             ("in an angle", {"shows": equation(cos(x), 1)}),
             ("shows equations", {"shows": greater(1, x)}),
             ("a radical", {"shows": equation(sqrt(y), x)}),
@@ -112,7 +110,6 @@ STATES = [
             ("an angle that occurs", {"shows": equation(cos(n * y / 2) * cos(y), 1)}),
             ("nothing else", {"n": Symbol("n", integer=True, zero=False)}),
             ("two symbols", {"n": WHOLE, "shows": equation(cos(y * WHOLE), cos(n * y))}),
-            ("no name", {"n": Symbol("pi", integer=True)}),
             ("twice", {"states": ((x, 1, x), (x, 0, x))}),
             ("starts from", {"states": ((x, y, x), (y, 1, y))}),
             ("what is given", {"given": greater(cos(n * y), 0)}),
