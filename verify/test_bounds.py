@@ -55,7 +55,7 @@ def test_the_side_of_a_crease_is_open():
     assert max(errors(frame, 0, 0)[0].max() for frame in frames) > 1e-3  # on the wrong side
 
 
-@pytest.mark.parametrize("radius", [1.0, 2.0**53, 1e40])
+@pytest.mark.parametrize("radius", [1.0, 1e40])
 def test_a_floor_without_squares_is_open(radius, by_rows):
     light = Light((3 * radius, -4 * radius, 6 * radius))
     frame = render(Scene(eye=4 * radius, radius=radius, ball=False, lights=(light,)), 16, 16, bounds=True)

@@ -41,7 +41,6 @@ def test_random_scenes():
     assert {0, 1, 2, 3, 5, 6, 7, 131, 135} <= codes
 
 
-@pytest.mark.parametrize("size", [(61, 64), (1, 33)])
 @pytest.mark.parametrize("changes", [
     {"ball_center": (1.5, 0.0, 0.25), "ball_radius": 0.25},  # B touches the floor
     {"ball_center": (0.0, 0.0, 1.5), "ball_radius": 0.5},  # A from outside
@@ -49,9 +48,9 @@ def test_random_scenes():
     {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},  # is level with the eye
     {"lights": (Light((3.0, 0.0, 1.0)),)},  # level with A's top
 ])  # fmt: skip
-def test_bodies_that_touch_or_are_level(changes, size):
+def test_bodies_that_touch_or_are_level(changes):
     scene = Scene(**changes)
-    np.testing.assert_array_equal(chambers(scene, *size), everywhere_tested(scene, *size))
+    np.testing.assert_array_equal(chambers(scene, 61, 64), everywhere_tested(scene, 61, 64))
 
 
 @pytest.mark.parametrize("name, value, light", [

@@ -70,7 +70,6 @@ REFUSED = {
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
     "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
-    "three": (Max(0, sinpi(k_u * u), sinpi(k_v * v)), "creases have to be"),
 }
 
 

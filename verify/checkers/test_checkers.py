@@ -85,9 +85,8 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
     monkeypatch.setattr(check, "FOLDER", tmp_path)
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
-    for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
-        path.write_bytes(GOOD_FILE.replace(was, false, 1))
-        assert check.main([]) == 1 and why in capsys.readouterr().out
+    path.write_bytes(GOOD_FILE.replace(b'256": "', b'256": "0', 1))
+    assert check.main([]) == 1 and "is another statement's" in capsys.readouterr().out
     for bad in REFUSED_FILES:
         path.write_bytes(bad)
         assert check.main([]) == 1 and "the file: " in capsys.readouterr().out

@@ -54,7 +54,6 @@ def test_a_mutant_that_holds_fails_the_theorem():
         "the same",
         "mutant without a counterexample",
     }
-    assert "the same: it changes nothing: a variant changes one field" in found.problems
     assert found.mutants_killed == 0
 
 
@@ -89,7 +88,6 @@ def test_uses_is_complete():
         second = replace(theorem("second", uses, claim), **changes)
         return incomplete(second, {"first": first, "second": second})
 
-    assert theorem("second", claim=taken).uses == ("first",)
     assert problems(taken) == problems(elsewhere) == []
     assert problems(plain, "first", steps=named) == []
     assert "second: uses first, but no claim borrows" in problems(plain, "first")[0]
