@@ -119,10 +119,12 @@ BROKEN: list[list] = [
     [EMPTY_INDUCTION, {"base": [], "step": []}],
     [LINES | {"lines": [], "outputs": [], "avoid": []}, {"reached": []}],
     refuted({"pi": "31/10"}, show({"pi": "1", "": "-4"}, ">")),
-    refuted({"cos(x)": "0", "sin(x)": "0"}, show({"cos(x)": "1", "": "-1"}, ">")),
+    *(refuted({"cos(x)": "0", **more}, show({"cos(x)": "1", "": "-1"}, ">")) for more in ({}, {"sin(x)": "0"})),
     [COUNT, BY_ITSELF],
-    [COUNT | {"next": {"x": X}}, BY_ITSELF | {"step": []}],
-    [COUNT | {"next": {"x": X}}, BY_ITSELF | {"base": []}],
+    *(
+        [COUNT | {"next": {"x": X}}, {"base": [NOTHING] * n, "step": [BY_FIRST_FACT] * m}]
+        for n, m in ((1, 0), (0, 1), (2, 2))
+    ),
     [COUNT | {"assume": [{"of": X, "is": "="}]}, BY_ITSELF],
     *([LINES, {"reached": reached}] for reached in (["b", "c"], ["a", "b", "c"])),
     *(refuted(point, *ABOVE, variables=["x"]) for point in ({"x": "-1"}, {"x": "1"}, {}, {"x": "1/2", "y": "0"})),

@@ -72,7 +72,9 @@ REFUSED_FILES = [
     *(
         canonical(DATA | changed).encode()
         for changed in (
+            {"more": 1},
             {"theorem": "another"},
+            {"claims": []},
             {"claims": [FIRST, FIRST | {"claim": "empty", "statements": []}]},
             {"claims": [FIRST, FIRST]},
         )
