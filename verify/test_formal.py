@@ -257,6 +257,7 @@ with evaluate(False):
         (Piecewise((0, 1 / x > 0), (1, True)), "x <> 0"),
         (Derivative(Abs(x), x), "ex_derive (fun x : R => Rabs x) x"),
         (Derivative(sqrt(x), x), "x > 0"),
+        (Derivative(y / x, y), "x <> 0"),
     ]
 """[(an expression, what Coq is asked, too)]: of the same the kernel is asked, as test_attacks shows."""
 
