@@ -1,16 +1,16 @@
-"""Certified bounds beside true errors: of small pictures, pixels by what is hard about them, fields of one's own."""
+"""Certified bounds beside true errors: of a small picture, and of fields of one's own."""
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import curve, decades, dots, label_line_end, panels, plot
+from book.drawing.style import curve, decades, dots, panels, plot
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
 from renderer import HeightField, Scene, render, u, v
 from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic
 from verify.accuracy.any_field import u_curve
-from verify.accuracy.pixels import SCENES, checked_pixels, compared, problems
+from verify.accuracy.pixels import compared
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -8
@@ -39,34 +39,6 @@ def certified_bounds() -> Drawing:
     numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
     data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
     return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, fine))
-
-
-EACH = 15
-
-
-@figure
-def reference_pixels() -> Drawing:
-    """The largest channel error of pixels of each kind against 256-bit balls, and the bounds of their frames."""
-    pixels = checked_pixels(SCENES, each=EACH)
-    if wrong := problems(pixels):
-        raise ValueError(f"{len(wrong)} pixels are off by more than their bound: {wrong[0]}")
-    kinds = list(dict.fromkeys(p.kind for p in pixels))[::-1]
-    fig, ax = plot(height=3.8)
-    decided = [p for p in pixels if not p.undecided]
-    for row, kind in enumerate(kinds):
-        for what, role, marker, shift in (("error", "difference", "o", 0.12), ("bound", "reference", "|", -0.2)):
-            values = [getattr(p, what) for p in decided if p.kind == kind and getattr(p, what) > 0]
-            dots(ax, values, np.full(len(values), row + shift), role, 4, marker)
-    ax.set_yticks(range(len(kinds)), kinds)
-    limits = {"xlim": (1e-20, 1e-8), "ylim": (-0.6, len(kinds) - 0.1)}
-    decades(ax, 2, None, **limits, xlabel="error of a channel, and its bound")
-    label_line_end(ax, 7e-19, len(kinds) - 0.88, "error", "difference", "left")
-    label_line_end(ax, 1e-10, len(kinds) - 1.2, "bound", "reference")
-    numbers = {"pixels": len(pixels), "decided": len(decided), "largest": max(p.error for p in decided)}
-    numbers["largest_share"] = max(p.error / p.bound for p in decided if p.bound > 0)
-    data = {name: [getattr(p, name) for p in pixels] for name in ("kind", "error", "bound")}
-    data["undecided"] = [bool(p.undecided) for p in pixels]
-    return Drawing(fig, numbers, data)
 
 
 TEXTS = {

@@ -4,23 +4,13 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
-from book.figures.chapter_scene import (
-    FIELD_NAMES,
-    FINE,
-    MARKED,
-    SCENE,
-    SIZE,
-    averaged,
-    marked_by_light,
-    on_picture,
-    smooth,
-    symbolic,
-)
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, SIZE, averaged, on_picture, smooth, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import eye, radius, rho_silhouette
 from renderer import Scene, height_at, render
 from renderer.generate.kernels import function_of
+from renderer.picture.views import image_view
 from verify.accuracy.frontiers import fiction
 
 BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
@@ -138,19 +128,24 @@ def kink_loci() -> Drawing:
     return Drawing(fig, numbers, data, (fine,))
 
 
-def turned(size: int) -> list[np.ndarray]:
-    """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
-    return [leak | miss for leak, miss in fiction.leaks(SCENE, size)]
+MARKED = 300  # the side of a panel with marks
+PINK = (0xCC, 0x79, 0xA7)
 
 
 @figure
 def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
-    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(MARKED * FINE)])
-    on_a = symbolic().stage.on_a.sum()
-    first, second = turned(SIZE)
-    counts = {"first": first.sum(), "second": second.sum()}
-    shares = {f"{name}_share": count / on_a for name, count in counts.items()}
-    numbers = {"beta": SCENE.beta, "pixels_a": on_a, "either_share": (first | second).sum() / on_a}
-    maps = dict(zip(counts, turned(MARKED), strict=True))
-    return Drawing(fig, numbers | counts | shares, maps, (symbolic(size=MARKED * FINE),))
+    frame = symbolic(size=MARKED * FINE)
+    pictures = [image_view(frame)]
+    for leak, miss in fiction.leaks(SCENE, MARKED * FINE):
+        pictures.append(pictures[0] // 3)
+        pictures[-1][leak | miss] = PINK
+    on_a, turned = symbolic().stage.on_a.sum(), {}
+    numbers = {"beta": SCENE.beta, "pixels_a": on_a}
+    for name, (leak, miss) in zip(("first", "second"), fiction.leaks(SCENE, SIZE), strict=True):
+        turned[name] = leak | miss
+        numbers |= {name: turned[name].sum(), f"{name}_share": turned[name].sum() / on_a}
+        numbers |= {f"{name}_leaks": leak.sum(), f"{name}_missed": miss.sum()}
+    numbers["either_share"] = (turned["first"] | turned["second"]).sum() / on_a
+    fig = panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))
+    return Drawing(fig, numbers, turned, (frame,))

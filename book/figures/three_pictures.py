@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, certified, figure
-from book.drawing.style import GAP, TITLE, canvas, panels, pixel_picture, pixel_text
-from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
+from book.drawing.style import TITLE, canvas, panels, pixel_picture, pixel_text
+from book.figures.chapter_scene import FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
@@ -34,13 +34,6 @@ def _three(field):
     return *map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
 
 
-def _column(pictures):
-    """Return pictures of one size one above another, with a gap that lets the page through: (…, width, 4)."""
-    column = np.zeros((len(pictures), len(pictures[0]) + GAP, pictures[0].shape[1], 4), np.uint8)
-    column[:, :-GAP] = np.insert(pictures, 3, 255, axis=3)
-    return np.concatenate(column)[:-GAP]
-
-
 def _sizes(field):
     """Return the largest difference of a field's pictures on A, and the RMS over its channels, were both exact."""
     return dict(zip(("largest", "rms_channels"), distance_on_a(*_frames(field, SIDE)), strict=True))
@@ -55,15 +48,6 @@ def three_pictures() -> Drawing:
     if numbers["undecided"]:
         raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
     return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(one.rgb - other.rgb).max(axis=2)}, shown)
-
-
-@figure
-def contact_sheet() -> Drawing:
-    """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
-    rows = [_three(field) for field in FIELD_NAMES]
-    fig = panels([_column(pictures) for pictures in zip(*rows, strict=True)], TITLES, (LOW, HIGH))
-    shown = [frame for field in FIELD_NAMES for frame in _shown(field)]
-    return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES}, shown=shown)
 
 
 @figure

@@ -99,14 +99,6 @@ def best_step() -> Drawing:
 
 
 STEEP = next(case for case in CASES if case.name == "steep")
-SMALL = {
-    "sine, k = 64": "smooth, $k = 64$",
-    "crease, δ = 0.0001": "$10^{-4}$ from a crease",
-    "sine, pole, v = 1e-05": "$10^{-5}$ from the pole, $h_v$",
-    "seam, k = 8": "$10^{-4}$ from the seam, $k_u = 8$",
-    "seam, k = 7": "the same, $k_u = 7$",
-    "seam, k = 7.3": "the same, $k_u = 7.3$",
-}
 REACH = (1e-16, 0.2)  # of the steps' axis
 ROUNDOFF = 1e-9  # below it rounding rules in every case
 
@@ -151,23 +143,6 @@ def u_curve_parts() -> Drawing:
     slope, least = fitted_slope(STEPS[branch], data["truncation"][branch]), np.abs(found["total"]).min()
     numbers = {"slope": slope, "least": least, "floor": best.floor, "best_eps": best.step, "u": STEEP.u, "v": STEEP.v}
     return Drawing(fig, numbers, data)
-
-
-@figure
-def u_curve_places() -> Drawing:
-    """The error of the difference at six places, smooth and not, below its proved bound."""
-    fig, axes = plot("page", 5.4, nrows=2, ncols=3, sharex=True, sharey=True)
-    data = {}
-    for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
-        found, limits = below(next(case for case in CASES if case.name == name))
-        error, bound = found["total"], limits["total"]
-        data |= {f"step, {name}": STEPS, f"error, {name}": np.abs(error), f"bound, {name}": bound}
-        _every_other(ax, error, "numeric", 1.4)
-        curve(ax, STEPS, bound, "bound")
-        decades(ax, 4, 4, title=title, xlim=REACH, ylim=(1e-13, 1e4))
-        ax.set(xlabel="step ε", ylabel="error")
-        ax.label_outer()
-    return Drawing(fig, data=data)
 
 
 @figure
