@@ -11,7 +11,7 @@ import pytest
 from book.editions import chromium
 from book.editions.files import printed
 
-PAGES = ("index", "s1", "s2", "s4", "dependencies")  # formulas, tables, figures, cards, the simulator, the graph
+PAGES = ("index", "s1", "s2", "s4")  # formulas, tables, figures, cards, the simulator
 BESIDE_THE_PAGE = """() => [...document.querySelectorAll('body *')].filter(e => {
     const box = e.getBoundingClientRect();
     return box.width && box.height && (box.right > innerWidth + 1 || box.left < -1);
@@ -20,10 +20,6 @@ CLIPPED = """() => [...document.querySelectorAll('pre, table, math, p, li, detai
     e.scrollWidth > e.clientWidth + 1 && e.clientWidth && getComputedStyle(e).overflowX !== 'visible')
     .map(e => e.outerHTML.slice(0, 120))"""
 BARE = "[...document.querySelectorAll('figure')].filter(f => !f.querySelector('img, svg')).map(f => f.outerHTML)"
-OUTSIDE = """() => [...document.querySelectorAll('.graph svg')].filter(svg =>
-    svg.getBoundingClientRect().height > innerHeight / 3 || [...svg.querySelectorAll('.reach')].some(circle => {
-        const { y, height } = svg.viewBox.baseVal, row = circle.cy.baseVal.value;
-        return row - 10 < y || row + 10 > y + height; })).length"""
 
 
 @pytest.fixture(scope="module", params=[PAGES, pytest.param((), marks=pytest.mark.long)], ids=["some", "all"])
@@ -89,11 +85,6 @@ def test_nothing_is_wider_than_the_page_or_cut_off_and_it_would_be_seen(paper):
     assert [html[:8] for html in paper.evaluate(BESIDE_THE_PAGE)] == ["<div id="]
     assert [html[:8] for html in paper.evaluate(CLIPPED)] == ["<pre id="]
     paper.evaluate("document.querySelectorAll('#wide, #clipped').forEach(e => e.remove())")
-
-
-def test_graph_is_cut_between_its_rows(paper):
-    assert paper.evaluate("document.querySelectorAll('.graph svg').length") > 3
-    assert paper.evaluate(OUTSIDE) == 0
 
 
 def test_every_link_leads_to_a_page_or_to_the_web(paper, content):

@@ -8,7 +8,7 @@
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
 `{all-theorems}` …         every theorem by section, and what the grades mean (cards.py)
 `{check-all}`              what checks every certificate in the reader's browser (cards.py, checker.py)
-`{dependency-graph}`       what rests on what (dependencies.py)
+`{dependencies}`           what rests on what (cards.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
 `{seed}`                   the page that the chapter came as, with its verdicts (seed.py)
 `{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
