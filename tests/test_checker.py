@@ -96,7 +96,7 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
         press(key)
     said = rejected.inner_text()
     assert "at line 15: the two sides differ" in said and changed.count() == 1
-    assert "It should be 0" in place.inner_text() and place.locator(".check-residual :is(sup, sub)").count() > 0
+    assert "It should be 0" in place.inner_text() and place.locator(".check-residual :is(sup, msub)").count() > 0
     press("Space")  # and back: the focus has stayed
     place.get_by_text("as it was").wait_for()
     assert changed.count() == 0

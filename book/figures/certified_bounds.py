@@ -3,13 +3,12 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import curve, decades, dots, panels, plot
+from book.drawing.style import panels
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
-from renderer import HeightField, Scene, render, u, v
+from renderer import HeightField, Scene, render
 from renderer.generate.expression import parse_expression
 from renderer.picture.differences import rounded_up
 from renderer.picture.views import difference_logarithmic
-from verify.accuracy.any_field import u_curve
 from verify.accuracy.pixels import compared
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
@@ -46,8 +45,6 @@ TEXTS = {
     "dunes": "v*(1 + sinpi(k_u*u + 4*sinpi(2*v)))**2/2",
     "hill": "9*v**2*exp(4*(cospi(2*u - 7/4) - 1) - 60*(v - 1/5)**2)",
 }
-POINT = {"u": 0.81, "v": 0.23}
-STEPS = np.logspace(-1, -12, 177)
 
 
 def scene_of(name: str) -> Scene:
@@ -68,24 +65,3 @@ def own_fields() -> Drawing:
         numbers[name] = certified_numbers(frame)
     fig = panels(columns, tuple(TEXTS), (LOW, HIGH), "bound of a channel")
     return Drawing(fig, numbers | {"side": SIZE}, data, tuple(frames))
-
-
-@figure
-def own_u_curves() -> Drawing:
-    """The error of the central difference of crater, dunes and hill against its step, and the bound on it."""
-    fig, axes = plot("page", 3.3, ncols=len(TEXTS), sharey=True)
-    numbers, data = dict(POINT), {"step": STEPS}
-    for ax, name in zip(axes, TEXTS, strict=True):
-        scene = scene_of(name)
-        along = v if name == "crater" else u  # which is round
-        found = u_curve(scene.field, along, POINT | {"k_u": scene.ku, "k_v": scene.kv}, STEPS)
-        if (found.error > found.bound).any():
-            raise ValueError(f"an error of {name} is above its bound")
-        dots(ax, STEPS, found.error, "numeric", 2.2)
-        curve(ax, STEPS, found.bound, "bound")
-        decades(ax, 3, 3, xlabel="step ε", title=f"{name}, $h_{along.name}$", ylim=(1e-16, 1e3))
-        best = found.bound.argmin()
-        numbers[name] = {"best_eps": STEPS[best], "bound": float(rounded_up(found.bound[best], 2))}
-        data |= {f"{name}_error": found.error, f"{name}_bound": found.bound}
-    axes[0].set_ylabel("error of the slope")
-    return Drawing(fig, numbers, data)

@@ -1,11 +1,15 @@
 """Stability under stress: each error against what is stressed, with the bound of every measured point."""
 
+import re
+
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
 from proofs.formulas.certified import GENERAL_GRADIENT
+from renderer import Scene, render
 from renderer.operations import UNIT
+from verify.stability import attribution
 from verify.stability.geometry import toward_the_pole
 from verify.stability.rows import SWEEPS, sweep
 
@@ -98,3 +102,14 @@ def stability_totals() -> Drawing:
     values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
     numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
     return Drawing(numbers=numbers)
+
+
+@figure("attribution")
+def shares_of_terms() -> Drawing:
+    """The shares of sphere A on which each of the error's terms is the largest, at three steps; numbers only."""
+    frame, numbers = render(Scene(), 88, 88), {}
+    for eps in (3e-2, 1e-6, 1e-8):
+        kinds = attribution.over_the_image(frame, eps)
+        shares = attribution.shares(kinds[kinds > -2])
+        numbers |= {f"{re.sub('[ -]', '_', term)}_{eps:.0e}": share for term, share in shares.items()}
+    return Drawing(numbers=numbers | {"pixels": frame.stage.on_a.sum()})

@@ -56,7 +56,7 @@ function statement_editor(root, cases, polynomials, clerk, told) {
   /** @param {Statement} statement @param {Path} path @returns {any} */
   const at = (statement, path) => path.reduce((branch, key) => branch[key], /** @type {any} */ (statement));
   /** @param {string[]} names */
-  const listed = (names) => make_element("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", ...spelled(name)]));
+  const listed = (names) => make_element("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", spelled(name)]));
   /** The order of terms says nothing. @param {any} value */
   const form = (value) => JSON.stringify(Array.isArray(value) ? value : sorted(value));
   /** Whether a line says something else than at first. @param {Line} line */
