@@ -35,14 +35,12 @@ def crease() -> Drawing:
     offsets = np.linspace(-0.03, 0.03, 601)
     exact_slope = _slope(offsets, exact())
     fig, ax = plot(height=3.6)
-    data = {"offset": offsets, "exact": exact_slope}
-    for side, text in ((offsets < 0, ""), (offsets > 0, "exact")):
-        curve(ax, offsets[side], exact_slope[side], "symbolic", text, linewidth=2.2)
+    for side, text, name in ((offsets < 0, "", "left"), (offsets > 0, "exact", "right")):
+        curve(ax, offsets[side], exact_slope[side], "symbolic", text, label=f"exact, {name}", linewidth=2.2)
     curve(ax, 0, 0, "symbolic", marker="o", markersize=5)
     for eps, dash, text in ((0.02, SOLID, "ε = 0.02"), (0.01, DASHED, "0.01"), (0.004, SHORT, "0.004")):
-        data[f"central_{eps:g}"] = slope = _slope(offsets, central(eps))
-        curve(ax, offsets, slope, "numeric", linewidth=1.3, linestyle=dash)
-        corner = np.searchsorted(offsets, eps)
+        slope, corner = _slope(offsets, central(eps)), np.searchsorted(offsets, eps)
+        curve(ax, offsets, slope, "numeric", label=text, linewidth=1.3, linestyle=dash)
         label_line_end(ax, offsets[corner], slope[corner], text, "numeric", "above")
     ax.axhline(0, color=colour_of("grid"), linewidth=0.8, zorder=0)
     ax.set(ylim=(-11, 11), xlabel="distance δ from the crease, in $u$", ylabel="$h_u$")
@@ -52,7 +50,7 @@ def crease() -> Drawing:
         at, beside = _slope(np.array([0, 1e-6]), method)
         numbers[name] = {"at": at + 0.0, "beside": beside}  # −0 is 0
     numbers |= {"float_sine": np.sin(np.pi * SCENE.ku * CREASE), "mean_on": on_kink, "mean_off": off_kink}
-    return Drawing(fig, numbers | {"orders": np.log10(on_kink / off_kink)}, data)
+    return Drawing(fig, numbers | {"orders": np.log10(on_kink / off_kink)})
 
 
 STEPS = np.logspace(-2, -8, 25)
@@ -66,21 +64,20 @@ def ridge_law() -> Drawing:
     raster = np.array([on_the_raster("h_u", float(step), symbolic()) for step in STEPS])
     fig, ax = plot(height=3.9)
     for name, marker, side, times in (("h_u", "o", "above", 2), ("h_v", "s", "below", 0.5)):
-        curve(ax, STEPS, predicted(name, STEPS)[0], "bound")
-        dots(ax, STEPS, law[name], "difference", 3.6, marker)
+        curve(ax, STEPS, predicted(name, STEPS)[0], "bound", label=f"law of {name}")
+        dots(ax, STEPS, law[name], "difference", 3.6, marker, f"chart, {name}")
         label_line_end(ax, STEPS[12], law[name][12] * times, f"chart, ${name}$", "difference", side)
     curve(ax, STEPS, raster, "numeric", "raster, $h_u$", "above", linewidth=1.3)
     decades(ax, 2, 2, ylim=(1e-9, 1e2), xlabel="step ε", ylabel="RMS error of the slope")
     slope_triangle(ax, 3e-8, 2e-4, 0.5)
-    numbers, data = {}, {"step": STEPS, "raster_h_u": raster}
+    numbers = {}
     for name, values in law.items():
         right, room = predicted(name, STEPS)
         if (np.abs(values - right) > room + 1e-9).any():
             raise ValueError(f"the RMS of {name} is further from the theorem's than the theorem allows")
-        data |= {f"chart_{name}": values, f"law_{name}": right, f"law_{name}_room": room}
         numbers[f"{name}_slope"] = fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = (values / right)[FITTED].max()
-    return Drawing(fig, numbers, data)
+    return Drawing(fig, numbers)
 
 
 @figure

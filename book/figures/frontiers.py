@@ -19,20 +19,19 @@ def _order(values):
 def frontier_silhouette() -> Drawing:
     """How far displacement moves the silhouette against β, and what the first two orders leave over."""
     fig, ax = plot(height=3.9)
-    remainders, data = fiction.silhouette_remainders(BETAS), {"beta": BETAS}
-    for left, (name, text, role, dash) in zip(remainders, (
-        ("moved", "displaced − smooth", "ink", SOLID),
-        ("less_first_order", "less the first order", "difference", DASHED),
-        ("less_second_order", "less the second, too", "difference", DOTTED),
+    remainders = fiction.silhouette_remainders(BETAS)
+    for left, (text, role, dash) in zip(remainders, (
+        ("displaced − smooth", "ink", SOLID),
+        ("less the first order", "difference", DASHED),
+        ("less the second, too", "difference", DOTTED),
     ), strict=True):  # fmt: skip
         curve(ax, BETAS, left, role, text, linestyle=dash)
-        data[name] = left
     decades(ax, 1, 2, xlabel="amplitude β", ylabel="radius of the silhouette, in $R$")
     numbers = {"beta": BETAS[-1], "moved": remainders[0][-1]}
     for order, (left, below) in enumerate(zip(remainders, (6, 6, 20), strict=True)):
         slope_triangle(ax, 3e-3, np.interp(3e-3, BETAS, left) / below, order + 1, decades=0.4)
         numbers[f"order_{order}"] = _order(left)
-    return Drawing(fig, numbers, data)
+    return Drawing(fig, numbers)
 
 
 @figure

@@ -97,13 +97,11 @@ def _visible_parallels():
 
 
 def _draw_on_a(ax, frame, distance, angle, **line):
-    """Draw a curve about the axis where the pixels show A; return its pixels, NaN where it is hidden, (2, n)."""
+    """Draw a curve about the axis where the pixels show A."""
     column, row = on_picture(frame, distance * np.cos(angle), distance * np.sin(angle))
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
-    shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
-    ax.plot(*shown, **line)
-    return shown
+    ax.plot(np.where(frame.stage.on_a[nearest], column, np.nan), row, **line)
 
 
 @figure
@@ -115,17 +113,17 @@ def kink_loci() -> Drawing:
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
     angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels, data = _visible_parallels(), {"circle": {}, "ray": {}}
+    parallels = _visible_parallels()
     for m, size in parallels.items():
-        data["circle"][m] = _draw_on_a(ax, frame, size, angle, color="#56B4E9", linewidth=1.6)
+        _draw_on_a(ax, frame, size, angle, label=f"circle {m}", color="#56B4E9", linewidth=1.6)
     for m in range(int(SCENE.ku)):
-        theta = 2 * np.pi * m / SCENE.ku - np.pi
-        data["ray"][m] = _draw_on_a(ax, frame, along, theta, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
+        theta, dashes = 2 * np.pi * m / SCENE.ku - np.pi, (0, (4, 3))
+        _draw_on_a(ax, frame, along, theta, label=f"ray {m}", color="#F0E442", linewidth=1.4, linestyle=dashes)
     for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
         ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
-    return Drawing(fig, numbers, data, (fine,))
+    return Drawing(fig, numbers, shown=(fine,))
 
 
 MARKED = 300  # the side of a panel with marks

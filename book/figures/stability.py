@@ -17,17 +17,12 @@ LOWEST = 1e-18
 
 
 def _draw(ax, swept, others=(), at=None, sides=("above", "below")):
-    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)].
-
-    Return its curves by name: the parameter, our error, the bound, the others' errors.
-    """
-    data = {"parameter": swept.parameter, "ours": np.maximum(swept.worst(), LOWEST), "bound": swept.bounds.max(axis=1)}
-    data |= {other: swept.worst(other) for other in swept.others}
+    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)]."""
     for other, text, side, there, dash in others:
-        curve(ax, swept.parameter, data[other], "numeric", text, side, there, linewidth=1.5, linestyle=dash)
-    curve(ax, swept.parameter, data["bound"], "bound", "bound", sides[0], at)
-    curve(ax, swept.parameter, data["ours"], "symbolic", "ours", sides[1], at, linewidth=1.6)
-    return data
+        look = {"label": other, "linewidth": 1.5, "linestyle": dash}
+        curve(ax, swept.parameter, swept.worst(other), "numeric", text, side, there, **look)
+    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", sides[0], at)
+    curve(ax, swept.parameter, np.maximum(swept.worst(), LOWEST), "symbolic", "ours", sides[1], at, linewidth=1.6)
 
 
 def _numbers(**swept):
@@ -50,32 +45,33 @@ def pole() -> Drawing:
         ("seed", "seed's frame", "left", last, SOLID),
         ("seed with fallback", "seed, with its fallback", "above", 1e-7, DASHED),
     )
-    data = _draw(ax, near, others, 1e-3)
+    _draw(ax, near, others, 1e-3)
     decades(ax, 2, 4, xlim=(1, 1e-9), ylim=(LOWEST, 1e4), xlabel="sin φ", ylabel="error of $g$")
-    return Drawing(fig, _numbers(near=near, far=far, far_general=sweep("pole_general")), data)
+    return Drawing(fig, _numbers(near=near, far=far, far_general=sweep("pole_general")))
 
 
 @figure
 def stability_silhouette() -> Drawing:
     """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
-    data = _draw(ax, sweep("silhouette"), [("seed", "", "", None, DASHED)], sides=("right", "right"))
+    swept = sweep("silhouette")
+    _draw(ax, swept, [("seed", "", "", None, DASHED)], sides=("right", "right"))
     decades(ax, 2, 2, xlim=(1, 1e-14), ylim=(1e-17, 1e-6), ylabel="error of $N$",
             xlabel=r"$s = 1 - (\rho/\rho_s)^2$")  # fmt: skip
     slope_triangle(ax, 1e-12, 3e-12, -0.5, decades=2)
-    label_line_end(ax, data["parameter"][-1], data["seed"][-1] / 2, "seed", "numeric")
-    scaled = data["ours"] * np.sqrt(data["parameter"]) * 2.0**53
-    return Drawing(fig, _numbers(silhouette=sweep("silhouette")) | {"in_roundings": scaled.max()}, data)
+    label_line_end(ax, swept.parameter[-1], swept.worst("seed")[-1] / 2, "seed", "numeric")
+    scaled = swept.worst() * np.sqrt(swept.parameter) * 2.0**53
+    return Drawing(fig, _numbers(silhouette=swept) | {"in_roundings": scaled.max()})
 
 
 @figure
 def stability_near_far() -> Drawing:
     """The error of the normal from the nearest eye to the furthest: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
-    data = _draw(ax, sweep("near_to_far"), [("seed", "seed", "above", 1e-6, DASHED)], 1e-3)
+    _draw(ax, sweep("near_to_far"), [("seed", "seed", "above", 1e-6, DASHED)], 1e-3)
     decades(ax, 3, 2, ylim=(1e-17, 1e-8), ylabel="error of $N$",
             xlabel="$e/R - 1$: the eye's height above the sphere, in radii")  # fmt: skip
-    return Drawing(fig, _numbers(near_to_far=sweep("near_to_far")), data)
+    return Drawing(fig, _numbers(near_to_far=sweep("near_to_far")))
 
 
 @figure
@@ -85,12 +81,11 @@ def stability_wave_numbers() -> Drawing:
     naive, rounded = (sine := swept["wave_numbers_sine"]).others
     fig, ax = plot(height=3.9)
     others = (naive, "libm, argument rounded", "left", 1e3, SOLID), (rounded, "", "", None, DASHED)
-    data = _draw(ax, sine, others, 1e5)
+    _draw(ax, sine, others, 1e5)
     decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
-    label_curve(
-        ax, data["parameter"], 0.1 * data[rounded], 3e4, "reduced, but the\nproduct rounded", "numeric", "below"
-    )
-    return Drawing(fig, _numbers(**swept) | {"allowed": GENERAL_GRADIENT * UNIT}, data)
+    below = "reduced, but the\nproduct rounded", "numeric", "below"
+    label_curve(ax, sine.parameter, 0.1 * sine.worst(rounded), 3e4, *below)
+    return Drawing(fig, _numbers(**swept) | {"allowed": GENERAL_GRADIENT * UNIT})
 
 
 @figure

@@ -1,6 +1,6 @@
 """Time against error: of the gradient alone by every method, and of whole frames. Times come from the committed run."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import groupby
 
 import numpy as np
@@ -38,11 +38,6 @@ CLUSTER = {"SymPy, NumPy": "by hand", "dual numbers": "dual numbers", "JAX": "JA
 """{method: its name} of those that share one error, that of the rounded argument."""
 
 
-def columns(rows: Sequence[Row], names: Iterable[str]) -> dict[str, list[float]]:
-    """Return the named values of rows as columns; a method without a parameter has the value NaN."""
-    return {name: [np.nan if row[name] is None else row[name] for row in rows] for name in names}
-
-
 def label_method(ax: Axes, points: np.ndarray, role: str, text: str, side: str, at: float | None = None) -> None:
     """Write a method's name below or above one of its points, or upright along its curve where the error is `at`."""
     if at is None:
@@ -64,13 +59,13 @@ def draw_methods(
         points = np.array([(row[cost], row[error]) for row in own])
         role = "symbolic" if first["ours"] else "numeric" if name in DIFFERENCES else "ink"
         marker = "" if name in DIFFERENCES else "o"
-        curve(ax, *points.T, role, linestyle=DIFFERENCES.get(name, "-"), marker=marker)
+        curve(ax, *points.T, role, label=name, linestyle=DIFFERENCES.get(name, "-"), marker=marker)
         if name in labels:
             label_method(ax, points, role, *labels[name])
     times, errors = np.array(sorted((row[cost], row[error]) for row in rows)).T
     corner = errors == np.minimum.accumulate(errors)
     ends = [*times[corner], right], [*errors[corner], errors.min()]
-    curve(ax, *ends, "reference", drawstyle="steps-post", linewidth=5, alpha=0.3, zorder=0)
+    curve(ax, *ends, "reference", label="front", drawstyle="steps-post", linewidth=5, alpha=0.3, zorder=0)
 
 
 @figure("work_precision", record="work_precision")
@@ -88,7 +83,7 @@ def work_precision_figure(record: dict) -> Drawing:
     numbers = work_precision.gradient_numbers(rows) | dict(zip(("from", "to"), CLEAR, strict=True))
     numbers |= {name: measured[name] for name in ("machine", "processor", "python", "date", "commit")}
     numbers |= {"absent": len(measured["absent"]), "fewest": min(row["points"] for row in rows)}
-    return Drawing(fig, numbers, columns(rows, ("method", "value", "ns", "error")))
+    return Drawing(fig, numbers)
 
 
 @figure(record="work_precision")
@@ -109,4 +104,4 @@ def work_precision_frames(record: dict) -> Drawing:
         }
         numbers[field]["beaten_by"] = len(work_precision.peers_that_beat(chosen, "ms", error))
     axes[0].set_ylabel("error of the image on A")
-    return Drawing(fig, numbers, columns(rows, ("field", "method", "value", "ms", "largest", "rms")))
+    return Drawing(fig, numbers)

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from book.drawing.save import SUFFIXES, read_data
+from book.drawing.save import SUFFIXES
 
 CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no single picture has this name
 
@@ -16,7 +16,10 @@ def arrays_of(path: Path) -> dict[str, np.ndarray]:
     if path.suffix in (".png", ".webp"):
         with Image.open(path) as image:
             return {CANVAS: np.asarray(image.convert("RGBA"))}
-    arrays = read_data(path.name, path.read_bytes())
+    if path.suffix == ".csv":
+        return {"table": np.frombuffer(path.read_bytes(), np.uint8)}
+    with np.load(path) as file:
+        arrays = dict(file)
     pictures = [array for name, array in arrays.items() if name.startswith("picture_")]
     return {CANVAS: side_by_side(pictures)} if pictures else arrays
 
