@@ -21,7 +21,6 @@ from book.drawing.registry import Drawing, Registered, certified, flat, plain_nu
 from book.drawing.style import styled
 from renderer.files.pictures import png_of
 
-SUFFIXES = (".csv", ".npz")
 MOST_BYTES = 512 * 1024  # of a file of numbers; where floats would take more, the picture's 8 bits are its data
 FEWEST_POINTS = 5  # of a line that counts as a curve without a label: marks and slope triangles have fewer
 

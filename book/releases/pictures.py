@@ -6,8 +6,6 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from book.drawing.save import SUFFIXES
-
 CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no single picture has this name
 
 
@@ -44,11 +42,6 @@ def archive(data: Path, target: Path) -> None:
     """Write the pixels of a figure's data to a file; a plot has none."""
     if CANVAS in (arrays := arrays_of(data)):
         Image.fromarray(arrays[CANVAS]).save(target, lossless=True, quality=100, method=6, exact=True)
-
-
-def data_name(picture: dict) -> str:
-    """The name of a picture's file of data, by what a record says of the picture."""
-    return next(name for name in picture["files"] if name.endswith(SUFFIXES))
 
 
 def digest(arrays: dict[str, np.ndarray]) -> str:
