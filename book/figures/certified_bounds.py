@@ -36,8 +36,7 @@ def certified_bounds() -> Drawing:
         "largest_share": (errors[bounds > 0] / bounds[bounds > 0]).max(),
     }
     numbers |= {field: certified_numbers(symbolic(field)) for field in FIELD_NAMES}
-    data = {"bound": bounds.max(axis=2), "error": errors.max(axis=2)}
-    return Drawing(fig, numbers | {"whole_side": SIZE}, data, (frame, fine))
+    return Drawing(fig, numbers | {"whole_side": SIZE}, shown=(frame, fine))
 
 
 TEXTS = {
@@ -55,13 +54,12 @@ def scene_of(name: str) -> Scene:
 @figure
 def own_fields() -> Drawing:
     """Crater, dunes and a hill on sphere A, and the certified bound of each picture."""
-    columns, numbers, frames, data = [], {}, [], {}
+    columns, numbers, frames = [], {}, []
     for name in TEXTS:
         fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (SIZE * FINE, SIZE))
         bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
         columns.append(np.vstack([smooth(fine), bounds]))
         frames.append(frame)
-        data[f"{name}_log10_bound"] = np.log10(np.maximum(frame.bounds.max(axis=2), 10.0**LOW)).astype(np.float16)
         numbers[name] = certified_numbers(frame)
     fig = panels(columns, tuple(TEXTS), (LOW, HIGH), "bound of a channel")
-    return Drawing(fig, numbers | {"side": SIZE}, data, tuple(frames))
+    return Drawing(fig, numbers | {"side": SIZE}, shown=frames)

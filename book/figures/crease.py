@@ -3,23 +3,12 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    DASHED,
-    SHORT,
-    SOLID,
-    colour_of,
-    curve,
-    decades,
-    dots,
-    label_line_end,
-    plot,
-    slope_triangle,
-)
+from book.drawing.style import DASHED, SHORT, SOLID, colour_of, curve, label_line_end, plot
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
 from renderer.picture.facts import crease_contrast
 from verify.accuracy import orders
-from verify.accuracy.orders import SLOPES, fitted_slope, on_the_raster, predicted, quadrature
+from verify.accuracy.orders import SLOPES, fitted_slope, predicted, quadrature
 
 CREASE, ROW = 0.125, 0.47
 
@@ -59,17 +48,8 @@ FITTED = STEPS < 2e-3
 
 @figure
 def ridge_law() -> Drawing:
-    """RMS error of the central difference of ridges against ε: over the chart, the theorem's law, and on the raster."""
+    """The RMS error of the central difference of ridges over the chart, against the theorem's law; numbers only."""
     law = {name: np.array([quadrature(name, float(step)) for step in STEPS]) for name in SLOPES}
-    raster = np.array([on_the_raster("h_u", float(step), symbolic()) for step in STEPS])
-    fig, ax = plot(height=3.9)
-    for name, marker, side, times in (("h_u", "o", "above", 2), ("h_v", "s", "below", 0.5)):
-        curve(ax, STEPS, predicted(name, STEPS)[0], "bound", label=f"law of {name}")
-        dots(ax, STEPS, law[name], "difference", 3.6, marker, f"chart, {name}")
-        label_line_end(ax, STEPS[12], law[name][12] * times, f"chart, ${name}$", "difference", side)
-    curve(ax, STEPS, raster, "numeric", "raster, $h_u$", "above", linewidth=1.3)
-    decades(ax, 2, 2, ylim=(1e-9, 1e2), xlabel="step ε", ylabel="RMS error of the slope")
-    slope_triangle(ax, 3e-8, 2e-4, 0.5)
     numbers = {}
     for name, values in law.items():
         right, room = predicted(name, STEPS)
@@ -77,7 +57,7 @@ def ridge_law() -> Drawing:
             raise ValueError(f"the RMS of {name} is further from the theorem's than the theorem allows")
         numbers[f"{name}_slope"] = fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = (values / right)[FITTED].max()
-    return Drawing(fig, numbers)
+    return Drawing(numbers=numbers)
 
 
 @figure

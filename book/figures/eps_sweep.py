@@ -125,4 +125,4 @@ def eps_table() -> Drawing:
         "pixels_a": symbolic().stage.on_a.sum(),
         "black_times_100": distance_on_a(numeric(eps=1e-8), symbolic())[0].times(100),
     }
-    return Drawing(numbers=numbers, data={name: [row[name] for row in rows] for name in rows[0]})
+    return Drawing(numbers=numbers)

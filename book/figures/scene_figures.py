@@ -53,7 +53,7 @@ def chambers() -> Drawing:
     _chamber_legend(fig, codes, TITLE + side + 28)
     _, on_a, on_b, on_floor = np.bincount(symbolic().chambers.ravel() & 3)
     pixels = {"a": on_a, "b": on_b, "floor": on_floor}
-    return Drawing(fig, {"count": len(codes), "pixels": pixels}, {"chambers": shown}, (fine,))
+    return Drawing(fig, {"count": len(codes), "pixels": pixels}, shown=(fine,))
 
 
 @figure
@@ -146,4 +146,4 @@ def attached_shadow() -> Drawing:
         numbers |= {f"{name}_leaks": leak.sum(), f"{name}_missed": miss.sum()}
     numbers["either_share"] = (turned["first"] | turned["second"]).sum() / on_a
     fig = panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))
-    return Drawing(fig, numbers, turned, (frame,))
+    return Drawing(fig, numbers, shown=(frame,))

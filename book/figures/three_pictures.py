@@ -43,11 +43,10 @@ def _sizes(field):
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
     fig, shown = panels(_three("ridges"), TITLES, (LOW, HIGH)), _shown("ridges")
-    one, other = _frames("ridges", SIDE)
     numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges") | certified(shown)
     if numbers["undecided"]:
         raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
-    return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(one.rgb - other.rgb).max(axis=2)}, shown)
+    return Drawing(fig, numbers, shown=shown)
 
 
 @figure
@@ -59,9 +58,9 @@ def views() -> Drawing:
     pictures = [averaged(np.dstack([picture] * 3) if picture.ndim == 2 else picture) for picture in pictures]
     fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
     frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
-    data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
-    shares = {f"{name}_share": data[name].sum() / frame.stage.on_a.sum() for name in ("kink", "straddling")}
-    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data, (fine,))
+    flags = {"kink": frame.kink, "straddling": stepped.straddling}
+    shares = {f"{name}_share": flag.sum() / frame.stage.on_a.sum() for name, flag in flags.items()}
+    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, shown=(fine,))
 
 
 @cache
