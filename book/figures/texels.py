@@ -1,9 +1,11 @@
 """A height field of texels, and a map of stored normals: their errors against the texels."""
 
+from itertools import product
+
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
+from book.drawing.style import DOTTED, SOLID, curve, decades, label_curve, plot, slope_triangle
 from renderer import Scene, central, exact
 from renderer.picture.differences import rms
 from verify.accuracy.frontiers import normal_map, wall
@@ -20,30 +22,15 @@ CURVES = {  # name: (role, dashes, width, its label, whose side, at how many tex
 
 @figure
 def frontier_wall() -> Drawing:
-    """The error of h_u of an interpolated table against the number of texels: two fields, two interpolations."""
-    texels, slope = np.array(wall.TEXELS), np.pi * wall.KU
-    fig, axes = plot(height=4.2, ncols=2, sharey=True)
-    numbers, at = {"slope": slope, "points": wall.POINTS}, wall.TEXELS.index(AT)
-    for ax, field in zip(axes, FIELDS, strict=True):
-        numbers[field] = {}
-        for kind, dash in (("bilinear", SOLID), ("cubic", DASHED)):
-            largest, rms = wall.errors(field, kind)
-            numbers[field][kind] = {"order": wall.order(largest), "rms_order": wall.order(rms), AT: largest[at]}
-            curve(ax, texels, largest, "difference", label=f"{kind}, largest", linestyle=dash, marker="o", markersize=4)
-            curve(ax, texels, rms, "muted", label=f"{kind}, RMS", linestyle=dash, linewidth=1.2)
-            if field == "sine":
-                label_line_end(ax, texels[0], largest[0], kind, "difference", "above")
-            elif kind == "bilinear":
-                label_line_end(ax, texels[2], largest[2], "largest", "difference", "above")
-                label_line_end(ax, texels[2], rms[2] / 1.5, "RMS", "muted", "below")
-        decades(ax, 1, 2, xlim=(20, 1000), title=field, xlabel="texels across")
-    axes[0].set_ylabel("error of $h_u$")
+    """The error of h_u of an interpolated table of texels: two fields, two interpolations; numbers only."""
+    numbers, at = {"slope": np.pi * wall.KU, "points": wall.POINTS}, wall.TEXELS.index(AT)
+    for field, kind in product(FIELDS, ("bilinear", "cubic")):
+        largest, rms = wall.errors(field, kind)
+        found = {"order": wall.order(largest), "rms_order": wall.order(rms), AT: largest[at]}
+        numbers |= {f"{field}_{kind}_{name}": number for name, number in found.items()}
     # The central difference's error is ε²/6 of the third derivative.
-    numbers["as_step"] = np.sqrt(6 * numbers["sine"]["bilinear"][AT] / slope**3)
-    slope_triangle(axes[0], 120, 1.5e-1, -1, decades=0.5)
-    slope_triangle(axes[0], 60, 3e-4, -3, decades=0.4)
-    slope_triangle(axes[1], 120, 1.5e-1, -0.5, decades=0.5)
-    return Drawing(fig, numbers)
+    numbers["as_step"] = np.sqrt(6 * numbers[f"sine_bilinear_{AT}"] / numbers["slope"] ** 3)
+    return Drawing(numbers=numbers)
 
 
 def _same_bytes(scene):

@@ -30,8 +30,7 @@ def u_curve() -> Drawing:
     curve(ax, steps, truncation, "bound", label="truncation")
     decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
     label_line_end(ax, steps[0], total[0], "central\ndifference", "numeric")
-    at_middle = np.interp(-1e-7, -steps, truncation)
-    label_line_end(ax, 1e-7, at_middle, "truncation, in\nexact arithmetic", "bound", "left")
+    label_curve(ax, steps, truncation, 1e-7, "truncation, in\nexact arithmetic", "bound", "left")
     slope_triangle(ax, 3e-4, 1e-7, 2)
     branch = (steps < 3e-2) & (steps > 1e-4)
     best, step = total.argmin(), best_of(SCENE.ku, UNIT).step
@@ -52,10 +51,6 @@ def u_curve() -> Drawing:
     return Drawing(fig, numbers | at)
 
 
-PLACES = {"plain": ((50, 4e-7), (2, 6e-8)), "trick": ((2, 1.2e-7), (60, 5e-10))}
-"""{steps: where their labels stand, in both plots}"""
-
-
 def _best(representable):
     """Return (proved, measured), each the steps and the floors of all wave numbers."""
     proved, seen = (np.array([best(k, representable) for k in WAVE_NUMBERS]).T for best in (predicted, measured))
@@ -68,14 +63,14 @@ def _best(representable):
 def best_step() -> Drawing:
     """The best step of the central difference of sine and the floor it leaves, for k from 1 to 512."""
     fig, axes = plot("page", 3.7, ncols=2)
-    for kind, role, marker, text in (
-        ("plain", "numeric", "o", "ε as given"),
-        ("trick", "symbolic", "s", "(u + ε) − u"),
+    for trick, role, marker, text, side, at in (
+        (False, "numeric", "o", "ε as given", "right", 50),
+        (True, "symbolic", "s", "(u + ε) − u", "below", 3),
     ):
-        for ax, at, proved, seen in zip(axes, PLACES[kind], *_best(kind == "trick"), strict=True):
+        for ax, proved, seen in zip(axes, *_best(trick), strict=True):
             curve(ax, WAVE_NUMBERS, proved, "bound", label=f"{text}, proved")
             dots(ax, WAVE_NUMBERS, seen, role, 4.5, marker, text)
-            label_line_end(ax, *at, text, role)
+            label_curve(ax, WAVE_NUMBERS, seen, at, text, role, side)
     for ax, title in zip(axes, ("best step", "error it leaves"), strict=True):
         decades(ax, xlabel="wave number $k_u$", ylabel=title)
     numbers = {"exact": {512: GENERAL_GRADIENT * UNIT * np.pi * 512}, "gain": {k: gain(k) for k in (8, 512)}}
