@@ -105,11 +105,10 @@ def _curves(id: str, axes: Sequence[Axes]) -> dict[str, np.ndarray]:
         front = f"{ax.get_title('left') or number}: " if len(axes) > 1 else ""
         for line in ax.lines:
             name, points = front + " ".join(line.get_label().split()), np.array(line.get_data(), dtype=float)
-            nameless = line.get_label().startswith("_")
-            if name in found or (nameless and points.shape[1] >= FEWEST_POINTS):
-                raise ValueError(f"figure {id!r}: its curve {name!r} needs a label that no other has")
-            if not nameless:
+            if name not in found and not line.get_label().startswith("_"):
                 found[name] = points
+            elif points.shape[1] >= FEWEST_POINTS:
+                raise ValueError(f"figure {id!r}: its curve {name!r} needs a label that no other has")
     return found
 
 

@@ -87,7 +87,7 @@ def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "righ
         label_curve(ax, x, y, x[-1] if at is None else at, text, role, side)
 
 
-def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o", name: str = "dots") -> None:
+def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o", name: str = "points") -> None:
     """Draw points without a line between them; `name` is their label."""
     curve(ax, x, y, role, label=name, linewidth=0, marker=marker, markersize=size, rasterized=True)
 
