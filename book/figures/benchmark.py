@@ -35,10 +35,10 @@ def time_against_pixels(record: dict) -> Drawing:
         look = {"label": name, "linestyle": dashes, "marker": "o", "markersize": 3.6}
         curve(ax, *times_of(numbers, renderer, threads), role, **look)
         thick.append(ax.lines[-1])
-    ax.legend(handles=thick, frameon=False)
+    ax.legend(handles=thick, loc="lower right", frameon=False)
     decades(ax, xlabel="pixels, $64^2$ to $8192^2$", ylabel="milliseconds a frame")
-    height, slope = 0.2 * np.interp(4e5, *times_of(numbers, "algebraic", 2)), numbers["exponent_2"]
-    slope_triangle(ax, 4e5, height, slope, f"{slope:.3f}")
+    height, slope = 0.3 * np.interp(1e5, *times_of(numbers, "algebraic", 2)), numbers["exponent_2"]
+    slope_triangle(ax, 1e5, height, slope, f"{slope:.3f}")
     return Drawing(fig)
 
 

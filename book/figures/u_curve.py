@@ -30,7 +30,7 @@ def u_curve() -> Drawing:
     curve(ax, steps, truncation, "bound", label="truncation")
     decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
     label_line_end(ax, steps[0], total[0], "central\ndifference", "numeric")
-    label_curve(ax, steps, truncation, 1e-7, "truncation, in\nexact arithmetic", "bound", "left")
+    label_curve(ax, steps, truncation, 1e-7, "truncation, in\nexact arithmetic", "bound")
     slope_triangle(ax, 3e-4, 1e-7, 2)
     branch = (steps < 3e-2) & (steps > 1e-4)
     best, step = total.argmin(), best_of(SCENE.ku, UNIT).step
@@ -63,14 +63,11 @@ def _best(representable):
 def best_step() -> Drawing:
     """The best step of the central difference of sine and the floor it leaves, for k from 1 to 512."""
     fig, axes = plot("page", 3.7, ncols=2)
-    for trick, role, marker, text, side, at in (
-        (False, "numeric", "o", "ε as given", "right", 50),
-        (True, "symbolic", "s", "(u + ε) − u", "below", 3),
-    ):
+    for trick, role, marker, text in ((False, "numeric", "o", "ε as given"), (True, "symbolic", "s", "(u + ε) − u")):
         for ax, proved, seen in zip(axes, *_best(trick), strict=True):
             curve(ax, WAVE_NUMBERS, proved, "bound", label=f"{text}, proved")
             dots(ax, WAVE_NUMBERS, seen, role, 4.5, marker, text)
-            label_curve(ax, WAVE_NUMBERS, seen, at, text, role, side)
+            label_line_end(ax, WAVE_NUMBERS[-1], seen[-1], text, role)
     for ax, title in zip(axes, ("best step", "error it leaves"), strict=True):
         decades(ax, xlabel="wave number $k_u$", ylabel=title)
     numbers = {"exact": {512: GENERAL_GRADIENT * UNIT * np.pi * 512}, "gain": {k: gain(k) for k in (8, 512)}}
