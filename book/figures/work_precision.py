@@ -14,7 +14,19 @@ DIFFERENCES = {"forward": DOTTED, "central": SOLID, "central, 4th order": DASHED
                "Richardson, 8th order": (0, (5, 2, 1.5, 2))}  # fmt: skip
 """{difference: the dashes of its curve}"""
 
-NAMES = {"SymPy, NumPy": "by hand", "exact, reduced argument": "exact, reduced"}  # others are called as they are
+UP, DOWN, UNDER = ((4, 4), 40, "left"), ((4, -6), -40, "left"), ((-4, -6), 40, "right")
+LABELS = {  # method: its name, and how it leans
+    "exact, reduced argument": ("exact, reduced", DOWN),
+    "exact, algebraic": ("exact, algebraic", UP),
+    "SymPy, NumPy": ("by hand", UNDER),
+    "dual numbers": ("dual numbers", DOWN),
+    "JAX": ("JAX", DOWN),
+    "complex step": ("complex step", UP),
+    "mpmath": ("mpmath, 5 to 15 digits", UNDER),
+    "central": ("central", UP),
+    "central, 4th order": ("4th order", UP),
+    "Richardson, 8th order": ("8th order", UP),
+}
 
 
 @figure("work_precision", record="work_precision")
@@ -28,8 +40,10 @@ def work_precision_figure(record: dict) -> Drawing:
         points, differs = np.array([(row["ns"], row["error"]) for row in own]), name in DIFFERENCES
         role = "symbolic" if first["ours"] else "numeric" if differs else "ink"
         curve(ax, *points.T, role, label=name, linestyle=DIFFERENCES.get(name, "-"), marker="" if differs else "o")
-        end = points[:, 1].argmax() if differs else points[:, 1].argmin()
-        label(ax, points[end], NAMES.get(name, name), role, (4, 4), rotation=40, rotation_mode="anchor")
+        if name in LABELS:
+            text, (aside, lean, start) = LABELS[name]
+            end = points[:, 1].argmax() if differs else points[:, 1].argmin()
+            label(ax, points[end], text, role, aside, ha=start, rotation=lean, rotation_mode="anchor")
     times, errors = np.array(sorted((row["ns"], row["error"]) for row in drawn)).T
     corner = errors == np.minimum.accumulate(errors)  # of the front that no point beats, which goes on to the right
     ends = [*times[corner], 1e6], [*errors[corner], errors.min()]
