@@ -4,7 +4,6 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, plot, slope_triangle
-from book.figures.chapter_scene import SCENE, symbolic
 from verify.accuracy.frontiers import fiction
 from verify.accuracy.orders import fitted_slope
 
@@ -32,12 +31,3 @@ def frontier_silhouette() -> Drawing:
         slope_triangle(ax, 3e-3, np.interp(3e-3, BETAS, left) / below, order + 1, decades=0.4)
         numbers[f"order_{order}"] = _order(left)
     return Drawing(fig, numbers)
-
-
-@figure
-def blinn_angles() -> Drawing:
-    """The median angle between the chapter's N', as it is and with its sign turned, and Blinn's, in degrees."""
-    surface = symbolic().data_on_a
-    chapter, turned, _, blinn, _ = fiction.normals(SCENE, surface).values()
-    apart = {"chapter": fiction.degrees(chapter, blinn), "turned": fiction.degrees(turned, blinn)}
-    return Drawing(numbers={name: np.median(angles) for name, angles in apart.items()})

@@ -60,13 +60,7 @@ def stability_silhouette() -> Drawing:
     slope_triangle(ax, 1e-12, 3e-12, -0.5, decades=2)
     label_line_end(ax, swept.parameter[-1], swept.worst("seed")[-1] / 2, "seed", "numeric")
     scaled = swept.worst() * np.sqrt(swept.parameter) * 2.0**53
-    return Drawing(fig, _numbers(silhouette=swept) | {"in_roundings": scaled.max()})
-
-
-@figure
-def stability_near_far() -> Drawing:
-    """The error of the normal from the nearest eye to the furthest, ours and the seed's; numbers only."""
-    return Drawing(numbers=_numbers(near_to_far=sweep("near_to_far")))
+    return Drawing(fig, _numbers(silhouette=swept, near_to_far=sweep("near_to_far")) | {"in_roundings": scaled.max()})
 
 
 @figure

@@ -19,31 +19,13 @@ ENLARGED, CREASE = 4, (690, 270, 272, 216)  # where the creases are that are sho
 TITLES = ("numeric", "symbolic", "difference")
 
 
-def _frames(field, size):
-    """Return the frames of both pipelines, with their bounds."""
-    return numeric(field, size, bounds=True), symbolic(field, size)
-
-
-def _shown(field):
-    """Return the frames that three pictures show: of the first two, and of their difference."""
-    return *_frames(field, SIDE * FINE), *_frames(field, SIDE)
-
-
-def _three(field):
-    *fine, one, other = _shown(field)
-    return *map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
-
-
-def _sizes(field):
-    """Return the largest difference of a field's pictures on A, and the RMS over its channels, were both exact."""
-    return dict(zip(("largest", "rms_channels"), distance_on_a(*_frames(field, SIDE)), strict=True))
-
-
 @figure
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
-    fig, shown = panels(_three("ridges"), TITLES, (LOW, HIGH)), _shown("ridges")
-    numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges") | certified(shown)
+    (one, other), fine = ([numeric(size=side, bounds=True), symbolic(size=side)] for side in (SIDE, SIDE * FINE))
+    pictures, shown = [*map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)], (*fine, one, other)
+    sizes = dict(zip(("largest", "rms_channels"), distance_on_a(one, other), strict=True))
+    fig, numbers = panels(pictures, TITLES, (LOW, HIGH)), {"eps": TELLING_EPS, "side": SIDE} | sizes | certified(shown)
     if numbers["undecided"]:
         raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
     return Drawing(fig, numbers, shown=shown)
