@@ -20,7 +20,7 @@ LABELS = {  # method: its name, and how it leans
     "exact, algebraic": ("exact, algebraic", UP),
     "SymPy, NumPy": ("by hand", UNDER),
     "dual numbers": ("dual numbers", DOWN),
-    "JAX": ("JAX", DOWN),
+    "JAX": ("JAX", UP),
     "complex step": ("complex step", UP),
     "mpmath": ("mpmath, 5 to 15 digits", UNDER),
     "central": ("central", UP),
