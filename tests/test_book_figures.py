@@ -198,6 +198,7 @@ def test_curves_are_a_table_that_reads_back_to_the_last_bit_and_arrays_have_them
     third = np.array([1 / 3, 2e-308, np.nan, -0.0, 1.0])
     content = save.data_file("f", Drawing(line(third, "a\nthird")))[".csv"].decode()
     assert content.splitlines()[:2] == ["curve,x,y", "a third,0.0,0.3333333333333333"]
+    assert b"curve 1,4.0,1.0" in save.data_file("f", Drawing(line(third, None)))[".csv"]
     back = np.array([float(row.split(",")[-1]) for row in content.splitlines()[1:]])
     assert np.array_equal(back.view(np.int64), third.view(np.int64))
     with np.load(
@@ -209,7 +210,6 @@ def test_curves_are_a_table_that_reads_back_to_the_last_bit_and_arrays_have_them
 def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
     for drawing, message in (
         (Drawing(line([1.0], "_")), "needs data="),
-        (Drawing(line(np.arange(5.0), None)), "needs a label that no other has"),
         (Drawing(line([1.0], "a"), data={"a": [None]}), "'a' is object"),
         (Drawing(line([1.0], "a"), data={"b": 1.0}), r"'b' is float64 of shape \(\)"),
         (Drawing(line(np.random.default_rng(0).random(save.MOST_BYTES // 8), "a")), "at most"),
@@ -218,5 +218,5 @@ def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
             save.data_file("f", drawing)
     twice = line(np.arange(5.0), "a")
     twice.axes[0].plot(range(5), range(5), label="a")
-    with pytest.raises(ValueError, match="its curve 'a'"):
+    with pytest.raises(ValueError, match="figure 'f': two curves are called 'a'"):
         save.data_file("f", Drawing(twice))

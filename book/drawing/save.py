@@ -1,8 +1,8 @@
 """Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json.
 
 The numbers behind a picture lie beside it: of curves ID.csv, a row for each point; with pictures or arrays ID.npz,
-where the pixels of `panels` and of renders are picture_1, picture_2 … A curve is kept under its label, and has to
-have one, so that the file is what one sees.
+where the pixels of `panels` and of renders are picture_1, picture_2 … A curve is kept under its label, or as curve 1,
+curve 2 …; what is drawn with fewer points than a curve has is a mark, unless it has a label.
 """
 
 import csv
@@ -22,7 +22,7 @@ from book.drawing.style import styled
 from renderer.files.pictures import png_of
 
 MOST_BYTES = 512 * 1024  # of a file of numbers; where floats would take more, the picture's 8 bits are its data
-FEWEST_POINTS = 5  # of a line that counts as a curve without a label: marks and slope triangles have fewer
+FEWEST_POINTS = 5  # of a line that counts as a curve: marks and slope triangles have fewer
 
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
@@ -71,7 +71,7 @@ def _svg(fig: Figure) -> str:
 def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
     """The file's content by its suffix, the same bytes each time; nothing where there is no picture and no data.
 
-    Raises ValueError naming the figure where a curve has no label, or an array is of another kind, missing, too large.
+    Raises ValueError naming the figure where two curves have one name, an array is of another kind, missing, too large.
     """
     arrays, picture = {name: _checked(id, name, values) for name, values in flat(drawing.data)}, drawing.picture
     pictures = [picture] if isinstance(picture, np.ndarray) else getattr(picture, "pictures", ())
@@ -103,12 +103,15 @@ def _curves(id: str, axes: Sequence[Axes]) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray] = {}
     for number, ax in enumerate(axes, 1):
         front = f"{ax.get_title('left') or number}: " if len(axes) > 1 else ""
-        for line in ax.lines:
-            name, points = front + " ".join(line.get_label().split()), np.array(line.get_data(), dtype=float)
-            if name not in found and not line.get_label().startswith("_"):
-                found[name] = points
-            elif points.shape[1] >= FEWEST_POINTS:
-                raise ValueError(f"figure {id!r}: its curve {name!r} needs a label that no other has")
+        for place, line in enumerate(ax.lines, 1):
+            label, points = line.get_label(), np.array(line.get_data(), dtype=float)
+            is_mark = label.startswith("_")
+            name = front + (f"curve {place}" if is_mark else " ".join(label.split()))
+            if points.shape[1] < FEWEST_POINTS and (is_mark or name in found):
+                continue
+            if name in found:
+                raise ValueError(f"figure {id!r}: two curves are called {name!r}")
+            found[name] = points
     return found
 
 

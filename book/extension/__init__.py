@@ -11,7 +11,7 @@
 `{dependencies}`           what rests on what (cards.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
 `{seed}`                   the page that the chapter came as, with its verdicts (seed.py)
-`{docstring} FILE`         a module's docstring; sources as pages, theorems as downloads (listings.py)
+`{source-link}` …          sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
 docstrings                 autodoc reads them as plain text (interface.py)
