@@ -8,19 +8,19 @@ function statement_lines(statement, { spelled, zero }) {
   const line = (label, path, before = [], after = "", names = false) => ({ label, path, before, after, names });
   /** @param {string} key @param {string} when */
   const states = (key, when) =>
-    Object.keys(statement[key]).map((name) => line(key, [key, name], [...spelled(name), when, " = "]));
+    Object.keys(statement[key]).map((name) => line(key, [key, name], [spelled(name), when, " = "]));
   /** @param {string} key @returns {(step: Step, n: number) => Line} */
   const relation = (key) => (step, n) => {
     const { step: kind = "assume", is, new: name = "" } = step;
     const path = [key, n, "of"];
     if (is) return line(kind === "show" ? "to show" : "given", path, [], zero(is));
     const [sign, after] = { root: [" = √( ", " )"], inverse: [" = 1 / ( ", " )"] }[kind] ?? [" = "];
-    return line("where", path, [...spelled(name), sign], after);
+    return line("where", path, [spelled(name), sign], after);
   };
   const { kind, steps = [], lines = [], assume = [], show = [] } = statement;
   if (kind === "separation")
     return [
-      ...lines.map(([name], n) => line("line", ["lines", n, 1], [...spelled(name), " uses "], "", true)),
+      ...lines.map(([name], n) => line("line", ["lines", n, 1], [spelled(name), " uses "], "", true)),
       ...["outputs", "avoid"].map((key) => line(key, [key], [], "", true))
     ];
   if (kind !== "induction") return steps.map(relation("steps"));
