@@ -22,7 +22,7 @@ from verify.sources import difference
 GENERATED = stamps.ROOT / "book" / "_generated"
 PROCESSES = 2
 # Those that take longest begin first, so that no process waits long for the other at the end.
-LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds", "error_maps")
+LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds")
 Waiting = tuple[Registered, dict[str, str], str]
 """A figure to be drawn, the hashes of its sources, and the reason."""
 
