@@ -1,4 +1,4 @@
-"""The README's picture is what the renderer draws today, and a package index shows it."""
+"""The README's picture is what the renderer draws today, and its four lines end with a file."""
 
 import textwrap
 
