@@ -33,7 +33,8 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
         tests = {path for path in code if is_test(Path(path))}
         assert {"verify/test_theorems.py"} <= tests if name == "edited_formulas" else not tests
-    assert "book/static/simulator/module.js" in code_of("simulator")
+    assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= code_of("simulator").keys()
+    assert "renderer/command_line/verbs.py" in code_of("frames")
 
 
 def test_a_program_among_the_theorems_is_never_run(monkeypatch, tmp_path, pytestconfig):
