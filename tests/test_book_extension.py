@@ -10,7 +10,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 from book.extension import pages
 from book.extension.numbers import typeset
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from tests import one_page
 from verify import records
 

@@ -14,7 +14,7 @@ from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import colour_of, plot
 from book.figures import eps_sweep
 from renderer import Scene, central, exact, render
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from tests.folders import contents
 from tests.processes import python
 

@@ -15,8 +15,8 @@ from book.extension.evidence import evidence_line
 from book.extension.printed_claims import rows, tex
 from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
+from proofs.engine.half_turns import sinpi
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.half_turns import sinpi
 from tests import one_page
 from tests.processes import python
 from verify import formal

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from renderer import Scene, central, render
-from renderer.picture.differences import Interval, certain_digits, distance_on_a, enclosed_distance, rms
+from renderer.intervals import Interval, certain_digits, rms
+from renderer.picture.differences import distance_on_a, enclosed_distance
 from renderer.picture.frame import Frame
 
 SIDE = 12

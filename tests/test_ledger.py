@@ -13,7 +13,7 @@ from book.ledger import check
 from book.ledger.__main__ import main
 from book.ledger.check import Run, faults_in
 from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, load, relation
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from verify.sources import ROOT
 
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}

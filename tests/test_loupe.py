@@ -12,8 +12,9 @@ import pytest
 from book.loupe_module import pairs_of, samples_of
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, exact, pixel, render
+from renderer.intervals import certain_digits
 from renderer.kernels import FIELDS
-from renderer.picture.differences import certain_digits, distance_on_a
+from renderer.picture.differences import distance_on_a
 from renderer.scene.methods import DIFFERENCES, difference
 from tests.tabs import CERTAIN, becomes, go, number, says
 

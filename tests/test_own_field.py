@@ -14,6 +14,7 @@ from sympy import Mul, Piecewise, Rational, exp, log, pi, sqrt
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.printers.text import LONGEST
 from renderer import (
     HeightField,
     Scene,
@@ -32,8 +33,8 @@ from renderer import (
 )
 from renderer.command_line.verbs import main
 from renderer.files import record
-from renderer.generate.expression import LONGEST, expression_text, parse_expression
-from renderer.generate.own_kernels import CALLED, OwnPrinter
+from renderer.generate.custom_printer import CALLED, OwnPrinter
+from renderer.generate.reader import expression_text, parse_expression
 from renderer.machines import native, numpy_rows
 from renderer.scene.own import field_kernels
 from renderer.shader.gradients import algebraic_powers
@@ -140,7 +141,7 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
 
 NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
-    "name = 'twice'": lambda: [Scene(field=HeightField("twice", each)) for each in (v, v**2)],
+    "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
@@ -155,10 +156,14 @@ def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
 
 
-def test_a_name_may_be_given_again_to_the_same_formula_or_after_a_refusal():
-    rejection(HeightField, "same", v / 10**400)
-    first, again = (Scene(field=HeightField("same", exp(v) * sinpi(k_u * u))) for _ in range(2))
-    assert again == first and again.field is first.field
+def test_a_field_is_kept_by_its_formula():
+    """A name is a label, whatever was drawn by it or refused; one of the chapter's is the chapter's."""
+    rejection(HeightField, "label", v / 10**400)
+    labels = ("label", 2), ("label", 4), ("label", 2), ("another", 4)
+    scenes = [Scene(field=HeightField(name, exp(v) * sinpi(rate * u))) for name, rate in labels]
+    first, edited, again, renamed = (render(scene, 8, 8).rgb.tobytes() for scene in scenes)
+    assert first == again != edited == renamed
+    assert scenes[0] == scenes[2] != scenes[1] != scenes[3]
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
 
 

@@ -5,7 +5,7 @@ import csv
 import pytest
 
 from renderer import Scene, render
-from renderer.picture.differences import certain_digits
+from renderer.intervals import certain_digits
 from renderer.picture.facts import facts
 from renderer.picture.sweep import HEADINGS, sweep, table, write_csv
 

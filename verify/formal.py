@@ -48,8 +48,7 @@ PARTLY = {
     "binades": "that its sentences in Coq, which are written by hand for every real height, are all of its words; "
     "none of them is printed from a claim",
     "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
-    "elementary_functions": "powers below e^-707.99, and units in the last place: bounds are multiples of 2^-53, "
-    "relative ones but for the angle",
+    "elementary_functions": "the bound of its words: these are of all functions, relative ones but for the angle",
 }
 """{theorem: what of its words no statement says}"""
 

@@ -81,7 +81,7 @@ RECORDS = {
             "edited_formulas",
             RESULTS,
             _CAMPAIGN,
-            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/checkers/stale.py"),
+            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/stale.py"),
             ("sympy", "mpmath"),
         ),
     )

@@ -31,7 +31,7 @@ from book.extension.numbers import mark, typeset
 from book.extension.theorems import Here
 from book.ledger.check import refutes, standing, tests_in
 from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Ledger, LedgerClaim, relation
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 
 PAGE = "findings"
 

@@ -11,7 +11,7 @@ from sphinx.environment import BuildEnvironment
 from book.assembly import report, stamps
 from book.assembly.contents import placed
 from proofs.engine.theorem import Theorem, all_theorems
-from renderer.generate.statements import statements
+from proofs.printers.coq_statements import statements
 from verify import formal
 
 CLAIMS_PAGE = "findings"

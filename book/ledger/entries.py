@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from jsonschema import Draft202012Validator, FormatChecker
 
 from book.assembly.stamps import table_in
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 
 ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
 HOLDS: dict[str, Callable[..., bool]] = {

@@ -4,19 +4,18 @@ import argparse
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from renderer.generate.coq import formulas_source
+from proofs import coq_files
 from renderer.generate.float64 import float64_source
 from renderer.generate.kernels import kernels_source
-from renderer.generate.statements import statements_source
 from renderer.whole_files import write_whole
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMAL = ROOT / "proofs" / "formal"
 PRINTED = {
     ROOT / "renderer" / "kernels.py": kernels_source,
-    FORMAL / "Formulas.v": formulas_source,
+    FORMAL / "Formulas.v": coq_files.formulas_source,
     FORMAL / "Float64.v": float64_source,
-    FORMAL / "Statements.v": statements_source,
+    FORMAL / "Statements.v": coq_files.statements_source,
 }
 """{file: what returns its text}"""
 

@@ -1,4 +1,4 @@
-"""Theorems without claims: their measurements, in every module of verify/checkers/measurements, and their grade.
+"""Theorems without claims: their measurements, in every module of verify/measurements, and their grade.
 
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
@@ -6,7 +6,6 @@ cited      the source is in the bibliography
 """
 
 import importlib
-import inspect
 import pkgutil
 import re
 from collections.abc import Callable
@@ -18,7 +17,7 @@ from verify.checkers.grades import Examination
 from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says, unnamed
 from verify.optional import lacking
 
-FOLDER = Path(__file__).parent / "measurements"
+FOLDER = Path(__file__).parents[1] / "measurements"
 
 
 @cache
@@ -27,7 +26,7 @@ def _left_out():
     needs = {}
     for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
         try:
-            importlib.import_module(f"verify.checkers.measurements.{module}")
+            importlib.import_module(f"verify.measurements.{module}")
         except ImportError as error:
             if not (library := lacking(error)):
                 raise
@@ -47,11 +46,6 @@ def library_for(theorem_id: str) -> str | None:
     return _left_out().get(theorem_id)
 
 
-def sources_of(theorem_id: str) -> set[Path]:
-    """Return the files in which a theorem's measurements are written."""
-    return {Path(inspect.getfile(function)).resolve() for function, _ in measurements().get(theorem_id, ())}
-
-
 def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     """Return the Examination of a theorem without claims: measured, or else cited."""
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
@@ -67,7 +61,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
         if examination.reached == "certified" and missing:
             examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
         if not evidence:
-            examination.problems.append("no measurement is registered for it in verify/checkers/measurements")
+            examination.problems.append("no measurement is registered for it in verify/measurements")
     examination.record["grade"] = examination.grade
     return examination
 

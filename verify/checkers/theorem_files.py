@@ -8,7 +8,8 @@ import proofs
 
 FOLDER = Path(proofs.__file__).parent / "theorems"
 TRUSTED = ("__init__", "language")
-IMPORTED = ("proofs.formulas.", "proofs.theorems.", "proofs.engine.claim.")
+ENGINE = tuple(f"proofs.engine.{name}." for name in ("claim", "half_turns", "vectors"))
+IMPORTED = ("proofs.formulas.", "proofs.theorems.", *ENGINE)
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}

@@ -1,0 +1,103 @@
+"""A sentence that gives a worst, a largest or a most says of what: a certificate, a raster, a number of cases."""
+
+import re
+import tomllib
+
+import pytest
+
+from proofs.engine.theorem import all_theorems
+from proofs.formulas.enclosed import RULES
+from verify.accuracy.differences import PER_DECADE
+from verify.measurements.creases import SIZE
+from verify.measurements.pole import POINTS
+from verify.sources import ROOT
+
+BOOK = ROOT / "book"
+PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
+WRITTEN = sorted(path for pattern in PATTERNS for path in BOOK.glob(pattern))
+EXTREME = re.compile(r"\b(worst|largest|maximum|at most|never exceeds?|never above)\b", re.IGNORECASE)
+MEASURED = re.compile(r"\{number\}`[^`]+`")
+OF_AN_EXTREME = re.compile(r"\{number\}`[\w:.-]*(worst|largest|_most)[|`]")
+ROLE = re.compile(r"\{[\w-]+\}`[^`]*`")
+NUMBER = r"\{number\}`([^`]+)`"
+CASES = re.compile(NUMBER + r"(?:²| (?:random |sampled |chart )*(?:points|places|errors|pixels|scenes|steps)\b)")
+EVERY = re.compile(r"\bevery (?:pixel|point)\b")
+SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
+THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
+CERTAIN = ("proved", "certified", "argued")
+OF_A_THEOREM = {
+    "dark_difference": f"${SIZE}^2$",
+    "pole_accuracy": f"of {POINTS} points",
+    "difference_bounds": {40: "forty"}[PER_DECADE],
+    "enclosing_rules": {12: r"a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$"}[len(RULES)],
+}
+"""{theorem: how it says of what its extreme is one}"""
+
+
+def sentences(text):
+    """Return the sentences of a page in MyST, without code, and without the options of a directive."""
+    text = re.sub(r"(?ms)^```.*?^```|^:\w+:.*?$", "", text)
+    parts = re.split(r"(?m)\n\s*\n|^:::.*$|^#.*$", text)
+    paragraphs = (" ".join(part.split()) for part in parts)
+    return [s for paragraph in paragraphs for s in re.split(r"(?<=[.!?:)])\s+(?=[A-Z*`\[{$(])", paragraph) if s]
+
+
+def extremes(text):
+    """Return the sentences of a page that give a measured extreme."""
+    found = (s for s in sentences(text) if MEASURED.search(s))
+    return [s for s in found if OF_AN_EXTREME.search(s) or EXTREME.search(ROLE.sub("", s))]
+
+
+def objections(sentence):
+    """Return the faults of a sentence that gives an extreme: of nothing, or by a theorem that is no certificate."""
+    theorems = THEOREM.findall(sentence)
+    faults = [f"{id} is no certificate" for id in theorems if all_theorems()[id].expected not in CERTAIN]
+    of_raster = EVERY.search(sentence)
+    if of_raster and not SQUARED.search(sentence):
+        faults.append("every pixel of which raster?")
+    return faults if theorems or of_raster or CASES.search(sentence) else [*faults, "of what?"]
+
+
+def texts_of(path):
+    """Return a page's text, or what the claims of a file say."""
+    text = path.read_text("utf-8")
+    if path.suffix == ".md":
+        return [text]
+    return [words for claim in tomllib.loads(text)["claim"] for words in claim.values() if isinstance(words, str)]
+
+
+@pytest.mark.parametrize("path", WRITTEN, ids=lambda path: path.stem)
+def test_an_extreme_is_of_something(path):
+    faults = {s: objections(s) for text in texts_of(path) for s in extremes(text)}
+    assert {s: wrong for s, wrong in faults.items() if wrong} == {}
+
+
+def test_a_measured_theorem_says_so_too():
+    for theorem in all_theorems().values():
+        said = " ".join((theorem.words, *theorem.hypotheses))
+        if theorem.expected == "measured" and EXTREME.search(theorem.words):
+            assert OF_A_THEOREM[theorem.id] in said, theorem.id
+
+
+@pytest.mark.parametrize("sentence", [
+    "The worst error of $g$ is {number}`stability_pole.pole_worst|.1e`.",
+    "The error never exceeds\n{number}`a.b|.2g` roundings.",
+    "- It is {number}`accuracy_chart.ours_median|.1f`, at most {number}`accuracy_chart.b|.1f`.",
+    "Its value is {number}`three_pictures.largest|.3g`.",
+    ":::{chapter-figure} a\n:alt: every pixel\nThe largest is {number}`a.b`. It was certified.\n:::",
+])  # fmt: skip
+def test_an_extreme_of_nothing_is_found(sentence):
+    (found,) = extremes(f"A page. \n\n{sentence}\n\nMore.")
+    assert "of what?" in objections(found)
+
+
+@pytest.mark.parametrize("sentence, is_so", [
+    ("The largest of {number}`frontier_wall.points|,` random points is {number}`a.largest`.", True),
+    ("Over every pixel of {number}`certified_bounds.side`² it is {number}`certified_bounds.bound|.1e`.", True),
+    ("Over every pixel it is {number}`certified_bounds.sine_bound|.1e` at most.", False),
+    ("By {theorem-ref}`truncation_bound` it is {number}`a.b` at most.", True),
+    ("By {theorem-ref}`pole_accuracy` it is {number}`a.b` at most.", False),
+    ("The certified bound is {number}`a.b` at most.", False),
+])  # fmt: skip
+def test_an_extreme_of_a_sample_or_of_nothing_is_told_apart(sentence, is_so):
+    assert (objections(sentence) == []) is is_so
