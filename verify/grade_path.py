@@ -7,6 +7,7 @@ Coq alone proves something, is counted behind it.
 
 import ast
 
+from proofs.engine.project import PROJECT
 from verify.sources import PACKAGES, ROOT, imported, without_prose
 
 ENTRANCES = (
@@ -17,7 +18,9 @@ ENTRANCES = (
     "renderer/generate/statements.py",
 )
 PRINTS_FLOAT64 = "renderer/generate/float64.py"
-CLAIMED = ("proofs/formulas/", "proofs/theorems/")  # what is graded, and no part of how
+CLAIMED = tuple(
+    f"{package.replace('.', '/')}/" for package in (PROJECT.formulas, PROJECT.theorems)
+)  # what is graded, and no part of how
 
 
 def modules(*more: str) -> dict[str, int]:

@@ -6,6 +6,7 @@ And points as the reader sees them: {"normal_x": "0", …} becomes N = (0, 0, 1)
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from pkgutil import resolve_name
 from typing import NamedTuple
 
 import mpmath
@@ -15,9 +16,9 @@ from sympy.printing.latex import LatexPrinter
 
 from book.extension.elements import Nodes
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded, Separation
-from proofs.formulas.symbols import TEX_NAMES
+from proofs.engine.project import PROJECT
 
-TEX = {symbol.name: tex for symbol, tex in TEX_NAMES.items()}
+TEX = {symbol.name: tex for symbol, tex in (resolve_name(PROJECT.tex) if PROJECT.tex else {}).items()}
 EXPRESSION = re.compile(r"(?:pi|sqrt|[\d+\-*/() ])+")  # what a point may have beside rationals
 LONG = 10**9  # numerators and denominators above are given to six digits
 MOST = Mul(Symbol("n"), Pow(2, -53, evaluate=False), evaluate=False)

@@ -3,14 +3,16 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 import pytest
 
 from proofs import check
-from proofs.check import FOLDER, canonical
-from proofs.engine import kernel, stored
+from proofs.check import canonical
+from proofs.engine import kernel, project, stored
+from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
 from verify.checkers import second_checker
 from verify.checkers.known_bad import GOOD, UNSOUND, assume, derivation, pair_of, reasons_of, show, wrong_verdicts
@@ -100,7 +102,7 @@ REFUSED_FILES = [
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
     """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
-    monkeypatch.setattr(check, "FOLDER", tmp_path)
+    monkeypatch.setattr(project, "PROJECT", replace(project.PROJECT, certificates=tmp_path))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
     for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
         path.write_bytes(GOOD_FILE.replace(was, false, 1))

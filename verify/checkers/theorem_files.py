@@ -2,13 +2,13 @@
 
 import ast
 import builtins
-from pathlib import Path
 
-import proofs
+from proofs.engine.project import PROJECT
 
-FOLDER = Path(proofs.__file__).parent / "theorems"
+FOLDER = PROJECT.folder(PROJECT.theorems)
 TRUSTED = ("__init__", "language")
-IMPORTED = ("proofs.formulas.", "proofs.theorems.", "proofs.engine.claim.")
+IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", "proofs.engine.claim.")
+FROM_THEOREM = {"Clause", "Mutant", "SideCondition", "Step", "Theorem", "variant"}
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}
@@ -33,6 +33,8 @@ def _why_not(node):
             return "assigns an attribute or an entry"
         case ast.ImportFrom(module="sympy"):
             barred = {alias.name for alias in node.names} - FROM_SYMPY
+        case ast.ImportFrom(module="proofs.engine.theorem"):
+            barred = {alias.name for alias in node.names} - FROM_THEOREM
         case ast.ImportFrom(level=0) if f"{node.module}.".startswith(IMPORTED):
             barred = {alias.name for alias in node.names} & BARRED
         case ast.ImportFrom():
