@@ -18,7 +18,14 @@ PACKAGES = (*dict.fromkeys((*PROJECT.packages, *PROJECT.above, *TOOLS)),)
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints", "node_modules"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
-IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec", "importlib.util.resolve_name")
+IMPORT_NOTHING = (
+    "importlib.metadata",
+    "importlib.util.find_spec",
+    "importlib.util.resolve_name",
+    "pkgutil.resolve_name",
+)
+# ... but for one that asks for what the project names, "module:name".
+NAMED = {text.partition(":")[0] for text in (*PROJECT.printed.values(), PROJECT.tex)}
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
@@ -116,6 +123,7 @@ def _direct_imports(path: Path) -> frozenset[Path]:
         return frozenset()
     package = place(path.parent).parts
     names, computed = imported(path.read_text(encoding="utf-8"), package)
+    names |= NAMED if "pkgutil.resolve_name" in names else set()
     found = {file for name in names for file in _module_files(name)}
     if computed:
         found.update(
