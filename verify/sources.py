@@ -24,7 +24,7 @@ IMPORT_NOTHING = (
     "importlib.util.resolve_name",
     "pkgutil.resolve_name",
 )
-# ... but for one that asks for what the project names, "module:name".
+# What a module reaches that asks pkgutil for what the project names, "module:name".
 NAMED = {text.partition(":")[0] for text in (*PROJECT.printed.values(), PROJECT.tex)}
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
