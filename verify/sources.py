@@ -14,7 +14,7 @@ from proofs.engine.project import HOME, PROJECT
 
 ROOT = PROJECT.root
 TOOLS = ("proofs", "renderer", "verify", "book")
-PACKAGES = (*dict.fromkeys((*PROJECT.packages, *PROJECT.above, *TOOLS)),)
+PACKAGES = (*TOOLS, *PROJECT.packages, *PROJECT.above)
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints", "node_modules"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
@@ -50,8 +50,7 @@ def is_test(path: Path) -> bool:
 def reachable(source: Path) -> set[Path]:
     """The file, its packages, the repository's modules that they import directly or not, and the data beside those."""
     source = source.resolve()
-    inside = source.is_relative_to(ROOT) or source.is_relative_to(HOME)
-    around = place(source).with_suffix("").parts if inside else ()
+    around = place(source).with_suffix("").parts if any(map(source.is_relative_to, (ROOT, HOME))) else ()
     found = followed({source, *_module_files(".".join(around))})
     code_only = {PROJECT.pages, PROJECT.folder(PROJECT.figures), HOME / "book"}  # what lies beside these is prose
     folders = {path.parent for path in found} - code_only

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from book.assembly import stamps
-from proofs.engine.project import FILE, PROJECT, TABLE
+from proofs.engine.project import FILE, PROJECT
 from verify import formal
 from verify.checkers import second_checker
 
@@ -19,13 +19,13 @@ class NoReport(ValueError):
 
 def packages() -> list[Path]:
     """Every file of the packages: a proof may read what it does not import."""
-    folders = {*map(PROJECT.folder, PROJECT.packages), *map(stamps.HOME.joinpath, ("proofs", "renderer", "verify"))}
+    folders = [*map(PROJECT.folder, PROJECT.packages), *map(stamps.HOME.joinpath, ("proofs", "renderer", "verify"))]
     return [path for folder in folders for path in stamps.files_in(folder)]
 
 
 def reported_hashes() -> dict[str, str]:
-    files = [*packages(), stamps.LOCK_FILE, PROJECT.bibliography, second_checker.SCRIPT]
-    return stamps.hashes(files) | {"project": stamps.key(stamps.table_in(PROJECT.root / FILE)["tool"][TABLE])}
+    files = (stamps.LOCK_FILE, PROJECT.root / FILE, PROJECT.bibliography, second_checker.SCRIPT)
+    return stamps.hashes([*packages(), *files])
 
 
 def _stamp(sources):

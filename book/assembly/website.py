@@ -42,7 +42,7 @@ def environment(cache: Path) -> dict[str, str]:
         "PYTHONHASHSEED": "0",
         "TZ": "UTC",
         "MATPLOTLIBRC": str(TOOLS / "drawing" / "matplotlibrc"),
-        "PYTHONPATH": os.pathsep.join(map(str, dict.fromkeys([stamps.ROOT, stamps.HOME]))),
+        "PYTHONPATH": f"{stamps.ROOT}{os.pathsep}{stamps.HOME}",
         "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
         "BOOK_EXECUTION_CACHE": str(cache),
     }

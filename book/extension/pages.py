@@ -20,7 +20,7 @@ from book.extension.elements import on
 from proofs.engine.project import HOME, PROJECT
 
 PROGRAMS = dict(PROJECT.programs)
-LENT = ("templates_path", "html_static_path", "html_css_files", "html_js_files", "html_theme_options", "html_context")
+LENT = ("html_css_files", "html_js_files", "html_theme_options", "html_context")
 
 
 class ByName(Project):
@@ -54,11 +54,11 @@ def name_contents(app: Sphinx, config: Config) -> None:
 def lend_frame(app: Sphinx, config: Config) -> None:
     """Lend another project's book what cards, figures and pages need of this one's: templates, styles, scripts."""
     if PROJECT.root != HOME:
-        here = HOME / "book"
-        lent = stamps.table_in(here / "_config.yml")["sphinx"]["config"]
-        lent |= {name: [str(here / folder) for folder in lent[name]] for name in ("templates_path", "html_static_path")}
+        lent = stamps.table_in(HOME / "book" / "_config.yml")["sphinx"]["config"]
         for name in LENT:
             config[name] = lent[name]
+        for name in ("templates_path", "html_static_path"):
+            config[name] = [str(HOME / "book" / folder) for folder in lent[name]]
 
 
 @on("doctree-read", priority=100)

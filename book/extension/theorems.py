@@ -16,7 +16,7 @@ from renderer.generate.statements import statements
 from verify import formal
 
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")
-LEGEND = (PROJECT.page.get("legend", "index"), PROJECT.badges)  # the page and the id of what says what badges mean
+LEGEND = (PROJECT.page.get("legend", "index"), "badges")  # the page and the id of what says what badges mean
 WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
 THEOREMS = PROJECT.folder(PROJECT.theorems)
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings

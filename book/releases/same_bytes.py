@@ -9,11 +9,10 @@ from os.path import commonprefix  # of any text, byte by byte
 from pathlib import Path
 
 from book.assembly import stamps
-from book.assembly.website import BOOK
 from renderer.whole_files import write_whole
 from verify import formal
 
-COMPARED = tuple(f"{BOOK.name}/{folder}" for folder in ("_build/html", "_generated"))
+COMPARED = ("book/_build/html", "book/_generated")
 AROUND = 20  # bytes shown on each side of the first that differs
 
 

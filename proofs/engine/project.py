@@ -11,29 +11,32 @@ tools read the chapter that they came with, and write nothing. No SymPy here: `p
 
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
-FILE, TABLE = "pyproject.toml", "symbolic-book"
+FILE = "pyproject.toml"
 HOME = Path(__file__).resolve().parents[2]  # of the tools, which may be another project's
-FOLDERS = {"certificates": "certificates", "pages": "pages", "formal": "formal", "bibliography": "pages/references.bib"}
-"""{what is a path from the project's root: that by default}"""
+FOLDERS = {"certificates": "certificates", "pages": "pages", "formal": "formal", "bibliography": "references.bib"}
+"""{field that is a path from the project's root: its default}"""
+
+Names = Sequence[str]
+Table = Mapping[str, str]
+NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
-@dataclass(frozen=True)
-class Project:
+class Project(NamedTuple):
     """A book's project. Modules and packages are named by dots, other files by paths from the root.
 
-    name: the editions' file names. packages: those that theorems and figures may read; above: those that build upon
-    them. theorems, formulas, figures, measurements: packages of these; measuring: those of what measurements may call.
-    pages: the folder of the book's pages; page: {office: the page that has it}, of findings, legend, graph, trust,
-    seed, times and shell (whose frame an edition takes); badges: the legend's id; sections: the pages that come first;
-    laboratory: the page with cells. printed: {file: "module:function" of its text}. programs: {script of the site: the
-    module with its `source`}. kernels: the printed module. tex: "module:name" of {symbol: TeX}. slowest: the figures
-    that take longest. results, benchmarks: folders of records; records: {name: the fields of a `Record`}. trusted:
-    {Coq's file: its hash}; partly: {theorem: what of its words Coq was not told}. writable: whether the working
-    directory is in it.
+    root: the folder of its file; writable: whether the working directory is in it. packages: those that theorems and
+    figures may read, beside the tools'; above: those that build upon them. theorems, formulas, figures, measurements:
+    packages of these; measuring: those that measurements may call. pages: the folder of the book's pages; page:
+    {office: the page that has it}, of findings, legend, graph, trust, seed, times and shell, whose frame an edition
+    takes; sections: the pages that come first; laboratory: the page with cells. name: of the editions. printed: {file:
+    "module:function" of its text}; kernels: the printed module. programs: {script of the site: the module with its
+    `source`}. tex: "module:name" of {symbol: TeX}. slowest: the figures that take longest. records: {name: the fields
+    of a `verify.records.Record`}; results, benchmarks: their folders. formal: the folder of Coq's files; trusted: {one:
+    its hash}; partly: {theorem: what of its words Coq was not told}.
     """
 
     root: Path
@@ -41,40 +44,32 @@ class Project:
     pages: Path
     formal: Path
     bibliography: Path
-    packages: Sequence[str]
     theorems: str
-    figures: str = ""
-    name: str = "book"
-    above: Sequence[str] = ()
+    writable: bool = True
+    packages: Names = ()
+    above: Names = ()
     formulas: str = ""
+    figures: str = ""
     measurements: str = ""
-    measuring: Sequence[str] = ()
-    page: Mapping[str, str] = field(default_factory=dict)
-    badges: str = "badges"
-    sections: Sequence[str] = ()
+    measuring: Names = ()
+    page: Table = NOTHING
+    sections: Names = ()
     laboratory: str = ""
-    printed: Mapping[str, str] = field(default_factory=dict)
-    programs: Mapping[str, str] = field(default_factory=dict)
+    name: str = "book"
+    printed: Table = NOTHING
     kernels: str = ""
+    programs: Table = NOTHING
     tex: str = ""
-    slowest: Sequence[str] = ()
+    slowest: Names = ()
+    records: Mapping[str, Mapping[str, Any]] = NOTHING
     results: str = ""
     benchmarks: str = ""
-    records: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    trusted: Mapping[str, str] = field(default_factory=dict)
-    partly: Mapping[str, str] = field(default_factory=dict)
-    writable: bool = True
-
-    @classmethod
-    def read(cls, path: Path, **more: Any) -> "Project":
-        """Return the project of a file, or of the folder that it is in; raises KeyError where it has no table."""
-        path = path / FILE if path.is_dir() else path
-        table = {"root": path.parent} | tomllib.loads(path.read_text(encoding="utf-8"))["tool"][TABLE] | more
-        return cls(**table | {key: table["root"] / table.get(key, place) for key, place in FOLDERS.items()})
+    trusted: Table = NOTHING
+    partly: Table = NOTHING
 
     @property
     def generated(self) -> Path:
-        """The folder of drawn figures, and of the report."""
+        """The folder of drawn figures and of the report."""
         return self.pages / "_generated"
 
     @property
@@ -87,13 +82,20 @@ class Project:
         return self.root.joinpath(*package.split("."))
 
 
+def read(file: Path, root: Path, **more: Any) -> Project | None:
+    """Return the project that a file describes, None where it has no table; raise TypeError on an unknown field."""
+    if (table := tomllib.loads(file.read_text(encoding="utf-8")).get("tool", {}).get("symbolic-book")) is None:
+        return None
+    folders = {field: root / table.get(field, default) for field, default in FOLDERS.items()}
+    return Project(root, **table | folders | more)
+
+
 def project_of(folder: Path) -> Project:
     """Return the project that tools work on in a folder."""
-    near = next((path for place in (folder, *folder.parents) if (path := place / FILE).is_file()), None)
-    if near and TABLE in tomllib.loads(near.read_text(encoding="utf-8")).get("tool", {}):
-        return Project.read(near)
+    near = next((place for place in (folder, *folder.parents) if (place / FILE).is_file()), None)
     packed = HOME / "proofs" / FILE  # where the wheel has it
-    return Project.read(packed if packed.is_file() else HOME / FILE, root=HOME, writable=False)
+    project = near and read(near / FILE, near)
+    return project or read(packed if packed.is_file() else HOME / FILE, HOME, writable=False)
 
 
 PROJECT = project_of(Path.cwd())

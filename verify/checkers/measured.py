@@ -6,12 +6,10 @@ cited      the source is in the bibliography
 """
 
 import importlib
-import inspect
 import pkgutil
 import re
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, Theorems, incomplete
@@ -45,11 +43,6 @@ def measurements() -> dict[str, list[tuple[Callable, dict]]]:
 def library_for(theorem_id: str) -> str | None:
     """Return the library without which a theorem cannot be measured here, or None if it can."""
     return _left_out().get(theorem_id)
-
-
-def sources_of(theorem_id: str) -> set[Path]:
-    """Return the files in which a theorem's measurements are written."""
-    return {Path(inspect.getfile(function)).resolve() for function, _ in measurements().get(theorem_id, ())}
 
 
 def examine(theorem: Theorem, theorems: Theorems) -> Examination:

@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -102,7 +101,7 @@ REFUSED_FILES = [
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
     """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
-    monkeypatch.setattr(project, "PROJECT", replace(project.PROJECT, certificates=tmp_path))
+    monkeypatch.setattr(project, "PROJECT", project.PROJECT._replace(certificates=tmp_path))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
     for was, false, why in ((b'"-1"', b'"1"', "two sides differ"), (b'256": "', b'256": "0', "is another statement's")):
         path.write_bytes(GOOD_FILE.replace(was, false, 1))

@@ -10,11 +10,10 @@ from book.drawing.style import plot
 
 @figure
 def orbit() -> Drawing:
-    """An orbit of eccentricity 0.6, the sun at the origin of distances."""
-    eccentricity, anomaly = 0.6, np.linspace(0, 2 * np.pi, 201)
-    x, y, r = lambdify((a, e, E), (*planet, distance))(1.0, eccentricity, anomaly)
+    """An orbit of eccentricity 0.6, in half axes."""
+    x, y, r = lambdify((a, e, E), (*planet, distance))(1, 0.6, np.linspace(0, 2 * np.pi, 201))
     fig, ax = plot(height=3)
     ax.plot(x, y)
-    ax.plot(eccentricity, 0, "o")
+    ax.plot(0.6, 0, "o")
     ax.set_aspect("equal")
-    return Drawing(fig, numbers={"e": eccentricity, "nearest": r.min()}, data={"x": x, "y": y})
+    return Drawing(fig, numbers={"e": 0.6, "nearest": r.min()}, data={"x": x, "y": y})
