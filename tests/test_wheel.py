@@ -128,7 +128,7 @@ def test_what_is_in_the_wheel_and_in_the_archive(built):
         of_sources = {name.partition("/")[2] for name in sources.getnames()}
         (metadata,) = (packed.read(name).decode() for name in packed.namelist() if name.endswith("/METADATA"))
     assert {name.partition("/")[0] for name in held} == {"proofs", "renderer", "verify"}
-    assert held - of_sources == {"verify/references.bib", "verify/checkers/kernel.js", "proofs/pyproject.toml"}  # from elsewhere
+    assert held - of_sources == {"verify/references.bib", "verify/checkers/kernel.js", "proofs/pyproject.toml"}
     assert {name for name in held if "/test_" in name} == {"verify/test_theorems.py"}
     assert not any(name.startswith("releases") for name in of_sources)
     for told in ("Author: Dr. L. Van Warren", "Keywords: ", "Classifier: Private :: Do Not Upload"):
