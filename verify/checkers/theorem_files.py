@@ -8,10 +8,7 @@ from proofs.engine.project import PROJECT
 FOLDER = PROJECT.folder(PROJECT.theorems)
 TRUSTED = ("__init__", "language")
 IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", "proofs.engine.claim.")
-NAMES = {
-    "proofs.engine.theorem": {"Clause", "Mutant", "SideCondition", "Step", "Theorem", "variant"},
-    "sympy": {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"},
-}
+FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}
 BARRED = CHANGING | {"S"} | {*dir(builtins)} - BUILT_IN
@@ -33,8 +30,8 @@ def _why_not(node):
             return "imports a module, makes a class, or changes a name"
         case ast.Attribute(ctx=ast.Store() | ast.Del()) | ast.Subscript(ctx=ast.Store() | ast.Del()):
             return "assigns an attribute or an entry"
-        case ast.ImportFrom(level=0, module=module) if module in NAMES:
-            barred = {alias.name for alias in node.names} - NAMES[module]
+        case ast.ImportFrom(module="sympy"):
+            barred = {alias.name for alias in node.names} - FROM_SYMPY
         case ast.ImportFrom(level=0) if f"{node.module}.".startswith(IMPORTED):
             barred = {alias.name for alias in node.names} & BARRED
         case ast.ImportFrom():

@@ -1,10 +1,8 @@
 """The planet's distance from the sun, which is a focus of the ellipse."""
 
 from kepler.ellipse import E, a, distance, e, planet, sun
+from kepler.theorems.language import Claim, Theorem, equation, variant
 from sympy import sin
-
-from proofs.engine.claim import Claim, equation
-from proofs.engine.theorem import Theorem, variant
 
 (x, y), (focus, _) = planet, sun
 bound_orbit = (a > 0, e >= 0, e < 1)
