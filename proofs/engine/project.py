@@ -82,20 +82,15 @@ class Project(NamedTuple):
         return self.root.joinpath(*package.split("."))
 
 
-def read(file: Path, root: Path, **more: Any) -> Project | None:
-    """Return the project that a file describes, None where it has no table; raise TypeError on an unknown field."""
-    if (table := tomllib.loads(file.read_text(encoding="utf-8")).get("tool", {}).get("symbolic-book")) is None:
-        return None
-    folders = {field: root / table.get(field, default) for field, default in FOLDERS.items()}
-    return Project(root, **table | folders | more)
-
-
 def project_of(folder: Path) -> Project:
-    """Return the project that tools work on in a folder."""
-    near = next((place for place in (folder, *folder.parents) if (place / FILE).is_file()), None)
-    packed = HOME / "proofs" / FILE  # where the wheel has it
-    project = near and read(near / FILE, near)
-    return project or read(packed if packed.is_file() else HOME / FILE, HOME, writable=False)
+    """Return the project that tools work on in a folder; raise TypeError where its table has an unknown field."""
+    near = next((place for place in (folder, *folder.parents) if (place / FILE).is_file()), folder)
+    for root, file in ((near, near / FILE), (HOME, HOME / "proofs" / FILE), (HOME, HOME / FILE)):  # the wheel's, ours
+        table = tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+        if fields := table.get("tool", {}).get("symbolic-book"):
+            folders = {field: root / fields.get(field, default) for field, default in FOLDERS.items()}
+            return Project(root, **fields | folders, writable=root == near)
+    raise ValueError(f"no {FILE} has a table [tool.symbolic-book]")
 
 
 PROJECT = project_of(Path.cwd())
