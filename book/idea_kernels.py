@@ -19,9 +19,9 @@ from proofs.formulas.pixel import pixel
 from proofs.formulas.symbols import column, half, height, row, shininess, width, x, y
 from renderer import Scene, kernels, render
 from renderer.generate.kernels import function_of
-from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.operations import Number, sqrt
 from verify.accuracy.frontiers.fiction import angle_maps
+from verify.accuracy.step_terms import SLOPE_TERMS
 from verify.reference import scene_values
 
 DEGREES = 180.0  # in half a turn

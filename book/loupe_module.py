@@ -13,13 +13,14 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import exact
 from renderer.generate.programs import difference_of, differences
-from renderer.generate.step_terms import BOUNDS, SLOPE_TERMS
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, maximum, minimum
-from renderer.machines.rounded_inputs import bound_of_x, bound_of_y, of_scene
+from renderer.machines.forms import flat
 from renderer.operations import Number, nan
 from renderer.picture.differences import nearest_and_furthest
-from renderer.shader.numbers import flat, scene_numbers
+from renderer.shader.numbers import scene_numbers
+from renderer.shader.rounded_inputs import bound_of_x, bound_of_y, of_scene
 from renderer.shader.shader import difference
+from verify.accuracy.step_terms import BOUNDS, SLOPE_TERMS
 
 BY_ROUNDING = [TERMS.index(term) for term in ("argument rounding", "roundoff")]
 

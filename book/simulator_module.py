@@ -19,15 +19,16 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
 from renderer.files.srgb import tables, thresholds
-from renderer.generate.creases import crease_point, crease_rates
-from renderer.generate.step_terms import BOUNDS, slope_bound
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
-from renderer.machines.drawing_code import ARGUMENTS
+from renderer.machines.drawing_code import arguments
+from renderer.machines.forms import flat
 from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, flat, numbers_of, scene_numbers, style_of
-from renderer.shader.shader import ANGLES, CHART, SLOPES, WORK, Want
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
+from verify.accuracy.creases import crease_point, crease_rates
+from verify.accuracy.step_terms import BOUNDS, slope_bound
 
 SCENE = Scene()
 MODELS = {name: replace(SCENE, model=name) for name in LIGHT_MODELS}
@@ -106,7 +107,7 @@ def data() -> dict:
             for number, (n, scene) in enumerate(MODELS.items())
         },
         "max_algebraic": MAX_ALGEBRAIC,
-        "arguments": ARGUMENTS,
+        "arguments": arguments(PLANES),
         "counts": len(WORK),
         "lanes": LANES,
         "painting": PAINTING,

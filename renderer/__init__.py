@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # what _HOMES says, for type checkers
-    from renderer.generate.own import (
+    from renderer.generate.custom_fields import (
         HeightField as HeightField,
         cospi as cospi,
         k_u as k_u,
@@ -26,27 +26,27 @@ if TYPE_CHECKING:  # what _HOMES says, for type checkers
 
 _HOMES = {
     "Frame": "picture.frame",
-    "HeightField": "generate.own",
+    "HeightField": "generate.custom_fields",
     "Light": "scene.scene",
     "Scene": "scene.scene",
     "central": "scene.methods",
     "central4": "scene.methods",
-    "cospi": "generate.own",
+    "cospi": "generate.custom_fields",
     "exact": "scene.methods",
     "forward": "scene.methods",
     "gradient_at": "shader.gradients",
     "height_at": "shader.gradients",
-    "k_u": "generate.own",
-    "k_v": "generate.own",
+    "k_u": "generate.custom_fields",
+    "k_v": "generate.custom_fields",
     "pixel": "picture.pixel_record",
     "render": "picture.drawing",
-    "sinpi": "generate.own",
+    "sinpi": "generate.custom_fields",
     "stage_of": "picture.drawing",
-    "u": "generate.own",
-    "v": "generate.own",
+    "u": "generate.custom_fields",
+    "v": "generate.custom_fields",
     "__version__": "version",
 }
-__all__ = [name for name, home in _HOMES.items() if home not in ("generate.own", "version")]  # none imports SymPy
+__all__ = [n for n, home in _HOMES.items() if home not in ("generate.custom_fields", "version")]  # none imports SymPy
 
 
 if not TYPE_CHECKING:  # whose own list it would hide

@@ -668,7 +668,7 @@ def central4_in_v(height, u, v, k_u, k_v, epsilon):
     return h_v
 
 
-ULPS = {"sinpi": 1.53, "cospi": 1.53, "sinpi_of_product": 2.52, "cospi_of_product": 2.52, "atan2pi": 2.5, "exp": 1.0, "log": 0.52, "power": 1.5, "small_power": 11.03}
+ROUNDINGS = {"sinpi": 5.04, "cospi": 5.04, "atan2pi": 5.0, "exp": 2.0, "log": 1.04, "power": 3.0, "small_power": 22.06}
 SMALL_POWER = 2.117582368135751e-22
 
 

@@ -4,8 +4,7 @@
     python -m tests.measure_simulator --size 256 512     only these rasters
 
 A step of ε: milliseconds from the slider's event to the last of its pictures in a canvas. A drag: ε moves for five
-seconds, at every frame of the screen; what counts is the time between frames that show a new picture, and the share of
-all frames that do. A larger raster is drawn in 256² pixels then, and refined when it rests. The simulator of
+seconds, at every frame of the screen; what counts is the time between frames that show a new picture. The simulator of
 `--against`, a commit whose scripts are all committed, takes turns with today's, and the ratio of their steps is kept.
 Times belong to the machine that they were taken on; no test asserts them. Needs the built book, of the code that is to
 be measured. Writes verify/benchmark/results/simulator.json: commit it.
@@ -30,7 +29,6 @@ from verify.sources import ROOT
 
 PRINTED_IN_JAVASCRIPT = "2be60f7"  # a commit whose simulator was printed in JavaScript, and not compiled
 ROUNDS = 3
-PAGES_OWN = 256  # a larger raster is refined by the workers
 VIEWPORT = {"width": 1280, "height": 1000}
 TARGETS = {256: 25, 512: 42, 1024: 100}  # milliseconds between pictures, of a drag
 # A slider moves, as by hand; two frames later the next step, so that each picture is seen.
@@ -50,27 +48,15 @@ STEPS = """async (count) => {
 DRAG = """async (seconds) => {
     const { frames } = Simulator.running, slider = document.querySelector('#sim-eps');
     const shown = [], begin = performance.now();
-    let seen = frames.length, offered = 0;
+    let seen = frames.length;
     for (let now = begin; now < begin + 1000 * seconds; ) {
         now = await new Promise(requestAnimationFrame);
-        offered++;
         if (frames.length > seen) shown.push(now);
         seen = frames.length;
         slider.value = -1 - 14 * Math.abs(1 - 2 * (((now - begin) / 2500) % 1));
         slider.dispatchEvent(new Event('input', { bubbles: true }));
     }
-    return [shown.slice(1).map((time, n) => time - shown[n]), shown.length / offered];
-}"""
-# How long the workers take for all pixels of a larger raster, once it rests.
-REFINE = """async (count) => {
-    const { refined } = Simulator.running, slider = document.querySelector('#sim-eps'), begin = refined.length;
-    for (let step = 0; step < count; step++) {
-        slider.value = -1 - step;
-        slider.dispatchEvent(new Event('input', { bubbles: true }));
-        const before = refined.length;
-        for (let wait = 0; refined.length === before && wait < 300; wait++) await new Promise(requestAnimationFrame);
-    }
-    return refined.slice(begin);
+    return shown.slice(1).map((time, n) => time - shown[n]);
 }"""
 
 
@@ -90,25 +76,21 @@ def simulator_of(commit, folder):
 
 def measured(browser, pages, size):
     """Return the numbers of one raster. pages: {name: address}, of which "now" is dragged too."""
-    taken, between, shares, refined = {name: [] for name in pages}, [], [], []
+    taken, between = {name: [] for name in pages}, []
     for name in tqdm([*pages] * ROUNDS, desc=f"{size}²", unit="visit"):
         with opened(browser, f"{pages[name]}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
             tab.wait_for_timeout(4000)  # its idle work
             taken[name] += tab.evaluate(STEPS, 40)
             if name == "now":
-                times, share = tab.evaluate(DRAG, 5)
-                between, shares = between + times, [*shares, share]
-                refined += tab.evaluate(REFINE, 10) if size > PAGES_OWN else []
+                between += tab.evaluate(DRAG, 5)
     now, before = median(taken["now"]), median(taken["before"])
-    found = {
+    return {
         f"step_{size}_ms": now,
         f"drag_{size}_ms": median(between),
         f"drag_{size}_worst_ms": max(between),
         f"drag_{size}_within": sum(time <= TARGETS[size] for time in between) / len(between),
-        f"drag_{size}_share": median(shares),
         f"ratio_{size}": before / now,
     }
-    return found | ({f"refined_{size}_ms": median(refined)} if refined else {})
 
 
 def measure(size, against):

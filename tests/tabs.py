@@ -13,17 +13,12 @@ PHONE = {"viewport": {"width": 400, "height": 850}, "is_mobile": True, "has_touc
 RUNNING = "window.Simulator && Simulator.running && Simulator.running.frames.length > 0"
 CERTAIN = "#certified td:has-text('e')"  # once the certified bounds are there
 
-# Run before a page's own scripts, it counts in `seen`: for how many milliseconds tasks block it, when the last one
-# ended, how far the layout shifts, and when the simulator shows its first picture.
+# Run before a page's own scripts, it counts in `seen` how far the layout shifts.
 WATCH = """
-    window.seen = { blocked: 0, shift: 0, picture: 0, last: 0 };
-    const watch = (type, take) => new PerformanceObserver(list => list.getEntries().forEach(take)).observe({ type });
-    watch('longtask', task => { seen.blocked += task.duration - 50; seen.last = task.startTime + task.duration; });
-    watch('layout-shift', shift => { if (!shift.hadRecentInput) seen.shift += shift.value; });
-    (function look() {
-        if (window.Simulator?.running?.frames.length) seen.picture = performance.now();
-        else if (performance.now() < 60000) setTimeout(look, 20);
-    })();
+    window.seen = { shift: 0 };
+    new PerformanceObserver(list => list.getEntries().forEach(shift => {
+        if (!shift.hadRecentInput) seen.shift += shift.value;
+    })).observe({ type: 'layout-shift' });
 """
 
 

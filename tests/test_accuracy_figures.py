@@ -2,15 +2,12 @@
 
 import pytest
 
-from book.figures import certified_bounds, elementary_ulps, u_curve
-from verify.accuracy.certified_ulps import PIECES
+from book.figures import certified_bounds, u_curve
 from verify.accuracy.differences import bounds
 
-HALVED = [piece._replace(ulps=piece.ulps / 2) for piece in PIECES["cospi"]()]
 CASES = (
     (u_curve, {"bounds": lambda case: {part: limit / 4 for part, limit in bounds(case).items()}},
      u_curve.below.__wrapped__, (u_curve.STEEP,), "steep"),
-    (elementary_ulps, {"PIECES": {"cospi": lambda: HALVED}}, elementary_ulps._samples, ("cospi",), "certified is"),
     (certified_bounds, {"EACH": 1, "problems": lambda pixels: pixels[:1]}, certified_bounds.reference_pixels, (),
      "off by more than their bound"),
 )  # fmt: skip

@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import expect
 
 import book.__main__ as command_line
 from book.assembly import report, stamps, watch, website
@@ -52,17 +53,12 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(tmp_path, monkeyp
     with watch.builder(tmp_path, html.parent) as build:
         build()
         before = (html / "api.html").stat().st_mtime_ns
-        for words, wrong in {
-            "Two zebras": "",
-            "{no-such-role}`a`": "no-such-role",
-            "$\\no$": "\\no",
-            "Three zebras": "",
-        }.items():
+        for words, wrong in {"{no-such-role}`a`": "no-such-role", "$\\no$": "\\no", "Two zebras": ""}.items():
             (tmp_path / "s1.md").write_text(f"(s1)=\n# Bumps\n\n{words}.\n")
             assert wrong in (said := build()) and bool(said) == bool(wrong)
             (tmp_path / "index.md").write_text(f"# Page\n\n{words and 'Another'} edit.\n\n```{{bibliography}}\n```\n")
             assert build() == said  # of a page that is as wrong as it was
-    assert "Three zebras" in (html / "s1.html").read_text("utf-8")
+    assert "Two zebras" in (html / "s1.html").read_text("utf-8")
     assert before == (html / "api.html").stat().st_mtime_ns
 
 
@@ -71,13 +67,10 @@ def test_a_watched_page_shows_what_is_wrong_until_it_is_not(browser, tmp_path):
     site = watch.Site(tmp_path, 0)
     tab = browser.new_page()
     tab.goto(f"http://localhost:{site.server_port}/")
-    assert tab.inner_text("body").strip() == "before"
-    for words, wrong in {"once": "s1.md:3: WARNING: <no> & such", "twice": ""}.items():
-        (tmp_path / "index.html").write_text(f"<html><body class='a'><p>{words}</p></body></html>")
+    for wrong in ("s1.md:3: WARNING: <no> & such", ""):
         site.wrong = wrong
         site.built += 1
-        tab.get_by_text(words).wait_for()
-        assert tab.inner_text(".wrong") == wrong
+        expect(tab.locator(".wrong")).to_have_text(wrong)
     tab.close()
     site.shutdown()
 
@@ -148,12 +141,9 @@ def test_an_environment_is_of_the_python_that_is_named(make, tmp_path):
     make("PYTHON=python3.11", "environment-book")
     assert of() == "3.11"
     make("PYTHON=python3.13", "environment-book")
-    assert of() == "3.13"
     make("environment-book")  # no Python is named
+    assert "'python3.9' is " in make("PYTHON=python3.9", "environment-book", status=2)
     assert of() == "3.13"
-    for wrong in ("python3.9", "python2.0"):
-        assert f"'{wrong}' is " in make(f"PYTHON={wrong}", "environment-book", status=2)
-        assert of() == "3.13"
     assert (tmp_path / "installed").read_text().splitlines() == [
         f"{version} installs requirements-book.lock" for version in ("3.11", "3.13")
     ]

@@ -10,7 +10,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 from book.extension import pages
 from book.extension.numbers import typeset
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from tests import one_page
 from verify import records
 
@@ -144,11 +144,8 @@ def test_a_number_under_the_label_of_another_record_is_refused(book):
     "value, spec, expected",
     [
         (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
-        (1e-6, ".0e", "10^−6"),
         (-1.5, None, "−1.5"),
-        (1824, ",", "1,824"),
         (0.5, ".0%", "50%"),
-        (Interval(0.0467, 0.04669, 0.04671), None, "0.0467"),
         (Interval(4.1e-11, 3.96e-11, 4.04e-11), None, "4\u00a0×\u00a010^−11"),
     ],
 )

@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,7 +14,7 @@ from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import colour_of, plot
 from book.figures import eps_sweep
 from renderer import Scene, central, exact, render
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from tests.folders import contents
 from tests.processes import python
 
@@ -49,18 +48,17 @@ def saved(folder, id, function):
     return save.save(Registered(id, function), folder, "x.py", "key")
 
 
-def test_figures_have_unique_ids_and_a_docstring(monkeypatch):
+def test_figures_have_unique_ids(monkeypatch):
     monkeypatch.setattr(registry, "FIGURES", {})
     registry.figure("curve")(curve)
-    for id, drawn, why in (("curve", curve, "taken"), ("plain", lambda: Drawing(), "docstring")):
-        with pytest.raises(ValueError, match=why):
-            registry.figure(id)(drawn)
+    with pytest.raises(ValueError, match="taken"):
+        registry.figure("curve")(curve)
 
 
 def test_a_number_is_kept_with_its_ends_and_one_that_says_nothing_is_refused_by_name():
     numbers = plain_numbers("f", {"sine": {"rms": Interval(0.5, 0.4, 0.6)}})
     assert numbers == {"sine_rms": 0.5, "sine_rms_lower": 0.4, "sine_rms_upper": 0.6}
-    for value in (np.nan, np.inf, -np.inf, None, [1], 1j, np.zeros(2)):
+    for value in (np.nan, np.inf, None, [1], 1j):
         with pytest.raises(ValueError, match="figure 'f': number 'rms'"):
             plain_numbers("f", {"rms": value})
 
@@ -70,8 +68,6 @@ def test_what_is_certain_of_the_frames_that_a_picture_shows():
     most = max(frame.bounds.max() for frame in frames)
     assert certified(()) is None
     assert most <= certified(frames)["within"] < 1.1 * most and certified(frames)["undecided"] == 0
-    some = SimpleNamespace(bounds=frames[0].bounds, open=np.arange(576).reshape(24, 24) < 5)
-    assert certified((some,))["undecided"] == 5
 
 
 def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):
@@ -79,10 +75,8 @@ def test_plot_is_saved_light_and_dark_and_the_same_each_time(tmp_path):
     before = contents(tmp_path)
     assert sorted(before) == sorted(names)
     assert before["curve.svg"] != before["curve.dark.svg"]
-    assert b'width="480pt"' in before["curve.svg"]  # 640 CSS pixels: the text column
     description = json.loads(before["curve.json"])
-    assert description["numbers"] == {"count": 3, "least": 0.5}
-    assert (description["size"], description["about"]) == ([640, 192], "A falling curve.")
+    assert (description["numbers"], description["about"]) == ({"count": 3, "least": 0.5}, "A falling curve.")
     saved(tmp_path, "curve", curve)
     assert contents(tmp_path) == before
 
@@ -92,11 +86,10 @@ def test_render_is_saved_at_its_own_pixels_numbers_need_no_picture_and_others_ar
     saved(tmp_path, "render", lambda: Drawing(pixels))
     assert np.array_equal(np.asarray(Image.open(tmp_path / "render.png")), pixels)
     assert saved(tmp_path, "table", lambda: Drawing(numbers={"n": 1})) == ["table.json"]
-    before = contents(tmp_path)
-    for picture in (pixels / 255, pixels[0], "a.png"):
-        with pytest.raises((TypeError, AttributeError), match="uint8"):
+    for picture in (pixels / 255, pixels[0]):
+        with pytest.raises(TypeError, match="uint8"):
             saved(tmp_path, "odd", lambda picture=picture: Drawing(picture))
-    assert contents(tmp_path) == before
+    assert not [*tmp_path.glob("odd.*")]
 
 
 def test_reason_to_draw_again(stamped, monkeypatch):
@@ -109,11 +102,9 @@ def test_reason_to_draw_again(stamped, monkeypatch):
     path.write_text("<svg>")
     stamps.write("figures/curve", {"files": draw.files_of([path.name]), "sources": before})
     assert draw.why_redraw(entry, before) is None
-    assert draw.why_redraw(entry, before | {"book/new.py": "1", "python": "3.12"}) == "book/new.py changed and 1 more"
+    assert draw.why_redraw(entry, before | {"book/new.py": "1"}) == "book/new.py changed"
     path.write_text("<sv")
     assert draw.why_redraw(entry, before) == "curve.svg changed"
-    path.unlink()
-    assert draw.why_redraw(entry, before) == "curve.svg is missing"
 
 
 INTERRUPTED = """
@@ -162,23 +153,14 @@ def broken():
     raise ZeroDivisionError("no such slope")
 
 
-def test_two_processes_draw_what_one_draws_and_name_the_figure_that_raises(stamped, monkeypatch):
-    figures = {id: draw.all_figures()[id] for id in ("edited_formulas", "crease")}
-
-    def drawn(processes):
-        monkeypatch.setattr(draw, "PROCESSES", processes)
-        monkeypatch.setattr(draw, "GENERATED", stamped / f"by_{processes}")
-        draw.draw(force=True)
-
+def test_two_processes_name_the_figure_that_raises(stamped, monkeypatch):
+    figures = {"edited_formulas": draw.all_figures()["edited_formulas"], "broken": Registered("broken", broken)}
+    monkeypatch.setattr(draw, "GENERATED", stamped)
     monkeypatch.setattr(draw, "all_figures", lambda: figures)
-    drawn(1)
-    figures["broken"] = Registered("broken", broken)
     with pytest.raises(ZeroDivisionError, match="no such slope") as caught:
-        drawn(2)
+        draw.draw()
     assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
     assert not stamps.read("figures/broken")
-    one, two = (contents(stamped / f"by_{processes}") for processes in (1, 2))
-    assert one == two and len(one) > 2
 
 
 def test_a_picture_whose_error_is_above_what_its_slopes_allow_is_not_drawn(monkeypatch):
@@ -197,10 +179,8 @@ def line(heights):
 def test_columns_of_one_length_are_a_table_and_read_back_to_the_last_bit():
     third = np.array([1 / 3, 2e-308, np.nan, -0.0])
     content = save.data_file("f", Drawing(line(third), data={"third": third, "word": list("abcd")}))
-    assert content[".csv"].decode().splitlines()[:2] == ["third,word", "0.3333333333333333,a"]
     back = save.read_data("f.csv", content[".csv"])
-    assert np.array_equal(back["third"].view(np.int64), third.view(np.int64))
-    assert back["word"].tolist() == list("abcd")
+    assert back["third"].tobytes() == third.tobytes() and back["word"].tolist() == list("abcd")
 
 
 def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
@@ -208,7 +188,6 @@ def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
         ({}, "needs data="),
         ({"a": np.arange(5)}, "draws a curve that is not in its data: 0.5"),
         ({"a": [None]}, "'a' is object"),
-        ({"a": 1.0}, r"'a' is float64 of shape \(\)"),
         ({"a": np.random.default_rng(0).random(save.MOST_BYTES // 8)}, "at most"),
     ):
         with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):

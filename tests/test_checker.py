@@ -9,16 +9,11 @@ import pytest
 
 from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
-from tests.tabs import PHONE
 from tests.test_browser import violations
 from verify.checkers.second_checker import stored
 from verify.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Read or change the statement", "Check all"
-OPEN_EVERYTHING = """() => { for (const place of document.querySelectorAll('.checker[data-theorem]')) {
-    for (const button of place.querySelectorAll('.check-buttons button')) button.click();
-    for (const line of [...place.querySelectorAll('.check-line')].slice(-1)) line.click();
-} }"""
 # One sign is turned in what the first claim of unit_length shows.
 FALSIFY = """async place => {
     const data = await data_of(place), { claims } = [data].flat().find(({ theorem }) => theorem === 'unit_length');
@@ -27,13 +22,7 @@ FALSIFY = """async place => {
     of['h_u^2'] = '1';
     if ('all' in place.dataset) check_all(place, async () => data, checking_clerk());
     else checker_card(place, data, checking_clerk()); }"""
-COMPLAINTS = {
-    "cos_theta^2 +": "a term is missing",
-    "q": "nothing is called q here",
-    "1/0": "a division by zero",
-    "cos_theta^99": "an exponent is a whole number",
-    "(1 - 1)": "cannot be read",
-}
+COMPLAINTS = {"cos_theta^2 +": "a term is missing", "q": "nothing is called q here", "1/0": "a division by zero"}
 STORED = stored()
 CERTIFIED = {name.partition("/")[0] for name in STORED}
 PLACES = placements(ROOT / "book", all_theorems())
@@ -74,7 +63,6 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
     place = tab.locator(".checker[data-all]")
     said = verdict(place, CHECK_ALL)
     assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
-    assert place.locator("progress").evaluate("bar => [bar.value, bar.max]") == [len(STORED)] * 2
     marked = tab.locator("[data-claim]:has(.check-mark)")
     marks = dict(
         marked.evaluate_all("all => all.map(e => [e.dataset.claim, e.querySelector('.check-mark').innerText])")
@@ -94,9 +82,7 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
     place.locator(".check-line").first.press("Enter")
     for key in ("Tab", "Tab", "Space"):  # the second term's sign
         press(key)
-    said = rejected.inner_text()
-    assert "at line 15: the two sides differ" in said and changed.count() == 1
-    assert "It should be 0" in place.inner_text() and place.locator(".check-residual :is(sup, sub)").count() > 0
+    assert "at line 15: the two sides differ" in rejected.inner_text() and changed.count() == 1
     press("Space")  # and back: the focus has stayed
     place.get_by_text("as it was").wait_for()
     assert changed.count() == 0
@@ -108,18 +94,6 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
         box.fill(typed)
         assert complaint in error.inner_text() and box.get_attribute("aria-invalid") == "true"
     assert violations(tab, place="#theorem-unit_length") == []
-    verdict(place, "Put everything back")
-    place.get_by_text("as it was").wait_for()
-
-
-def test_a_change_that_leaves_it_true_is_accepted_and_said_to_be(visit):
-    """That sin² + cos² = 1 is what the oddness of a sine does not need."""
-    name = "clamped_difference_of_odd"
-    place = card(visit(PLACES[name]), name)
-    verdict(place, CHANGE)
-    place.locator(".check-line").nth(1).click()
-    place.locator(".check-chips button").first.click()
-    place.get_by_text("Accepted all the same").wait_for()
 
 
 @pytest.mark.parametrize("name, at, button, words", [
@@ -134,7 +108,6 @@ def test_a_false_certificate_is_rejected(visit, name, at, button, words):
     place.locator(".check-body").wait_for()
     place.evaluate(FALSIFY)
     assert re.search(words, verdict(place, button))
-    assert tab.locator(".check-rejected").count() == 1 + (name == "findings")
 
 
 SILENT = "window.Worker = class { postMessage() {} terminate() {} }"
@@ -170,18 +143,3 @@ def test_without_scripts_the_card_says_what_there_is(visit):
     assert place.get_by_role("button").count() == 0
     said = place.inner_text()
     assert "takes JavaScript" in said and "steps" not in said  # the data are not text
-
-
-def test_the_editor_fits_a_phone_and_a_finger(visit):
-    tab, unfold = visit("s3", **PHONE), "folds => folds.forEach(fold => { fold.open = true })"
-    tab.locator(".theorem > details").evaluate_all(unfold)
-    for place in tab.locator(".checker[data-theorem]").all():  # which has its buttons when it is near
-        place.scroll_into_view_if_needed()
-        place.locator(".check-body").wait_for()
-    tab.evaluate(OPEN_EVERYTHING)
-    tab.wait_for_function("[...document.querySelectorAll('.check-body > .check-verdict')].every(e => e.innerText)")
-    tab.locator(".checker details").evaluate_all(unfold)
-    assert tab.evaluate("document.documentElement.scrollWidth") <= PHONE["viewport"]["width"]
-    small = """parts => parts.filter(e => e.offsetWidth).map(e => [e.outerHTML.slice(0, 80), e.getBoundingClientRect()])
-        .filter(([_, box]) => box.height < 44 || box.width < 44).map(([html]) => html)"""
-    assert tab.locator(".checker :is(button, input, select, summary)").evaluate_all(small) == []

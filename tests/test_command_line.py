@@ -1,14 +1,11 @@
 """The command line: what it writes and prints, and how it refuses."""
 
-import io
 import os
 import re
 import shlex
 import sys
 import tomllib
-from concurrent.futures import BrokenExecutor
 from dataclasses import fields
-from itertools import product
 from unittest.mock import Mock
 
 import numpy as np
@@ -18,7 +15,7 @@ from PIL import Image
 import renderer
 from renderer import Light, Scene, central, render
 from renderer.command_line import grid
-from renderer.command_line.verbs import VERBS, main
+from renderer.command_line.verbs import main
 from renderer.files import record
 from renderer.kernels import FIELDS
 from renderer.picture import views
@@ -68,26 +65,20 @@ def test_image(name, tmp_path, capsys):
         assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
 
 
-def test_a_step_that_float64_loses_is_told_in_one_line(tmp_path, capsys):
-    assert run("image", "--size", 8, "--gradient", "forward", "--eps", "1e-17", "--out", tmp_path / "a.png") == 0
-    assert re.fullmatch(
-        r"symbolic-rendering image: warning: eps = 1e-17 is below 2\^-53, .*\n", capsys.readouterr().err
-    )
-
-
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
     names = ["numeric", "symbolic", "slope", "kink", "difference_linear", "difference_logarithmic"]
-    assert sorted(path.stem for path in folder.iterdir()) == sorted(names)
     assert capsys.readouterr().out == f"wrote {folder}: {', '.join(f'{name}.png' for name in names)}\n"
     one, other = render(Scene(), 24, 24, central(1e-2)), render(Scene(), 24, 24)
     assert shows(folder / "numeric.png", one) and shows(folder / "symbolic.png", other)
     linear = np.asarray(Image.open(folder / "difference_linear.png"))
-    np.testing.assert_array_equal(linear, views.difference_linear(one.rgb - other.rgb))
+    assert (linear == views.difference_linear(one.rgb - other.rgb)).all()
 
 
-def test_sweep(tmp_path, capsys):
+def test_sweep(tmp_path, monkeypatch, capsys):
+    """Without tqdm, too."""
+    monkeypatch.setitem(sys.modules, "tqdm", None)
     target = tmp_path / "a.csv"
     assert run("sweep", "--size", 32, "--eps", "1e-2", "1e-3", "--gradient", "forward", "--csv", target) == 0
     first, *expected = table(sweep(Scene(), 32, 32, (1e-2, 1e-3), "forward")).splitlines()
@@ -98,16 +89,12 @@ def test_sweep(tmp_path, capsys):
     assert len(target.read_text().splitlines()) == 3
 
 
-@pytest.mark.parametrize(
-    "error, status, told",
-    [(KeyboardInterrupt, 130, "interrupted: "), (BrokenExecutor, 2, "error: the workers are gone; ")],
-)
-def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path, monkeypatch, capsys):
+def test_a_sweep_that_ends_early_says_what_is_kept(tmp_path, monkeypatch, capsys):
     kept, compare = tmp_path / "a.jsonl", grid.compare_batch
 
     def ended(batch, *arguments):
         if len(batch) < 8:
-            raise error
+            raise KeyboardInterrupt
         return compare(batch, *arguments)
 
     monkeypatch.setattr(grid, "compare_batch", ended)
@@ -117,8 +104,8 @@ def test_a_sweep_that_ends_early_says_what_is_kept(error, status, told, tmp_path
         ([], "nothing is kept without --checkpoint"),
         (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
     ):
-        assert run(*command, *options) == status
-        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: {told}{rest}\n")
+        assert run(*command, *options) == 130
+        assert capsys.readouterr() == ("", f"symbolic-rendering sweep: interrupted: {rest}\n")
 
 
 @pytest.mark.parametrize(
@@ -139,105 +126,56 @@ def test_what_needs_an_extra_that_is_not_installed_names_it(module, extra, argum
     assert contents(tmp_path) == {}
 
 
-@pytest.mark.parametrize("is_terminal", [True, False])
-def test_without_tqdm_a_terminal_is_told_what_is_under_way(is_terminal, monkeypatch, capsys):
-    monkeypatch.setitem(sys.modules, "tqdm", None)
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: is_terminal)
-    for name, options in {"eps": ["--eps", "1e-3"], "batches of frames": ["--eps", "1e-3", "--workers", "1"]}.items():
-        assert run("sweep", "--size", "8", "--no-facts", *options) == 0
-        assert capsys.readouterr().err == (f"{name} …\n" if is_terminal else "")
-
-
 LONG = "a" * 300 + ".png"
-LARGE = "+".join(f"sinpi({number}*u)" for number in range(90))
 REFUSED = {
     "image": {
         "--out a.jpg": "out = 'a.jpg' is not allowed: a file name that ends in .png or .tif or .tiff or",
-        "--out ''": "out = '' is not allowed: a file name that ends in",
         "--out nowhere/a.png": "out = 'nowhere/a.png' is not allowed: a file in a folder that exists",
         "--out a.npz --bounds ./a.npz": "bounds = './a.npz' is not allowed: another file than --out",
-        "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
-        "--again ''": "again = '' is not allowed: no --size beside it",
-        "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
         "--out a.npy --bounds a.npz": "bounds = 'a.npz' is not allowed: no --out that is drawn in bands",
-        "--gradient foo": "gradient = 'foo' is not allowed: one of 'exact', 'forward', 'central', 'central4'",
+        "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
+        f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
+        "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
+        "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
+        "--again ''": "again = '' is not allowed: no --size beside it",
+        "--again a.png --scene a.toml": "again = 'a.png' is not allowed: no --scene beside it",
         "--field SINE": f"field = 'SINE' is not allowed: one of {', '.join(map(repr, FIELDS))}",
         "--eps 1e-2": "eps = 0.01 is not allowed: none beside the exact gradient",
-        "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
-        f"--field-expression {LARGE}": "field = --field-expression is not allowed: at most 1000 operations",
         "--gradient central --eps -1e-3": "eps = -0.001 is not allowed: a finite number from 1e-40 to 0.5",
         "--beta -inf": "beta = -inf is not allowed: a finite number from -1e+100 to 1e+100",
         "--crop 0,0,9,9": "crop = (0, 0, 9, 9) is not allowed: (left, top, width, height), whole numbers",
         "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
         "--threads 0": "threads = 0 is not allowed: a whole number from 1 to 256",
         "--light 1,2": "argument --light: '1,2' is not allowed: X,Y,Z or X,Y,Z,R,G,B",
+        "--light 1,2,3,-1,1,1": "light.color[0] = -1.0 is not allowed: a finite number from 0 to 1e+06",
         "--ball-center 0,0": "argument --ball-center: '0,0' is not allowed: X,Y,Z",
         "--crop a,b,c,d": "argument --crop: 'a,b,c,d' is not allowed: LEFT,TOP,WIDTH,HEIGHT",
         "--ku abc": "argument --ku: 'abc' is not allowed: a number",
         "--size 1e3": "argument --size: '1e3' is not allowed: a whole number",
         "--beta": "argument --beta: expected one argument",
         "--bet 1": "unrecognized arguments: --bet 1",
-        "--no-ball 1": "unrecognized arguments: 1",
-        "--light 5,5,10 " * 6: "lights = 6 lights is not allowed: a sequence of at most 5 Light",
-        "--out file/a.png": "out = 'file/a.png' is not allowed: a file in a folder that exists",
-        "--out a.png.gz": "out = 'a.png.gz' is not allowed: a file name that ends in",
-        "--height -3": "height = -3 is not allowed: a whole number from 1 to 16777216",
-        "--kv 1e7": "kv = 10000000.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06",
-        "--radius 4": "eye = 4.0 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 4",
-        "--ball-center 0,0,4": "ball_center = (0.0, 0.0, 4.0) is not allowed: B clear of the eye",
-        "--albedo-a 0,0,2": "albedo_a[2] = 2.0 is not allowed: a finite number from 0 to 1",
-        "--ambient 0,-1,0": "ambient[1] = -1.0 is not allowed: a finite number from 0 to 1e+06",
-        "--radius 0": "radius = 0.0 is not allowed: a finite number from 1e-60 to 1e+60",
-        "--kd -0.1": "kd = -0.1 is not allowed: a finite number from 0 to 1e+06",
-        "--ku 1048577": "ku = 1048577.0 is not allowed: a finite number from -1.04858e+06 to 1.04858e+06",
-        "--shininess 0": "shininess = 0.0 is not allowed: a finite number from 0.001 to 1e+06",
-        "--floor-tint 1.5": "floor_tint = 1.5 is not allowed: a finite number from 0 to 1",
-        "--ball-radius 0": "ball_radius = 0.0 is not allowed: a finite number from 1e-09 to 1e+09",
-        "--ball-center 0,2e9,0": "ball_center[1] = 2000000000.0 is not allowed: a finite number from -1e+09 to 1e+09",
-        "--light 5,5,5 --light 3,0,0": "lights[1].position = (3.0, 0.0, 0.0) is not allowed: off the floor",
-        "--light 3e9,0,1": "lights[0].position[0] = 3000000000.0 is not allowed: a finite number",
-        "--light 1,2,nan": "light.position[2] = nan is not allowed: a finite number from -inf to inf",
-        "--light 1,2,3,-1,1,1": "light.color[0] = -1.0 is not allowed: a finite number from 0 to 1e+06",
-        "--out .png": "out = '.png' is not allowed: a file name that ends in",
-        f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
-        "--again a.png --beta 1": "again = 'a.png' is not allowed: no --beta beside it",
-        "--again a.png --scene a.toml": "again = 'a.png' is not allowed: no --scene beside it",
-        "--again a.png --field-expression v": "again = 'a.png' is not allowed: no --field-expression beside it",
-        "--again a.npz --crop 0,0,1,1": "again = 'a.npz' is not allowed: no --crop beside it",
-        "--again a.npz --eps 0.1": "again = 'a.npz' is not allowed: no --eps beside it",
         "--field-expression -u*v": "expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1, "
         "{v: 1/7, k_u: 2, k_v: 1}, without --field-seam",
-        '--field-expression "u\'"': 'expression = "u\'" is not allowed: no formula has the letter',
         "--field-seam": "field-seam = True is not allowed: given with --field-expression",
     },
     "views": {
         "--gradient exact": "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'",
-        "--gain -1": "gain = -1.0 is not allowed: a finite number from 0 to 1e+300",
         "--out file": "out = 'file' is not allowed: File exists",
-        "--out file/views": "out = 'file/views' is not allowed: Not a directory",
         "--out 'new/a\0b'": "out = 'new/a\\x00b' is not allowed: a file's name, without the character 0",
-        "--size 20000": "width * height = 400000000 is not allowed: at most 268435456 drawn pixels",
         "--crop 0,0,1,1": "unrecognized arguments: --crop 0,0,1,1",
     },
-    "doctor": {"--size 8": "unrecognized arguments: --size 8"},
-    "": {"": "", "draw": "", "image": "the following arguments are required: --out", "views": ""},
+    "": {"": "", "draw": "", "image": "the following arguments are required: --out"},
     "sweep": {
-        "--eps 1e-3 -1": "eps = -1.0 is not allowed: a finite number from 1e-40 to 0.5",
         "--csv ''": "csv = '' is not allowed: a file name that ends in .csv",
         "--checkpoint ''": "checkpoint = '' is not allowed: a file name that ends in .jsonl",
-        "--field sine,foo": f"field = 'foo' is not allowed: one of {', '.join(map(repr, FIELDS))}",
         "--size 8,0": "width = 0 is not allowed: a whole number from 1 to 16777216",
-        "--gradient central,foo": "gradient = 'foo' is not allowed: one of 'forward', 'central', 'central4'",
-        "--gradient exact": "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'",
         "--beta 0.1,": "argument --beta: '' is not allowed: a number",
         "--workers 0": "workers = 0 is not allowed: a whole number from 1 to 256",
         "--dask foo --workers 2": "dask = 'foo' is not allowed: no --workers beside it",
         "--dask foo": "dask = 'foo' is not allowed: the address of a scheduler that answers (missing port",
-        "--checkpoint a.jsonl --dask foo": "dask = 'foo' is not allowed: the address of a scheduler",
-        "--eps": "argument --eps: expected at least one argument",
     },
 }
-"""{verb: {options: what is said of them}}: values have tests of their own, here are a few of each kind of option."""
+"""{verb: {options: what is said of them}}: values have tests of their own, here is one of each kind of option."""
 TARGETS = {"image": "--size 8 --out a.png", "views": "--size 8 --out views", "sweep": "--size 8"}
 
 
@@ -259,16 +197,6 @@ def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):
     assert capsys.readouterr().err == f"symbolic-rendering image: error: {error}\n"
 
 
-def test_help(monkeypatch):
-    for verb, encoding in product(("", *VERBS), ("ascii", "cp1252", "utf-8")):
-        printed = io.TextIOWrapper(io.BytesIO(), encoding)
-        monkeypatch.setattr("sys.stdout", printed)
-        assert run(*verb.split(), "--help") == 0
-        printed.flush()
-        out = printed.buffer.getvalue().decode(encoding)
-        assert out.startswith(f"usage: symbolic-rendering {verb}") and "\\" not in out
-
-
 def test_a_letter_that_the_terminal_lacks_is_no_error(tmp_path):
     settings = os.environ | {"PYTHONIOENCODING": "ascii"}
     told, _ = python("-m", "renderer", "image", "--size", "8", "--out", tmp_path / "é.png", env=settings)
@@ -283,17 +211,13 @@ def test_the_version(capsys):
 
 
 def test_doctor(tmp_path, monkeypatch, capsys):
-    for kept, told in (("off", "not kept"), (str(tmp_path / "new"), "not there yet"), (str(tmp_path), "0 files")):
-        monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", kept)
-        assert run("doctor") == 0
-        out = capsys.readouterr().out
-        assert all(
-            f"{what} ." in out for what in ("symbolic-rendering", "Python", "NumPy", "zlib-ng", "llvmlite", "threads")
-        )
-        assert told in out
+    monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(tmp_path))
+    assert run("doctor") == 0
+    out = capsys.readouterr().out
+    assert all(f"{told} ." in out for told in ("symbolic-rendering", "NumPy", "llvmlite")) and "0 files" in out
 
 
-def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):
+def test_a_picture_in_a_pipe(monkeypatch, capsys):
     """Read to its end, or by somebody who has soon had enough; a terminal is refused."""
     command = ["-m", "renderer", "image", "--size", "300", "--out", "-"]
     with started(*command, encoding=None) as done:
@@ -304,12 +228,9 @@ def test_a_picture_in_a_pipe(tmp_path, monkeypatch, capsys):
         child.stdout.close()
         assert (child.stderr.read(), child.wait()) == ("", 141)
     told = "out = '-' is not allowed: a file, or standard output that is no terminal"
-    for name, other in (("sys.stdout.isatty", lambda: True), ("sys.stdout", None)):
-        monkeypatch.setattr(name, other)
-        assert run(*command[2:]) == 2
-        assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
-    monkeypatch.setattr("sys.stderr", None)
-    assert run("image", "--size", "8", "--out", tmp_path / "a.npy") == 0
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    assert run(*command[2:]) == 2
+    assert capsys.readouterr() == ("", f"symbolic-rendering image: error: {told}\n")
 
 
 WITHOUT = ["sys.modules['llvmlite'] = None", "import llvmlite.binding; del llvmlite.binding.create_pass_builder"]

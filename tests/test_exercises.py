@@ -17,14 +17,6 @@ def answers(section):
     return [(match["code"], match["printed"]) for match in ANSWER.finditer(text)]
 
 
-def test_six_sections_have_three_exercises_each():
-    assert len(SECTIONS) == 6
-    for section in SECTIONS:
-        page = (FOLDER.parent / f"{section}.md").read_text("utf-8")
-        assert page.count(f"```{{include}} exercises/{section}.md\n```") == 1
-        assert len(answers(section)) == 3
-
-
 @pytest.mark.parametrize("section", SECTIONS)
 def test_answers_print_what_stands_below_them_and_one_with_a_wrong_formula_does_not(section, capsys):
     for code, expected in answers(section):

@@ -8,8 +8,8 @@ import pytest
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.enclosed import RULES
 from verify.accuracy.differences import PER_DECADE
-from verify.checkers.measurements.creases import SIZE
-from verify.checkers.measurements.pole import POINTS
+from verify.measurements.creases import SIZE
+from verify.measurements.pole import POINTS
 from verify.sources import ROOT
 
 BOOK = ROOT / "book"

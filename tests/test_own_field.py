@@ -10,11 +10,11 @@ from random import Random
 import mpmath
 import numpy as np
 import pytest
-from sympy import Mul, Piecewise, Rational, exp, pi
+from sympy import Mul, Piecewise, Rational, exp, log, pi, sqrt
 
-from proofs.engine.program import flat
-from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient, height
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.printers.text import LONGEST
 from renderer import (
     HeightField,
     Scene,
@@ -33,18 +33,16 @@ from renderer import (
 )
 from renderer.command_line.verbs import main
 from renderer.files import record
-from renderer.generate.expression import LONGEST, expression_text, parse_expression
-from renderer.generate.own_kernels import CALLED, OwnPrinter
+from renderer.generate.custom_printer import CALLED, OwnPrinter
+from renderer.generate.reader import expression_text, parse_expression
 from renderer.machines import native, numpy_rows
-from renderer.machines.enclosing import Enclosed
-from renderer.scene.own import field_from_record, field_kernels
+from renderer.scene.own import field_kernels
 from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
 from tests.processes import python
 from tests.refusals import rejection
 from tests.test_machines import differing, drawn_by, held
 from verify.enclosed_pixels import wrong
-from verify.evaluate.arrays import in_balls
 
 DUNES = "exp(-8*(v-1/2)**2)*sinpi(k_u*u)"
 WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/3)", "sign(2+sinpi(k_u*u))")
@@ -63,7 +61,7 @@ def formula(random, depth=3):
 
 
 @cache
-def accepted(count=40):
+def accepted(count=24):
     """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
     random, found = Random(28), {}
     while len(found) < count:
@@ -101,7 +99,7 @@ def assert_drawn(scene, method, monkeypatch):
     assert not any(wrong(frame, *place) for place in ((10, 6), (13, 9), (8, 8), (12, 4), (2, 14)))
 
 
-@pytest.mark.parametrize("number", range(40))
+@pytest.mark.parametrize("number", range(24))
 def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(number, monkeypatch):
     """Bits, gradients against mpmath's at 60 digits, bounds against 256-bit balls."""
     text, field = accepted()[number]
@@ -117,48 +115,34 @@ def test_a_wrong_slope_is_noticed():
 
 HOSTILE = [
     "__import__('os')", "u" * 10**6, "(" * 500 + "u" + ")" * 500, "-" * (LONGEST - 1) + "u",
-    "9**9**9", "((9**64)**64)**64", "(u**64)**64", "u**65", "u**v", "1e99", "1e999", "*".join("u" * 200),
-    "I", "1/0", "log(-1)", "exp.__class__", "ｕ", "u<v", "u<v<1", "u if v else 1", "(u,)", "u//v", "u|v",
-    "u\nv", "", "u u", "True", "0x10", "exp", "exp(u,v)", "exp(u,v=1)", "max(*u)", "eval(u)",
-    "Piecewise((u,v))", "exp(exp(exp(20)))", "sinpi(exp(exp(20)))",
-    "abs(v-" * 9 + "u" + ")" * 9,
-    "max(" + ",".join("uv" * 20) + ")",
-    "sqrt(u-2)", "Piecewise((v,v>1))", "cospi((k_u/2+k_v)*u)",
+    "9**9**9", "((9**64)**64)**64", "u**65", "u**v", "1e999", "*".join("u" * 200), "I", "1/0", "log(-1)",
+    "exp.__class__", "ｕ", "u<v<1", "u if v else 1", "(u,)", "u//v", "u\nv", "", "True", "0x10", "exp", "exp(u,v)",
+    "max(*u)", "Piecewise((u,v))", "sinpi(exp(exp(20)))", "abs(v-" * 9 + "u" + ")" * 9,
+    "max(" + ",".join("uv" * 20) + ")", "sqrt(u-2)", "cospi((k_u/2+k_v)*u)",
 ]  # fmt: skip
+LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "*".join(f"(v+{n})" for n in range(1, 199))]
 
 
-@pytest.mark.parametrize("text", HOSTILE, ids=range(len(HOSTILE)))
+@pytest.mark.parametrize("text", HOSTILE + LONG, ids=range(len(HOSTILE + LONG)))
 def test_a_hostile_formula_is_refused_in_a_sentence(text):
+    """One that would take long is refused at once."""
     said = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
-    assert said.startswith("expression = ") and len(said) < 400
+    assert said.startswith("field = 'hostile' is not allowed: at most" if text in LONG else "expression = ")
+    assert len(said) < 400
 
 
 def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
-    for name, expression, said in (
-        ("unevaluated", Mul(2, v + Rational(1, 3), evaluate=False), "as SymPy evaluates it"),
-        ("long", sum(sinpi(n * k_v * v) for n in range(1, 200)), "'long' is not allowed: at most 1000 operations"),
-    ):
-        scene = Scene(field=HeightField(name, expression))
-        assert said in rejection(scene.as_record)
-        with drawn_by(numpy_rows.drawer):
-            render(scene, 4, 4).save(tmp_path / "a.npz")
-        assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
-
-
-LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "sinpi(" * 38 + "v" + ")" * 38, "*".join(f"(v+{n})" for n in range(1, 199))]
-
-
-@pytest.mark.parametrize("text", LONG, ids=range(len(LONG)))
-def test_a_formula_that_would_take_long_is_refused_at_once(text):
-    said = rejection(field_from_record, {"name": "long", "expression": text})
-    assert "'long' is not allowed: at most 1000 op" in said
+    scene = Scene(field=HeightField("unevaluated", Mul(2, v + Rational(1, 3), evaluate=False)))
+    assert "as SymPy evaluates it" in rejection(scene.as_record)
+    with drawn_by(numpy_rows.drawer):
+        render(scene, 4, 4).save(tmp_path / "a.npz")
+    assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
 
 
 NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
-    "name = 'twice'": lambda: [Scene(field=HeightField("twice", each)) for each in (v, v**2)],
+    "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
-    "is not allowed: one of 'blinn'": lambda: Scene(model=HEIGHT_FIELDS["sine"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
     "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),
@@ -172,38 +156,20 @@ def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
 
 
-def test_what_was_refused_has_no_name():
-    for expression in (v / 10**400, sinpi(k_u * u) / (2 * v - 1)):
-        rejection(HeightField, "mended", expression)
-    assert Scene(field=HeightField("mended", v * sinpi(k_u * u)))
-
-
-def test_a_name_may_be_given_again_to_the_same_formula():
-    first, again = (Scene(field=HeightField("same", exp(v) * sinpi(k_u * u))) for _ in range(2))
-    assert again == first and again.field is first.field
+def test_a_field_is_kept_by_its_formula():
+    """A name is a label, whatever was drawn by it or refused; one of the chapter's is the chapter's."""
+    rejection(HeightField, "label", v / 10**400)
+    labels = ("label", 2), ("label", 4), ("label", 2), ("another", 4)
+    scenes = [Scene(field=HeightField(name, exp(v) * sinpi(rate * u))) for name, rate in labels]
+    first, edited, again, renamed = (render(scene, 8, 8).rgb.tobytes() for scene in scenes)
+    assert first == again != edited == renamed
+    assert scenes[0] == scenes[2] != scenes[1] != scenes[3]
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
-
-
-RATIO = "9329113965543663/9340691059763681"
-CONSTANTS = [f"v*{RATIO}", "v*0.9643500889615229", "-v*(2**64 + 1)/3e-50", f"exp(v*{RATIO})", "v*sqrt(2)", "v/pi"]
-CONSTANTS += ["v*(pi + 1)", "exp(1/3)*v", "v*pi**2/6", "v/3 + pi*v/7", "v*log(3)/log(2)"]
-
-
-@pytest.mark.parametrize("text", CONSTANTS)
-def test_a_constant_of_ones_own_has_a_bound(text):
-    """Of h and of its slopes, at v = 1, where nothing else is rounded."""
-    field = HeightField(f"constant_{CONSTANTS.index(text)}", parse_expression(text))
-    at = dict(zip(("u", "v", "k_u", "k_v"), (0.25, 1.0, 8.0, 4.0), strict=True))
-    for role, program in (("height", height(field)), ("gradient", gradient(field))):
-        found = flat(field_kernels(field)[role](*map(Enclosed, map(np.float64, at.values()))))
-        true = in_balls(program, at)
-        for number, ball in zip(map(Enclosed.of, found), (true[s.name].item() for s in program.outputs), strict=True):
-            assert abs(ball - float(number.value)) <= number.bound
 
 
 def test_no_constant_is_further_off_than_it_says():
     """π from its 151st digit on; decimals as floats are printed; quotients of any size, from the least float64 on."""
-    random, numbers = Random(47), [pi * 10**150 - int(pi.n(160) * 10**150)]
+    random, numbers = Random(47), [pi * 10**150 - int(pi.n(160) * 10**150), sqrt(2), pi**2 / 6, log(3) / log(2)]
     for bits in range(10**4):
         p, q = (random.getrandbits(bits % 200) | 1 for _ in "pq")
         numbers += Rational(repr(random.random())), Rational(-p, q) * Rational(2) ** random.randint(-1070, 820)
@@ -211,11 +177,11 @@ def test_no_constant_is_further_off_than_it_says():
         assert abs(number - Rational(constant)) <= Rational(getattr(constant, "error", 0))
 
 
-@pytest.mark.parametrize("text", CONSTANTS[:3])
+@pytest.mark.parametrize("text", ["9329113965543663/9340691059763681", "0.9643500889615229", "(2**64 + 1)/3e-50"])
 def test_a_constant_that_cancels_has_a_bound(text, monkeypatch):
-    number = parse_expression(text) / v
+    number = parse_expression(text)
     step = Piecewise((Rational(float(number)), sinpi(v / 2) >= 0), (2, True))
-    field = HeightField(f"cancels_{CONSTANTS.index(text)}", (number - step) * u, seam=True)
+    field = HeightField(f"cancels_{len(text)}", (number - step) * u, seam=True)
     assert_drawn(Scene(field=field, beta=1e14), exact(), monkeypatch)
 
 
@@ -258,10 +224,7 @@ def test_the_next_process_compiles_nothing(tmp_path):
 
 def test_the_command_line_takes_a_formula(tmp_path, capsys):
     target = tmp_path / "own.npy"
-    own = ["--field-expression", DUNES, "--size", "24"]
-    assert main(["image", *own, "--out", str(target)]) == 0
-    drawn = Scene(field=HeightField("dunes_of_one_line", parse_expression(DUNES)))
-    assert shows(target, render(drawn, 24, 24))
-    assert main(["sweep", *own, "--no-facts", "--eps", "1e-3"]) == 0
-    assert re.search(r"\nown_\w{6}, blinn, 24 x 24", capsys.readouterr().out)
     assert main(["image", "--field-expression", "u*v", "--field-seam", "--size", "8", "--out", str(target)]) == 0
+    assert shows(target, render(Scene(field=HeightField("torn_at_u_0", u * v, seam=True)), 8, 8))
+    assert main(["sweep", "--field-expression", DUNES, "--size", "24", "--no-facts", "--eps", "1e-3"]) == 0
+    assert re.search(r"own_\w{6}, blinn, 24 x 24", capsys.readouterr().out)

@@ -13,11 +13,8 @@ from renderer import Light, Scene, exact, gradient_at, height_at, pixel, render,
 from renderer.machines import native, numpy_rows
 from renderer.picture import views
 from renderer.picture.differences import difference_on_a, distance_on_a
-from renderer.picture.stage import Stage
 from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
-from renderer.scene.methods import GradientMethod
-from renderer.scene.raster import Raster
 from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
 from tests.test_machines import drawn_by
@@ -33,13 +30,10 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-def test_shapes_types_and_memory_that_serves_again():
+def test_shapes_and_types():
     frame = render(DEFAULT, 30, 20)
     assert frame.rgb.shape == (20, 30, 3)
     assert [getattr(frame, name).dtype for name in PLANES] == ["float64", "uint8", "bool", "float64", "bool"]
-    place = frame.planes.ctypes.data
-    del frame
-    assert render(DEFAULT, 30, 20).planes.ctypes.data == place
 
 
 def with_parts(scene, parts, names):
@@ -48,7 +42,7 @@ def with_parts(scene, parts, names):
 
 
 @pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(looks, rasters(), st.data())
 def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
     """No bump and no shading moves a boundary: the same bits as a picture that is drawn whole, chambers among them."""
@@ -66,29 +60,17 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
                 assert "is not allowed: another frame has been drawn into it" in rejection(gone)
 
 
-@pytest.mark.parametrize("name", [*SHADING, "lights"])
-def test_a_stage_serves_another_shading(name):
-    red = tuple(Light(light.position, (1, 0, 0)) for light in DEFAULT.lights)
-    value = {"model": "phong", "lights": red}.get(name) or 0.5 * np.array(getattr(DEFAULT, name))
-    shaded, stage = replace(DEFAULT, **{name: value}), render(DEFAULT, 32, 32).stage
-    for scene in (DEFAULT, shaded):
-        assert same(render(scene, 32, 32, stage=stage), render(scene, 32, 32))
-
-
-def test_a_stage_of_another_scene_raster_or_crop_is_rejected():
-    off = Light((5, 5, 10), None), DEFAULT.lights[1]
-    others = {"eye": 5.0}, {"radius": 0.9}, {"ball": False}, {"floor": False}, {"ball_radius": 0.3}, {"lights": off}
+def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_crop():
+    red, off = (tuple(Light(light.position, colour) for light in DEFAULT.lights) for colour in ((1, 0, 0), None))
+    coloured = replace(DEFAULT, lights=red)
+    assert same(render(coloured, 16, 16, stage=stage_of(DEFAULT, 16, 16)), render(coloured, 16, 16))
+    others = {"eye": 5.0}, {"ball": False}, {"ball_radius": 0.3}, {"lights": off}
     stages = [stage_of(replace(DEFAULT, **other), 16, 16) for other in others]
     for stage in (*stages, stage_of(DEFAULT, 16, 17), stage_of(DEFAULT, 16, 16, (8, 8, 4, 4))):
-        for crop in (None, (0, 0, 4, 4)):
-            assert rejection(render, DEFAULT, 16, 16, crop=crop, stage=stage).startswith("stage = ")
-
-
-def test_a_frame_of_another_stage_or_shading_is_not_drawn_into():
+        assert rejection(render, DEFAULT, 16, 16, stage=stage).startswith("stage = ")
     frame = render(DEFAULT, 16, 16)
-    for scene, stage in ((DEFAULT, None), (DEFAULT, stage_of(DEFAULT, 16, 16)), (Scene(ka=0.5), frame.stage)):
-        said = rejection(render, scene, 16, 16, into=frame, stage=stage)
-        assert said.startswith("into = ") and "a frame of the stage" in said
+    for scene, stage in ((DEFAULT, None), (Scene(ka=0.5), frame.stage)):  # nor a frame of another stage or shading
+        assert rejection(render, scene, 16, 16, into=frame, stage=stage).startswith("into = ")
 
 
 @pytest.mark.parametrize(
@@ -96,14 +78,11 @@ def test_a_frame_of_another_stage_or_shading_is_not_drawn_into():
     [
         ("ridges", 64, 64, True),
         ("ridges", -8, -3, True),
-        ("ridges", 0, 0, True),
         ("ridges", 66, 4, False),
-        ("ridges", 8, 65, False),
         ("ridges", 7, 4, False),
         ("ridges", 8, 2.5, False),
         ("rings", 7.3, 2.5, True),
         ("rings", 8, 2.25, False),
-        ("rings", 8, 33, False),
     ],
 )
 def test_which_scenes_have_an_algebraic_gradient(field, ku, kv, algebraic):
@@ -115,8 +94,7 @@ def test_what_is_no_scene_or_no_frame_is_refused_by_all():
     at = partial(gradient_at, method=exact())
     for call in (render, stage_of, sweep, partial(pixel, column=0, row=0), height_at, at):
         assert rejection(call, "ridges", 8, 8) == "scene = 'ridges' is not allowed: a Scene"
-    for view in (views.image_view, views.slope_view, views.kink_view):
-        assert rejection(view, "picture") == "frame = 'picture' is not allowed: a Frame"
+    assert rejection(views.image_view, "picture") == "frame = 'picture' is not allowed: a Frame"
 
 
 ODD = replace(DEFAULT, ku=7.5)
@@ -124,30 +102,21 @@ default = partial(render, DEFAULT, 8, 8)
 REFUSED = {
     "gradient = 'central' is not allowed: exact(), central(eps)": lambda: default("central"),
     "threads = 257": lambda: default(threads=257),
-    "stage = 'stage'": lambda: default(stage="stage"),
     "into = 'frame'": lambda: default(into="frame"),
     "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
-    "ball = 1 is not allowed: True or False": lambda: Scene(ball=1),
-    "scene = 'ridges' is not allowed: a Scene": lambda: Stage("ridges", Raster(8, 8)),
-    "raster = (8, 8) is not allowed: a Raster": lambda: Stage(DEFAULT, (8, 8)),
     "path = None is not allowed: a file's name": lambda: default().save(None),
     "out = b'a.npy' is not allowed: a file's name": lambda: stream(DEFAULT, 8, 8, b"a.npy"),
     "steps = 0.001 is not allowed: a sequence of numbers": lambda: sweep(DEFAULT, 8, 8, 1e-3),
     "reference = None is not allowed: a Frame": lambda: difference_on_a(default(), None),
     "frame = Frame(Raster(width=8,": lambda: distance_on_a(default(), render(DEFAULT, 8, 9)),
     "form = 'algebraic' is not allowed: a field whose wave number in u": lambda: render(ODD, 8, 8, exact("algebraic")),
-    "form = 'general' is not allowed: one of 'auto'": lambda: GradientMethod("central", 1e-3, "general"),
-    "form = 'algebraic' is not allowed: a field": lambda: gradient_at(ODD, 0.1, 0.1, exact("algebraic")),
     "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
     "(u, v) = (1.0, 0.5) is not allowed: u in [0, 1), v in [0, 1]": lambda: height_at(DEFAULT, [0.5, 1.0], 0.5),
-    "(u, v) = (-1e-09, 0.5)": lambda: height_at(DEFAULT, -1e-9, 0.5),
     "(u, v) = (0.5, 1.000000001)": lambda: gradient_at(DEFAULT, 0.5, [0.5, 1 + 1e-9], exact()),
     "(u, v) = (0.5, nan)": lambda: gradient_at(DEFAULT, 0.5, math.nan, exact()),
     "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
     "column = 64": lambda: pixel(DEFAULT, 64, 64, 64, 0),
-    "row = -1": lambda: pixel(DEFAULT, 64, 64, 0, -1),
     "highest = nan": lambda: views.slope_view(default(), math.nan),
-    "light = -1": lambda: default().light_cosines(-1),
     "light = 2": lambda: default().light_cosines(2),
     "light = 0 is not allowed: none, as the": lambda: render(Scene(lights=()), 8, 8).light_cosines(0),
 }

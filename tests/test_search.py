@@ -48,18 +48,6 @@ def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, schem
     assert tab.is_visible(".bd-article h1")
 
 
-def test_chapter_comes_first_and_results_follow_what_is_typed(visit):
-    tab, field = visit("s9", "file"), "input[type=search]:visible"
-    assert search(tab, "normal")[0][0] == "s"
-    tab.locator(field).press_sequentially(" silhouettes", delay=20)
-    tab.fill(field, "silhouette")
-    tab.wait_for_function(
-        "document.querySelector('#search-results li > a')?.getAttribute('href').startsWith('s2.html')"
-    )
-    tab.wait_for_function("location.search === '?q=silhouette'")
-    assert tab.locator("#search-results ul.search").count() == 1
-
-
 @pytest.mark.parametrize(
     ("tex", "text"),
     [

@@ -3,7 +3,7 @@
 import matplotlib
 import numpy as np
 
-from renderer import Scene, central, render
+from renderer import Scene, render
 from renderer.files import srgb
 from renderer.picture import views
 
@@ -15,26 +15,16 @@ def test_srgb_is_the_formula_everywhere():
     begins = srgb.tables()[0]
     ends = np.concatenate([begins, (np.arange(srgb.CELLS) + 0.5) / srgb.CELLS])
     near = np.concatenate([ends, np.nextafter(ends, 0), np.nextafter(ends, 1), [-1.0, 0.0, 1.0, 2.0]])
-    for shape in ((3000, 333, 3), (10**6,)):
-        numbers = np.random.default_rng(1).random(shape)
-        numbers.reshape(-1)[: near.size] = near
-        inside = np.clip(numbers, 0, 1)
-        formula = np.where(inside <= 0.0031308, 12.92 * inside, 1.055 * inside ** (1 / 2.4) - 0.055)
-        np.testing.assert_array_equal(views.to_bytes(numbers, threads=2), np.rint(255 * formula))
+    numbers = np.random.default_rng(1).random((3000, 333, 3))
+    numbers.reshape(-1)[: near.size] = near
+    inside = np.clip(numbers, 0, 1)
+    formula = np.where(inside <= 0.0031308, 12.92 * inside, 1.055 * inside ** (1 / 2.4) - 0.055)
+    np.testing.assert_array_equal(views.to_bytes(numbers, threads=2), np.rint(255 * formula))
 
 
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
     """Of the channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])
-    low, middle, high = (np.array(matplotlib.colormaps["inferno"](n, bytes=True)[:3]) for n in (0.0, 0.5, 1.0))
-    assert low.any()
-    for found in (delta, np.stack([-delta, 0 * delta], axis=2)):
-        expected = [[*[0 * low] * 3, *[low] * 3, middle, high, high]]
-        np.testing.assert_array_equal(views.difference_logarithmic(found), expected)
-
-
-def test_a_colour_bar_leaves_the_picture_alone():
-    picture = views.difference_logarithmic(render(Scene(), 48, 40, central(1e-2)).rgb - FRAME.rgb)
-    sheet = views.with_colour_bar(picture)
-    assert sheet.dtype == "uint8" and (sheet[:40, :48] == picture).all()
-    assert len(np.unique(sheet[8:-8, 48:].reshape(-1, 3), axis=0)) > 100  # inferno's colours
+    low, middle, high = (matplotlib.colormaps["inferno"](n, bytes=True)[:3] for n in (0.0, 0.5, 1.0))
+    expected = [[*[(0, 0, 0)] * 3, *[low] * 3, middle, high, high]]
+    np.testing.assert_array_equal(views.difference_logarithmic(np.stack([-delta, 0 * delta], axis=2)), expected)

@@ -14,10 +14,10 @@ ENTRANCES = (
     "verify/checkers/proof_checker.py",
     "verify/checkers/theorem_files.py",
     "verify/formal.py",
-    "renderer/generate/coq.py",
-    "renderer/generate/statements.py",
+    "proofs/printers/coq.py",
+    "proofs/printers/coq_statements.py",
 )
-PRINTS_FLOAT64 = "renderer/generate/float64.py"
+PRINTS_FLOAT64 = "proofs/coq_files.py"
 CLAIMED = tuple(
     f"{package.replace('.', '/')}/" for package in (PROJECT.formulas, PROJECT.theorems)
 )  # what is graded, and no part of how

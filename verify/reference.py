@@ -1,4 +1,4 @@
-"""The 50-digit reference of a pixel: its program run on the exact values of a scene's float64 numbers."""
+"""The reference of a pixel: its program in balls of 50 digits, of the exact values of a scene's numbers."""
 
 import math
 from collections.abc import Callable
@@ -6,14 +6,13 @@ from functools import lru_cache
 from typing import Any
 
 from flint import arb
-from mpmath import mpf
 
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.pixel import albedo_of_a, albedo_of_b, ambient_light, light_color, light_position, pixel, rgb
 from proofs.formulas.symbols import ball_center
 from renderer import Light, Scene
-from verify.evaluate import DIGITS, Reference
+from verify.evaluate import DIGITS
 from verify.evaluate.balls import Balls
 
 COLORS = tuple(s.name for s in rgb)
@@ -24,10 +23,15 @@ class Undecided(ValueError):
 
 
 @lru_cache(maxsize=64)
-def lines_of(kind: Callable, field: str, model: str, lights: int, method: str = "exact") -> Any:
-    """Return what a kind of evaluator makes of a whole pixel, by a gradient method: exact is the general form."""
+def _lines_of(field, model, lights, method):
+    """Return a whole pixel in balls, by a gradient method: exact is the general form."""
     known = HEIGHT_FIELDS[field]
-    return kind(pixel(known, model, lights, None if method == "exact" else METHODS[method](known)))
+    return Balls(pixel(known, model, lights, None if method == "exact" else METHODS[method](known)))
+
+
+def lines_of(scene: Scene, method: str, bits: int, **others: Any) -> dict[str, arb]:
+    """Return {name: ball} of every line of a pixel's program, of the exact values of the scene's numbers and others."""
+    return _lines_of(scene.field, scene.model, len(lights_on(scene)), method)(scene_values(scene, **others), bits)
 
 
 def lights_on(scene: Scene) -> list[Light]:
@@ -67,16 +71,15 @@ def reference_pixel(
     method: str = "exact",
     eps: float | None = None,
     digits: int = DIGITS,
-) -> dict[str, mpf]:
-    """Return {name: value} of every line of a pixel's program, from the exact values of the scene's numbers.
+) -> dict[str, arb]:
+    """Return {name: ball} of every line of a pixel's program, from the exact values of the scene's numbers.
 
     Among the names: surface, occluded_0 … (lights that are on, in order), dark_square, u, v, h_u, h_v, bumped_x …,
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning. Raises Undecided where balls
     of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
-    values = scene_values(scene, column=column, row=row, width=width, height=height, epsilon=eps)
-    whole = scene.field, scene.model, len(lights_on(scene)), method
-    enclosed = lines_of(Balls, *whole)(values, round((digits + 20) / math.log10(2)))
+    place = {"column": column, "row": row, "width": width, "height": height, "epsilon": eps or 0.0}
+    enclosed = lines_of(scene, method, round((digits + 20) / math.log10(2)), **place)
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
-    return lines_of(Reference, *whole)(values, digits)
+    return enclosed

@@ -15,11 +15,12 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import x, y
 from renderer import Light, Scene, central, exact, kernels, operations, render
-from renderer.machines import enclosing, numpy_rows, rounded_inputs
+from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
 from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
+from renderer.shader import rounded_inputs
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
@@ -161,12 +162,12 @@ def uncounted(kind, value, roundings, keeps_zero=False):
     (Enclosed, "counted", classmethod(uncounted), "quotient"),
     (enclosing, "where", one_sided, "selection"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "selection"),
-    (kernels, "ULPS", {name: ulps / 2 for name, ulps in kernels.ULPS.items()}, "exp"),
+    (kernels, "ROUNDINGS", {name: most / 4 for name, most in kernels.ROUNDINGS.items()}, "exp"),
     (Enclosed, "__mul__", product(second_order=0.0), "product"),
     (Enclosed, "is_zero", property(lambda number: abs(number.value) < 1.0), "atan2pi"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
-    """A rounding left out, a selection of one side, a mask taken for decided, constants halved, no second order."""
+    """A rounding left out, a selection of one side, a mask taken for decided, constants quartered, no second order."""
     monkeypatch.setattr(broken, name, value)
     assert escapes(operation) > 0
 

@@ -18,11 +18,11 @@ from functools import cache
 import pytest
 from sympy import Eq, Number
 
+from proofs.engine.half_turns import ordinary
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.half_turns import ordinary
-from verify.checkers.stale import why_stale
 from verify.records import Run
 from verify.sources import ROOT
+from verify.stale import why_stale
 
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -34,9 +34,11 @@ STAGES = (
     (*PYTEST, "verify/test_theorems.py", "-n", "2"),
 )
 """What Python runs: the quick check, all but the theorems, the theorems with their samples and false variants."""
-OF_NUMBERS = (STAGES[0], ("verify.checkers.stale",), *STAGES[1:])
+OF_NUMBERS = (STAGES[0], ("verify.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
 FEW_NUMBERS, FEW_RELATIONS = 3, 20
+FORMULAS = "formulas/*.py", "engine/half_turns.py", "engine/vectors.py"
+"""Of proofs/: the formulas, and what they are written in."""
 
 
 def is_zero(node):
@@ -83,11 +85,12 @@ def edited(folder, path, *how):
         (folder / path).write_text(original, "utf-8")
 
 
-def everywhere(find, pattern="*.py"):
-    """Return [(path below the root, index of the site, find)] of every site in the formulas."""
+def everywhere(find, *patterns):
+    """Return [(path below the root, index of the site, find)] of every site in the formulas, or in files of proofs/."""
     return [
         (path.relative_to(ROOT), index, find)
-        for path in sorted((ROOT / "proofs" / "formulas").glob(pattern))
+        for pattern in patterns or FORMULAS
+        for path in sorted((ROOT / "proofs").glob(pattern))
         for index in range(len(find(ast.parse(path.read_text("utf-8")))))
     ]
 
@@ -145,7 +148,8 @@ def test_no_edit_survives(copy):
 
 def test_no_number_of_a_formula_survives(copy, pytestconfig):
     """Nor the sixth of the truncation's bound, where no test once failed with a fifth; a blind check lets it pass."""
-    few, of_bounds = draw(everywhere(numbers), FEW_NUMBERS, pytestconfig), everywhere(numbers, "step_bounds.py")
+    few = draw(everywhere(numbers), FEW_NUMBERS, pytestconfig)
+    of_bounds = everywhere(numbers, "formulas/step_bounds.py")
     values = numbers(ast.parse((ROOT / of_bounds[0][0]).read_text("utf-8")))
     fifth = (*of_bounds[[node.value for node in values].index(6)], -1)
     assert survivors(copy, [*few, fifth], OF_NUMBERS) == []

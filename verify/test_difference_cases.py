@@ -7,8 +7,8 @@ from sympy import Rational
 
 from proofs.formulas.difference_cases import at_pole, inside, nothing_clamps, nothing_wraps, pole_clamps
 from proofs.formulas.finite_difference import central
+from proofs.formulas.height_fields import ANY_FIELD
 from proofs.formulas.symbols import epsilon, h_u, h_v, u, v
-from renderer.generate.programs import ANY_FIELD
 
 EIGHTHS = [Rational(n, 8) for n in range(9)]
 POINTS = [{u: a, v: b, epsilon: c} for a, b, c in product(EIGHTHS[:8], EIGHTHS, EIGHTHS[1:5])]  # on every edge

@@ -13,9 +13,8 @@ from sympy import Derivative, sign, sqrt
 
 from proofs.engine.claim import Claim, equation
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.symbols import real
-from renderer.generate import statements as printing
-from renderer.generate.statements import proposition
+from proofs.engine.vectors import real
+from proofs.printers.coq_statements import proposition, statements_of
 from renderer.whole_files import write_whole
 from verify import conftest, formal, survey, vernacular
 from verify.sources import ROOT
@@ -289,12 +288,11 @@ ONE_NAME = [("a", "b__c"), ("a", "b__c")], [("a__b", "c")], [("a", "c : Prop := 
 
 
 @pytest.mark.parametrize("named", ONE_NAME)
-def test_a_printed_name_is_a_name_and_one_claims(named, monkeypatch):
+def test_a_printed_name_is_a_name_and_one_claims(named):
     of = {"rounded": (), "expected": "proved"}
     claims = [SimpleNamespace(id=id, claims=[Claim(name, x + 1 > x)], **of) for id, name in named]
-    monkeypatch.setattr(printing, "all_theorems", lambda: dict(enumerate(claims)))
     with pytest.raises(ValueError, match="no name in Coq"):
-        printing.statements_source()
+        statements_of(claims)
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():
@@ -306,11 +304,10 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
 
 
 PRINT = """import json
-from renderer.generate.coq import formulas_source
-from renderer.generate.float64 import float64_source
-print(json.dumps({"Formulas": formulas_source(), "Float64": float64_source()}))
-from renderer.generate.statements import statements_source
-print(json.dumps({"Statements": statements_source()}))"""
+from renderer.generate.__main__ import PRINTED
+sources = {path.stem: source_of for path, source_of in PRINTED.items()}
+print(json.dumps({name: sources[name]() for name in ("Formulas", "Float64")}))
+print(json.dumps({"Statements": sources["Statements"]()}))"""
 PART = re.compile(
     r"^(?:Module|Definition) (\w+)(?:\.$| : Prop)(.*?)(?=^Module|^Definition \w+ : Prop|\Z)", re.MULTILINE | re.DOTALL
 )

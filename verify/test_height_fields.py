@@ -10,23 +10,29 @@ import numpy as np
 import pytest
 from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
-from sympy import Abs, Max, Piecewise, Rational, atan, log, sqrt
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, log, sign, sqrt
 
+from proofs.engine.functions import FUNCTIONS
+from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.engine.program import Program
+from proofs.engine.registry import by_name
+from proofs.engine.vectors import real
 from proofs.formulas.finite_difference import central
-from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.ranges import enclosure
-from proofs.formulas.registry import by_name
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
-from proofs.formulas.symbols import h_u, h_v, k_u, k_v, real, u, v
-from renderer import kernels
+from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
+from proofs.printers.coq_float64 import carried_out
+from renderer import kernels, operations
 from renderer.generate.__main__ import write_all
-from renderer.generate.creases import crease_point, crease_rates
 from renderer.generate.kernels import function_of, kernels_source
-from renderer.generate.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
+from renderer.generate.reader import expression_text, parse_expression
+from verify.accuracy.creases import crease_point, crease_rates
+from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
+from verify.evaluate import Reference
 from verify.evaluate.arrays import distance, in_balls
+from verify.evaluate.balls import Balls
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2
 _cosines = cospi(k_u * u) * cospi(k_v * v)
@@ -44,12 +50,21 @@ every_field = pytest.mark.parametrize("field", COVERED, ids=lambda field: field.
 CHART = (u, v, k_u, k_v)
 
 
-def test_half_turns_are_enclosed_and_evaluated():
-    ends = np.array([0.25, 0.375])
-    for function, values in ((sinpi, np.sin(np.pi * ends)), (cospi, np.cos(np.pi * ends))):
-        found = enclosure(function(u), {u: iv.mpf(ends.tolist())})
-        assert_allclose([float(found.a), float(found.b)], sorted(values), rtol=1e-12)
-    assert atan2pi(1, -1).evalf() == 0.75
+@pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: function.kernel)
+def test_a_function_is_one_by_all_its_names(function):
+    """In a kernel, at 50 digits, over balls, in Coq's float64; where fields may call it, of intervals and as text."""
+    two = function.made in (Max, Min, atan2pi)
+    expression, at = function.made(*(u, v)[: 1 + two]), {"u": 0.375, "v": 0.8125}
+    program = Program("call", (u, v), {h: expression})
+    kernel = float(function_of(program)(*map(np.float64, at.values())))
+    assert kernel == pytest.approx(float(Reference(program)(at)["h"]), rel=1e-15)
+    assert kernel == pytest.approx(float(Balls(program)(at, 200)["h"].mid()), rel=1e-15)
+    assert (function.coq_float64 or function.coq) in " ".join(carried_out(program, vars(operations)))
+    assert kernel == pytest.approx(float(expression.subs({u: Rational(3, 8), v: Rational(13, 16)})), rel=1e-15)
+    if function.enclosed:
+        found = enclosure(expression, {symbol: iv.mpf(at[symbol.name]) for symbol in (u, v)})
+        assert kernel in found + iv.mpf([-1e-15, 1e-15]) and (function.made is sign or float(found.delta) < 1e-12)
+        assert parse_expression(expression_text(expression)) == expression
 
 
 def test_the_last_of_three_values_is_for_all_else():
@@ -194,7 +209,7 @@ def test_the_bounds_are_sharp():
     for k in (1.0, 8.0, 64.0):
         error = np.pi * k * (1 - np.sinc(1e-2))
         assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1
-    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.6e-7, rel=1e-2)
+    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.56e-7, rel=1e-2)
 
 
 @np.errstate(all="ignore")

@@ -14,10 +14,9 @@ from proofs.check import is_empty, parsed, text_of
 from proofs.engine.claim import Claim
 from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
-from renderer.generate.printer import differentiated
-from renderer.generate.statements import StatementPrinter
+from proofs.printers.coq_statements import StatementPrinter
 from verify import formal
-from verify.checkers.digits import WORKING_DIGITS, Code, Relations, Undefined, parts_of
+from verify.checkers.digits import WORKING_DIGITS, Code, Relations, Undefined, differentiated, parts_of
 from verify.checkers.sampler import Sampler
 
 POINTS, ATTEMPTS = 2, 3000

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from book.assembly.stamps import table_in
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 from verify import records
 
 BENCHMARK_PREFIX = "bench:"

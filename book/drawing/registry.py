@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.picture.differences import Interval, rounded_up
+from renderer.intervals import Interval, rounded_up
 from renderer.picture.frame import Frame
 from verify.records import RECORDS, read
 

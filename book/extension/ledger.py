@@ -32,7 +32,7 @@ from book.extension.theorems import CLAIMS_PAGE, Here
 from book.ledger.check import refutes, standing, tests_in
 from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Ledger, LedgerClaim, relation
 from proofs.engine.project import PROJECT
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 
 
 class Look(NamedTuple):

@@ -27,7 +27,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly.results import E_NOTATION, formatted, load_result, look_up, measured, parse, records_of, remark
 from book.extension.elements import TEMPLATES, Nodes, directive, on, role
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 
 MINUS = "\N{MINUS SIGN}"
 TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"

@@ -12,7 +12,7 @@ from book.assembly import report
 from book.assembly.contents import placed
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, all_theorems
-from renderer.generate.statements import statements
+from proofs.printers.coq_statements import statements
 from verify import formal
 
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")

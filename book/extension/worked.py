@@ -22,7 +22,7 @@ from book.extension import printed_claims
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.extension.figures import OPTIONS, chapter_figure
 from book.idea_kernels import PIXEL, lines_at
-from proofs.formulas.half_turns import ordinary
+from proofs.engine.half_turns import ordinary
 from renderer import Scene, kernels
 
 SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "ideas/ideas.js")

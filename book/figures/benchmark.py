@@ -7,39 +7,17 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    DASHED,
-    DOTTED,
-    SOLID,
-    colour_of,
-    curve,
-    decades,
-    label,
-    label_line_end,
-    plot,
-    slope_triangle,
-)
-from verify.benchmark.work_precision import best_rows
+from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, label_line_end, plot, slope_triangle
 
 # renderer: (label, role of its colour, dashes, threads of its thick line), the loops last
 RENDERERS = {
     "algebraic": ("exact, algebraic", "symbolic", SOLID, 2),
     "general": ("exact, trigonometric", "symbolic", DASHED, 2),
     "central": ("central differences", "numeric", SOLID, 2),
-    "numpy": ("NumPy, row tiles", "muted", DASHED, 2),
+    "numpy": ("NumPy, row by row", "muted", DASHED, 2),
     "seed_exact": ("the seed's loops, mended", "muted", DOTTED, 1),
 }
 LABELS_APART = 10**0.3  # least ratio of the heights of two labels
-# method: (label, role of its colour, ours, its label's offset in points)
-METHODS = {
-    "exact, reduced argument": ("exact, this book", "symbolic", True, (8, 0)),
-    "JAX": ("JAX", "symbolic", False, (-4, -11)),
-    "SymPy, NumPy": ("by hand, NumPy", "symbolic", False, (-4, 11)),
-    "complex step": ("complex step", "symbolic", False, (4, -11)),
-    "central": ("central", "numeric", True, (8, 0)),
-    "central, 4th order": ("fourth order", "numeric", True, (8, 0)),
-    "Richardson, 8th order": ("Richardson, eighth order", "numeric", True, (8, 0)),
-}
 
 
 def times_of(numbers: Mapping[str, float], renderer: str, threads: int) -> np.ndarray:
@@ -80,38 +58,6 @@ def time_against_pixels(record: dict) -> Drawing:
     height, slope = 0.2 * np.interp(4e5, *times_of(numbers, "algebraic", 2)), numbers["exponent_2"]
     slope_triangle(ax, 4e5, height, slope, f"{slope:.3f}")
     return Drawing(fig, data=dict(zip(("renderer", "threads", "pixels", "ms"), zip(*rows, strict=True), strict=True)))
-
-
-def around(values: Iterable[float]) -> tuple[float, float]:
-    """Return the powers of ten around the values, with room for a marker."""
-    logarithms = np.log10(list(values))
-    return 10.0 ** np.floor(logarithms.min() - 0.15), 10.0 ** np.ceil(logarithms.max() + 0.15)
-
-
-@figure(record="work_precision")
-def gradient_time_against_error(record: dict) -> Drawing:
-    """Time a point against the largest error at 50 digits, each way to take the gradient of sine."""
-    best = {
-        row["method"]: (row["ns"], row["error"]) for row in best_rows(record["gradients"]) if row["method"] in METHODS
-    }
-    fig, ax = plot(height=4.6)
-    for method, at in best.items():
-        name, role, ours, aside = METHODS[method]
-        curve(
-            ax,
-            *at,
-            role,
-            linestyle="",
-            marker="o",
-            markersize=6,
-            markerfacecolor=colour_of(role) if ours else "none",
-            markeredgewidth=1.4,
-        )
-        label(ax, at, name, role, aside, ha="left" if aside[0] > 0 else "right", va="center")
-    times, errors = zip(*best.values(), strict=True)
-    decades(ax, 1, 2, xlabel="nanoseconds a point, one thread", ylabel="largest error of $h_u$ or $h_v$",
-            xlim=around(times), ylim=around(errors))  # fmt: skip
-    return Drawing(fig, data={"method": list(best), "ns": times, "error": errors})
 
 
 LABEL = ("python", "date", "commit")

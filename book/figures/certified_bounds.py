@@ -6,8 +6,8 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, dots, label_line_end, panels, plot
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
 from renderer import HeightField, Scene, render, u, v
-from renderer.generate.expression import parse_expression
-from renderer.picture.differences import rounded_up
+from renderer.generate.reader import parse_expression
+from renderer.intervals import rounded_up
 from renderer.picture.views import difference_logarithmic
 from verify.accuracy.any_field import u_curve
 from verify.accuracy.pixels import SCENES, checked_pixels, compared, problems

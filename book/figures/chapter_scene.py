@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike
 
 from book.drawing.style import panels
 from renderer import Scene, exact, render
-from renderer.generate.creases import crease_point
-from renderer.picture.differences import rounded_up
+from renderer.intervals import rounded_up
 from renderer.picture.frame import Frame
 from renderer.picture.views import image_view
 from renderer.scene.methods import difference
+from verify.accuracy.creases import crease_point
 
 SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene

@@ -18,10 +18,11 @@ from book.drawing.style import (
 )
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from proofs.engine.program import Program, chain
+from proofs.engine.vectors import real
 from proofs.formulas.bump import bumped_normal, g
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import cos_phi, cos_theta, h_u, h_v, real, sin_phi, sin_theta
+from proofs.formulas.symbols import cos_phi, cos_theta, h_u, h_v, sin_phi, sin_theta
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, tangent_frame, unit_normal
 from renderer import Scene, central, exact, gradient_at
 from renderer.picture.facts import crease_contrast

@@ -20,12 +20,13 @@ from book.drawing.style import (
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
-from renderer.generate.step_terms import BOUNDS
-from renderer.picture.differences import Interval, distance_on_a
+from renderer.intervals import Interval
+from renderer.picture.differences import distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, records, sweep
 from verify.accuracy.orders import enclosed_slope
 from verify.accuracy.stacking import steepest
+from verify.accuracy.step_terms import BOUNDS
 
 STEPS = np.logspace(-1, -15, 57)
 SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone

@@ -5,7 +5,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
 from renderer import Scene, central, exact
-from renderer.picture.differences import rms
+from renderer.intervals import rms
 from verify.accuracy.frontiers import normal_map, wall
 
 FIELDS = ("sine", "ridges")

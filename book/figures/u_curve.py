@@ -18,12 +18,12 @@ from book.drawing.style import (
 )
 from proofs.formulas.certified import GENERAL_GRADIENT
 from renderer import Scene
-from renderer.generate.step_terms import slope_bound
 from renderer.operations import UNIT
 from renderer.picture.facts import SMOOTH_POINT
 from verify.accuracy.best_step import WAVE_NUMBERS, best_of, gain, measured, predicted
 from verify.accuracy.differences import CASES, STEPS, Case, Curves, bounds, escapes, parts
 from verify.accuracy.orders import fitted_slope
+from verify.accuracy.step_terms import slope_bound
 
 SCENE = Scene(field="sine")
 CASE = Case("the chapter's", SCENE.field, SCENE.ku, SCENE.kv, *SMOOTH_POINT)

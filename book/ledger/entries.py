@@ -15,7 +15,7 @@ from jsonschema import Draft202012Validator, FormatChecker
 
 from book.assembly.stamps import table_in
 from proofs.engine.project import PROJECT
-from renderer.picture.differences import Interval
+from renderer.intervals import Interval
 
 ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
 HOLDS: dict[str, Callable[..., bool]] = {

@@ -14,11 +14,11 @@ from textwrap import wrap
 from sympy import Add, Expr, Function, Symbol
 from sympy.printing.str import StrPrinter
 
+from proofs.engine.half_turns import ordinary
 from proofs.engine.program import Program, chain
 from proofs.formulas import bump, displacement, image_derivative, shading
 from proofs.formulas.chart import chart, chart_inverse
 from proofs.formulas.finite_difference import central
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, gradient, height
 from proofs.formulas.symbols import u, v
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame

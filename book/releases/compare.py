@@ -8,7 +8,7 @@ import numpy as np
 
 from book.releases.pictures import CANVAS, archived, arrays_of, data_name
 from book.releases.record import is_within
-from renderer.picture.differences import rms
+from renderer.intervals import rms
 from verify.checkers.grades import STANDING
 
 

@@ -11,7 +11,7 @@ from sympy import Basic, Expr, Float, Poly, Rational, S, Symbol, cos, expand_mul
 from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.derivative import Untranslatable, small
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.engine.half_turns import cospi, sinpi
 
 COSINES, SINES = (cos, cospi), (sin, sinpi)
 

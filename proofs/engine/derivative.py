@@ -25,7 +25,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.engine.half_turns import cospi, sinpi
 
 OUTER = {
     sin: lambda a: cos(a, evaluate=False),

@@ -95,7 +95,7 @@ class Theorem(Parts):
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
     is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
-    verify/checkers/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
+    verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
     float64's own operations.
     """

@@ -9,7 +9,8 @@ Theorem: algebraic_gradient.
 """
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, real, sin_phi, sin_theta
+from proofs.engine.vectors import real
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, sin_phi, sin_theta
 
 MAX_WAVE_NUMBER = 64  # beyond it the power's rounding error, which grows like k, is worse than a reduced argument's
 

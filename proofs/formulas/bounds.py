@@ -7,7 +7,7 @@ the shadow's way. A renderer need look for neither outside the interval.
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import real
+from proofs.engine.vectors import real
 
 apex, apex_height, center, center_height, sphere_radius, level = real(
     "apex apex_height center center_height sphere_radius level"

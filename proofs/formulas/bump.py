@@ -3,7 +3,8 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.symbols import beta, bumped, dot, h_u, h_v, normal, real, squared, vectors
+from proofs.engine.vectors import dot, real, squared, vectors
+from proofs.formulas.symbols import beta, bumped, h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
 
 g, m, bumped_by_beta = vectors("g m bumped_by_beta")

@@ -7,9 +7,9 @@ is P(t) = (t x, t y, e (1 − t)): the eye at t = 0, the floor at t = 1. A hit n
 from sympy import And, Max, Piecewise, Rational, oo, sqrt, symbols
 
 from proofs.engine.program import Program, chain
+from proofs.engine.vectors import Vector, cross, real, squared, vectors, where
 from proofs.formulas.symbols import (
     ANGLES,
-    Vector,
     ball_center,
     ball_on,
     ball_radius,
@@ -17,7 +17,6 @@ from proofs.formulas.symbols import (
     column,
     cos_phi,
     cos_theta,
-    cross,
     eye,
     floor_on,
     half,
@@ -25,16 +24,12 @@ from proofs.formulas.symbols import (
     normal,
     point,
     radius,
-    real,
     rho,
     rho_silhouette,
     row,
     sin_phi,
     sin_theta,
-    squared,
-    vectors,
     view,
-    where,
     width,
     x,
     y,

@@ -1,22 +1,32 @@
-"""The certified errors of our elementary functions: what theorem elementary_functions says, and bounds are made of."""
+"""How far what kernels compute can be off: what theorems say of it, and bounds are made of."""
 
 from fractions import Fraction
 
-CERTIFIED = {
-    name: Fraction(units)
-    for name, units in {
-        "sinpi": "1.53",
-        "cospi": "1.53",
-        "sinpi_of_product": "2.52",
-        "cospi_of_product": "2.52",
-        "atan2pi": "2.50",
-        "exp": "1.00",
-        "log": "0.52",
-        "power": "1.50",
-        "small_power": "11.03",
-    }.items()
+SINE = Fraction("2.42")
+"""A sine and a cosine of half-turns of a product, in units of 2⁻⁵³: theorem elementary_functions."""
+
+PROVED = {
+    "of_product_relative": Fraction(19, 4),
+    "atan2pi": Fraction(5, 2),
+    "exp": Fraction(11, 5),
+    "log": Fraction(41, 40),
+    "power": Fraction(5, 2),
 }
-"""{function: how far its float64 value can be off, in units in the last place}"""
+POWER_RATE = Fraction(3, 100)
+"""{Coq's addition to that theorem: how far a function can be off}, in the same units, all but atan2pi of what it is;
+a power xᵖ by POWER_RATE |p ln x| more."""
+
+ROUNDINGS = {
+    "sinpi": Fraction("5.04"),
+    "cospi": Fraction("5.04"),
+    "atan2pi": Fraction(5),
+    "exp": Fraction(2),
+    "log": Fraction("1.04"),
+    "power": Fraction(3),
+    "small_power": Fraction("22.06"),
+}
+"""{function: what the enclosing machine charges a result with}, of itself, in the same units: more than what is PROVED,
+or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules, but for powers."""
 
 SMALL_POWER = Fraction(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""

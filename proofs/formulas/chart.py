@@ -2,9 +2,10 @@
 
 from sympy import acos, atan2, pi
 
+from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.engine.program import Program
-from proofs.formulas.half_turns import atan2pi, cospi, sinpi
-from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, phi, real, sin_phi, sin_theta, u, v, where
+from proofs.engine.vectors import real, where
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, phi, sin_phi, sin_theta, u, v
 
 u_closed, theta = real("u_closed theta")
 

@@ -1,8 +1,8 @@
 """How far a gradient's error can move a colour, as a program: theorem difference_bound states it, pages compute it."""
 
 from proofs.engine.program import Program
+from proofs.engine.vectors import real
 from proofs.formulas.shading import albedos, kd, ks, light_colors
-from proofs.formulas.symbols import real
 
 q = real("q")  # by how much the highlight changes at most, over |ΔN'|
 diffuse_share, specular_share, most = real("diffuse_share specular_share most")

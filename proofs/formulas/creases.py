@@ -5,10 +5,11 @@ A crease factor is sinpi(w) with w linear in u and v; it is zero where w is a wh
 
 from sympy import Abs, Max, Or, Rational, diff
 
+from proofs.engine.half_turns import rint
 from proofs.engine.program import Program
-from proofs.formulas.half_turns import rint
+from proofs.engine.vectors import real, where
 from proofs.formulas.height_fields import IN_CHART, HeightField
-from proofs.formulas.symbols import epsilon, real, sin_phi, u, v, where
+from proofs.formulas.symbols import epsilon, sin_phi, u, v
 
 KINK_BAND = Rational(3, 100)  # the seed's: a crease factor below it in magnitude is shown as a kink
 

@@ -6,7 +6,8 @@ The chapter's own N' is neither: it has the opposite sign, no metric factor 1/si
 from sympy import pi
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.symbols import beta, h, h_u, h_v, normal, real, sin_phi, vector
+from proofs.engine.vectors import real, vector
+from proofs.formulas.symbols import beta, h, h_u, h_v, normal, sin_phi
 from proofs.formulas.tangent_frame import e_phi, e_theta, tangent_frame, unit_normal
 
 h_theta, h_phi, lift = real("h_theta h_phi lift")

@@ -10,9 +10,9 @@ from sys import float_info
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, factorial, floor, pi
 
+from proofs.engine.half_turns import rint
 from proofs.engine.program import Program, chain
-from proofs.formulas.half_turns import rint
-from proofs.formulas.symbols import real, where
+from proofs.engine.vectors import real, where
 
 SINE_TERMS = 9  # the first left out, (π/4)^18/19!, is below 2^-62 of the sine
 COSINE_TERMS = 9  # (π/4)^18/18! is below 2^-58

@@ -2,9 +2,10 @@
 
 from sympy import StrictLessThan, exp, floor, log, sqrt
 
+from proofs.engine.half_turns import atan2pi, cospi, rint, sinpi
 from proofs.engine.program import chain
-from proofs.formulas.half_turns import atan2pi, cospi, rint, sinpi
-from proofs.formulas.symbols import real, where, x, y
+from proofs.engine.vectors import real, where
+from proofs.formulas.symbols import x, y
 
 left, right = real("left right")
 

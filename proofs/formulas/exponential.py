@@ -6,7 +6,9 @@ is a line of its own. What is short has so few bits that its products are exact.
 
 from sympy import And, Eq, Expr, Function, Integer, Piecewise, Rational, factorial, log, nan, oo, sqrt
 
+from proofs.engine.half_turns import rint
 from proofs.engine.program import chain
+from proofs.engine.vectors import real, where
 from proofs.formulas.elementary import (
     a,
     a_high,
@@ -19,8 +21,6 @@ from proofs.formulas.elementary import (
     product_error,
     two_product,
 )
-from proofs.formulas.half_turns import rint
-from proofs.formulas.symbols import real, where
 
 binary_exponent, power_of_two = (Function(name, real=True) for name in ("binary_exponent", "power_of_two"))
 """⌊log₂|x|⌋ of a normal float64 (of 0 and what is below the normal range −1023, of inf and NaN 1024), and 2ⁿ for a

@@ -7,8 +7,9 @@ is one-sided and divides by the clamped span. Domain: 0 < ε ≤ 1/2.
 from sympy import And, Max, Min, floor
 
 from proofs.engine.program import Program, evaluated
+from proofs.engine.vectors import real, where
 from proofs.formulas.height_fields import IN_CHART, HeightField
-from proofs.formulas.symbols import epsilon, h_u, h_v, real, u, v, where
+from proofs.formulas.symbols import epsilon, h_u, h_v, u, v
 
 NEAR = u_plus, u_minus, v_plus, v_minus = real("u_plus u_minus v_plus v_minus")
 FAR = real("u_plus_2 u_minus_2 v_plus_2 v_minus_2")

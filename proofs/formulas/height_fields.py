@@ -13,6 +13,7 @@ from sympy import (
     DiracDelta,
     Dummy,
     Expr,
+    Function,
     Heaviside,
     Mul,
     Piecewise,
@@ -27,11 +28,12 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
+from proofs.engine.half_turns import cospi, sinpi
 from proofs.engine.program import Program, evaluated
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.engine.registry import by_name, check_name, not_allowed
+from proofs.engine.vectors import real
 from proofs.formulas.ranges import DIGITS, enclosure, values_of
-from proofs.formulas.registry import by_name, check_name, not_allowed
-from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, real, u, v
+from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
 
 sin_u, cos_u, sin_v, cos_v = real("sin_u cos_u sin_v cos_v")
 IN_CHART = (u, v, k_u, k_v)
@@ -154,6 +156,7 @@ class AnyField(HeightField):
         pass
 
 
+ANY_FIELD = AnyField("any", Function("height")(u, v, k_u, k_v))
 _product = sinpi(k_u * u) * sinpi(k_v * v)
 
 HEIGHT_FIELDS: dict[str, HeightField] = by_name((

@@ -6,9 +6,10 @@ Domain: off μ = 0, off the highlight's clamp (C¹ there for p > 1), and off the
 from sympy import Pow
 
 from proofs.engine.program import Program
+from proofs.engine.vectors import dot, real, where
 from proofs.formulas.bump import bumped_by_beta
 from proofs.formulas.shading import albedos, clipped, color, halfway, halfway_length, kd, ks, light_colors
-from proofs.formulas.symbols import bumped, dot, mu, real, shininess, specular_base, towards, view, where
+from proofs.formulas.symbols import bumped, mu, shininess, specular_base, towards, view
 
 mu_by_beta, base_by_beta, diffuse_by_beta, shine_by_beta, term_by_beta = real(
     "mu_by_beta base_by_beta diffuse_by_beta shine_by_beta term_by_beta"

@@ -9,25 +9,12 @@ from types import MappingProxyType
 from sympy import Eq, Max, Piecewise, Symbol
 
 from proofs.engine.program import Program, chain, evaluated
+from proofs.engine.vectors import Vector, real, vector, where
 from proofs.formulas import camera, shading, shadow
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.chart import chart
 from proofs.formulas.height_fields import HeightField, gradient
-from proofs.formulas.symbols import (
-    Vector,
-    ball_center,
-    ball_on,
-    bumped,
-    light,
-    mu,
-    normal,
-    point,
-    radius,
-    real,
-    specular,
-    vector,
-    where,
-)
+from proofs.formulas.symbols import ball_center, ball_on, bumped, light, mu, normal, point, radius, specular
 
 CHANNELS = ("red", "green", "blue")
 

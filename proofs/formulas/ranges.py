@@ -5,32 +5,19 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 
 from mpmath import iv
-from sympy import Abs, Add, Basic, Expr, Max, Min, Mul, Piecewise, Pow, S, Symbol, exp, lambdify, log, pi, sign
+from sympy import Add, Basic, Expr, Mul, Piecewise, Pow, S, Symbol, lambdify, pi
 from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair
 
-from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.registry import shown
-
-
-def _hull(lowest, highest):
-    """Return the interval from the lowest or highest lower end of some to the lowest or highest upper end."""
-    return lambda *parts: iv.mpf([lowest(part.a for part in parts), highest(part.b for part in parts)])
-
+from proofs.engine.functions import FUNCTIONS, hull
+from proofs.engine.registry import shown
 
 ENCLOSURES = {
     Add: lambda *parts: sum(parts),
     Mul: lambda *parts: reduce(operator.mul, parts),
     Pow: operator.pow,
-    Abs: abs,
-    sign: lambda _: iv.mpf([-1, 1]),
-    Max: _hull(max, max),
-    Min: _hull(min, min),
-    Piecewise: _hull(min, max),
-    sinpi: lambda turns: iv.sin(iv.pi * turns),
-    cospi: lambda turns: iv.cos(iv.pi * turns),
-    exp: iv.exp,
-    log: iv.log,
+    Piecewise: hull(min, max),
+    **{function.made: function.enclosed for function in FUNCTIONS if function.enclosed},
 }
 """{what a height field is made of: the same of intervals}; of a selection, whichever value is selected"""
 

@@ -3,7 +3,8 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import eye, normal, radius, real, x, y
+from proofs.engine.vectors import real
+from proofs.formulas.symbols import eye, normal, radius, x, y
 
 seed_discriminant, seed_t = real("seed_discriminant seed_t")
 

@@ -5,23 +5,9 @@ from dataclasses import dataclass
 from sympy import Expr, Max, Min, Pow, sqrt
 
 from proofs.engine.program import Program, chain
-from proofs.formulas.registry import by_name, check_name
-from proofs.formulas.symbols import (
-    bumped,
-    dot,
-    light,
-    mu,
-    point,
-    real,
-    shininess,
-    specular,
-    specular_base,
-    squared,
-    towards,
-    vectors,
-    view,
-    where,
-)
+from proofs.engine.registry import by_name, check_name
+from proofs.engine.vectors import dot, real, squared, vectors, where
+from proofs.formulas.symbols import bumped, light, mu, point, shininess, specular, specular_base, towards, view
 
 to_light, halfway = vectors("to_light halfway")
 light_distance, light_scale = real("light_distance light_scale")

@@ -3,7 +3,8 @@
 from sympy import And, Ne, floor
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import cross, dot, light, point, real, squared, vectors, where
+from proofs.engine.vectors import cross, dot, real, squared, vectors, where
+from proofs.formulas.symbols import light, point
 
 center, segment, offset = vectors("center segment offset")
 body_radius, segment_squared, toward_center, shadow_discriminant, occluded = real(

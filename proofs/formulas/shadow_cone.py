@@ -3,8 +3,9 @@
 from sympy import Piecewise
 
 from proofs.engine.program import Program
+from proofs.engine.vectors import dot, real, squared, vectors, where
 from proofs.formulas.shadow import body_radius, center
-from proofs.formulas.symbols import ball_center, ball_radius, dot, light, real, squared, vectors, where
+from proofs.formulas.symbols import ball_center, ball_radius, light
 
 from_body, along = vectors("from_body along")
 at_light, half_slope, curvature = real("at_light half_slope curvature")

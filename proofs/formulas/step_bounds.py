@@ -6,7 +6,8 @@ They are of a field that swings at `frequency` half-turns per unit of u or v, π
 from sympy import pi, sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import epsilon, real, v
+from proofs.engine.vectors import real
+from proofs.formulas.symbols import epsilon, v
 
 TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
 """What the error is made of. Truncation is that of the quotient in exact arithmetic; where a crease or the seam lies

@@ -6,7 +6,8 @@
 from sympy import sqrt
 
 from proofs.engine.program import Program
-from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, real, sin_phi, sin_theta, vectors
+from proofs.engine.vectors import real, vectors
+from proofs.formulas.symbols import ANGLES, cos_phi, cos_theta, normal, sin_phi, sin_theta
 
 e_theta, e_phi = vectors("e_theta e_phi")
 seed_sin_phi = real("seed_sin_phi")

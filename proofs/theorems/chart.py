@@ -1,7 +1,7 @@
 """The chart of sphere A and its inverse, as far as they are algebraic: the angles' cosines and sines, and N."""
 
+from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.chart import chart, chart_inverse, chart_radians, theta, u_closed
-from proofs.formulas.half_turns import atan2pi, cospi, sinpi
 from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.language import *

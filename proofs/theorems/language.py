@@ -1,5 +1,7 @@
 """What theorems are written in, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
 
+from collections.abc import Sequence
+
 from sympy import Abs, Basic, Derivative, Expr, Max, Mul, Or, Pow, Rational, S, Symbol, cos, pi, sign, sin, sqrt
 
 from proofs.engine.claim import (
@@ -16,6 +18,7 @@ from proofs.engine.claim import (
 )
 from proofs.engine.program import Program, Some, chain, evaluated, flat
 from proofs.engine.theorem import SideCondition, Theorem, variant
+from proofs.engine.vectors import Vector, cross, dot, real, squared, vector, vectors, where
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import *
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_inside_half_turn, sine_of_half_turn

@@ -1,8 +1,8 @@
 """What is measured and not proved: the float64 programs, the seed's formulas in them, what it says of its pictures.
 
-The measurements are in verify/checkers/measurements."""
+The measurements are in verify/measurements."""
 
-from proofs.formulas.certified import ALGEBRAIC_GRADIENT, CERTIFIED, GENERAL_GRADIENT
+from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT, POWER_RATE, PROVED, SINE
 from proofs.formulas.height_fields import gradient
 from proofs.theorems.enclosing_rules import not_tiny
 from proofs.theorems.language import *
@@ -161,18 +161,20 @@ slopes = Theorem(
 functions = Theorem(
     "elementary_functions",
     "The elementary functions of the kernels",
-    r"""In float64 the kernels' $\sin\pi x$ is off by at most {sinpi:.2f} units in the last place, $\cos\pi x$ by
-    {cospi:.2f}, $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product by {sinpi_of_product:.2f} and
-    {cospi_of_product:.2f}, $\operatorname{{atan2}}(y, x)/\pi$ by {atan2pi:.2f}, $e^x$ by {exp:g}, $\ln x$ by
-    {log:.2f}, and $x^p$ by {power:.2f} where it is at least $e^{{-50}}$, by {small_power:.2f} elsewhere.""".format(
-        **{name: float(ulps) for name, ulps in CERTIFIED.items()}
-    ),
+    rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product are off by at
+    most ${float(SINE)}\mu$.""",
     hypotheses=(
-        "round to nearest; nothing underflows or overflows; the unit is that of the float64 nearest to the exact value",
-        r"""the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding
-        of a product's $r$; $0 \le t \le 1$ of the smaller over the larger side, in eight octants""",
-        r"""$-708 \le x \le 709$ for $e^x$; every $x > 0$ for $\ln x$; $0 < x \le 1$ and $5\cdot10^{-4} \le p \le
-        10^6$ for $x^p \ge e^{-708}$, and what is smaller is 0""",
+        "round to nearest; nothing underflows or overflows",
+        r"""the whole range: $|r| \le \frac14 + 2^{-30}$ after the reduction, which is exact but for the rounding of
+        $r$""",
     ),
+    steps={
+        "sine and cosine, over pieces of $r$": """the rounding of each line, the polynomial against the function's
+        series, term by term, and the rounding of $r$""",
+        "every function, as part of the exact value": rf"""Coq's additions to this theorem: $\sin\pi(ku)$ and
+        $\cos\pi(ku)$ by ${float(PROVED["of_product_relative"])}\mu$, $e^x$ by ${float(PROVED["exp"])}\mu$, $\ln x$ by
+        ${float(PROVED["log"])}\mu$, $x^p$ by $({float(PROVED["power"])} + {float(POWER_RATE)}\,|p\ln x|)\mu$; in all
+        $\operatorname{{atan2}}(y, x)/\pi$ by ${float(PROVED["atan2pi"])}\mu$""",
+    },
     expected="certified",
 )

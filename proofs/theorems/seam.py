@@ -1,6 +1,6 @@
 """Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
 
-from proofs.formulas.half_turns import sinpi
+from proofs.engine.half_turns import sinpi
 from proofs.theorems.language import *
 
 n, alternating = real("n alternating")

@@ -29,7 +29,6 @@ RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
 FAIR = 0.87  # of noise a slower way has to leave less than this share of what a quicker one leaves
-TILE = 256
 
 
 def _filter(image, start, lines):

@@ -1,20 +1,18 @@
 """The text of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
 
-import builtins
 import textwrap
 from collections.abc import Callable, Mapping
-from inspect import isfunction
 from typing import Any
 
 from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
-from proofs.formulas.certified import CERTIFIED, SMALL_POWER
-from proofs.formulas.elementary import product_error
+from proofs.formulas.certified import ROUNDINGS, SMALL_POWER
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.printers import python
+from proofs.printers.python import KernelPrinter, print_function, refuse_unknown_calls
 from renderer.generate import programs
-from renderer.generate.printer import KernelPrinter
 
 HEADER = '''"""Printed from proofs/ by `python -m renderer.generate`. Do not edit: change the expression instead.
 
@@ -42,23 +40,6 @@ from renderer.operations import (
 '''
 
 
-def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
-    """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
-
-    before: further parameters, as text. The error of a product is 0 unless it is given.
-    """
-    needed = program.reaches(*program.outputs)
-    printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
-    results, used = [s.name for s in program.outputs], set().union(*(e.free_symbols for _, e in program.definitions))
-    at_once = f"return {', '.join(printed.values())}"
-    if list(printed) == results and used.isdisjoint(program.outputs) and len(at_once) <= 100:
-        lines = [at_once]
-    else:
-        lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
-    parameters = ", ".join("product_error=0.0" if s == product_error else s.name for s in program.inputs)
-    return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
-
-
 def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
@@ -67,9 +48,7 @@ def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Cal
     """
     from renderer import kernels  # not above: they may be what is about to be printed
 
-    scope = dict(vars(kernels) if names is None else names)
-    exec(print_function(program.name, program, KernelPrinter()), scope)
-    return scope[program.name]
+    return python.function_of(program, vars(kernels) if names is None else names)
 
 
 def field_entry(field: HeightField) -> str:
@@ -91,8 +70,8 @@ def kernels_source() -> str:
         for name, program in programs.named().items()
     ]
     parts += [print_function(name, program, printer, "height, ") for name, program in programs.differences().items()]
-    ulps = ", ".join(f'"{name}": {float(most)!r}' for name, most in CERTIFIED.items())
-    parts.append(f"ULPS = {{{ulps}}}\nSMALL_POWER = {float(SMALL_POWER)!r}\n")
+    roundings = {name: float(most) for name, most in ROUNDINGS.items()}
+    parts.append(f"ROUNDINGS = {roundings}\n".replace("'", '"') + f"SMALL_POWER = {float(SMALL_POWER)!r}\n")
     parts.append(f"HEIGHT_EVALUATIONS = {HEIGHT_EVALUATIONS}\nMAX_ALGEBRAIC = {MAX_WAVE_NUMBER}\n".replace("'", '"'))
     parts.append("\n".join(["FIELDS = {", *map(field_entry, fields), "}", ""]))
     models = [
@@ -106,10 +85,3 @@ def kernels_source() -> str:
     exec(source, known)
     refuse_unknown_calls(known)
     return source
-
-
-def refuse_unknown_calls(known: dict[str, Any]) -> None:
-    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
-    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
-        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
-            raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

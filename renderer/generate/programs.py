@@ -1,8 +1,8 @@
 """Which programs of `proofs/` become kernels."""
 
-from sympy import Function
-
 from proofs.engine.program import Program
+from proofs.engine.registry import by_name
+from proofs.engine.vectors import real
 from proofs.formulas import (
     algebraic_form,
     bounds,
@@ -19,8 +19,7 @@ from proofs.formulas import (
 )
 from proofs.formulas.chart import chart, chart_radians
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.registry import by_name
-from proofs.formulas.symbols import h_v, k_u, k_v, mu, real, u, v, x, y
+from proofs.formulas.symbols import h_v, k_u, k_v, mu, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,
@@ -69,14 +68,12 @@ KERNELS = (
     shading.clip,
 )
 
-ANY_FIELD = height_fields.AnyField("any", Function("height")(u, v, k_u, k_v))
-
 
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
     found: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
-        program = difference(ANY_FIELD)
+        program = difference(height_fields.ANY_FIELD)
         found |= {method: program, f"{method}_in_v": program.keep(h_v)}
     return found
 

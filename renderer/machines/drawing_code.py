@@ -1,17 +1,20 @@
 """The code that draws some rows of a picture: two loops around the traced shader, for any of LLVM's targets."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, WHOLE, Tracer, Value
 from renderer.operations import Number
-from renderer.shader.numbers import SCENE_FORM
-from renderer.shader.shader import BOUNDS, CHART, COLORS, ON_A, WORK, Group, Want
 
-PLANES = (*COLORS, "code", *ON_A, *CHART, *BOUNDS, "open")
 BYTES = ("code", "open")
-ARGUMENTS = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts",
-             *PLANES, "x_bound", "y_bound", "scene_bounds")  # fmt: skip
-"""What the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+BEFORE = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts")
+
+
+def arguments(planes: Sequence[str]) -> tuple[str, ...]:
+    """Return what the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+    return (*BEFORE, *planes, "x_bound", "y_bound", "scene_bounds")
 
 
 class Pixels:
@@ -32,26 +35,27 @@ class Pixels:
         self._tracer.store(value, *self._place(name))
 
 
-def emit(module: ir.Module, name: str, want: Want, lanes: int) -> None:
-    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of ARGUMENTS."""
-    tracer = Tracer(module, name, lanes, ARGUMENTS)
+def emit(module: ir.Module, name: str, want: Any, lanes: int) -> None:
+    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of its arguments."""
+    shader = want.shader
+    tracer = Tracer(module, name, lanes, arguments(shader.planes), shader=shader)
     builder, given = tracer.builder, tracer.given
-    scene = tracer.numbers(given["scene"], SCENE_FORM, WHOLE(0))
+    scene = tracer.numbers(given["scene"], shader.scene, WHOLE(0))
     with tracer.rows() as (row, begin, end):
         y, row_begin = tracer.everywhere(given["y"], row), builder.mul(row, given["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
             pixels = Pixels(tracer, tracer.load(given["x"], column), y, builder.add(row_begin, column))
-            group = Group(tracer, scene, want, pixels)
+            group = shader.group(tracer, scene, want, pixels)
             if want.bounds:
                 from renderer.machines.enclosing_machine import (
                     enclosed_group,
                 )  # what most pictures never need to import
 
-                bounds = tracer.numbers(given["scene_bounds"], SCENE_FORM, WHOLE(0))
+                bounds = tracer.numbers(given["scene_bounds"], shader.scene, WHOLE(0))
                 x_bound, y_bound = tracer.load(given["x_bound"], column), tracer.everywhere(given["y_bound"], row)
                 group = enclosed_group(group, bounds, x_bound, y_bound)
             group.draw()
-    for number, kind in enumerate(WORK):
+    for number, kind in enumerate(shader.counted):
         count = builder.load(tracer.counts[kind])
         builder.store(count, tracer.place(given["counts"], WHOLE(number), WHOLE))
     builder.ret_void()

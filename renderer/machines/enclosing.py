@@ -282,7 +282,7 @@ def _of_half_turns(kernel: Any, whole: Any, rest: Any = 0.0) -> Enclosed:
     whole, rest = enclosed(whole), enclosed(rest)
     moved = times(ROUNDING, plus(whole.error, rest.error))
     found = kernel(whole.value, rest.value)
-    own = 2.0 * kernels.ULPS[f"{kernel.__name__}_of_product"] * UNIT * abs(found) + LEAST
+    own = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(found) + LEAST
     if whole.stays_exact:  # what the parts lose is counted: 0 is no smaller number
         own = inner_where(found == 0.0, 0.0, own)
     if is_zero(moved):
@@ -303,7 +303,7 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
     found = kernels.atan2pi(y.value, x.value)
-    own = 2.0 * kernels.ULPS["atan2pi"] * UNIT * abs(found) + LEAST
+    own = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(found) + LEAST
     moved = plus(y.bound, x.bound)
     if is_zero(moved):
         return Enclosed(found, own * SLACK)
@@ -320,18 +320,18 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     return Enclosed(found, inner_where(on_axis, 0.0, bound), True)
 
 
-def _monotone(kernel, ulps, found, arguments, vanishing=0.0):
-    """Return `found`, off by `ulps` of it: in each of its arguments the function rises or falls.
+def _monotone(kernel, roundings, found, arguments, vanishing=0.0):
+    """Return `found`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
 
-    So at some of their ends it is furthest from there.
+    The roundings are charged at that end, and for `found` again: with SLACK an end may be off by as many more, up to 8.
     """
 
     def own(result):
-        return 2.0 * ulps(result) * UNIT * abs(result) + vanishing
+        return roundings(result) * UNIT * abs(result) + vanishing
 
     moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
     if is_zero(moved):
-        return Enclosed(found, own(found) * SLACK)
+        return Enclosed(found, 2.0 * own(found) * SLACK)
     for ends in product(*map(_ends, arguments)):
         end = kernel(*ends)
         away = abs(end - found) + own(end)
@@ -343,7 +343,7 @@ def exp(product: Any, factor: Any = 1.0) -> Enclosed:
     """Return exp ab."""
     a, b = enclosed(product), enclosed(factor)
     found = kernels.exp(*kernels.two_product(a.value, b.value))
-    return _monotone(kernels.exp, lambda _: kernels.ULPS["exp"], found, [a * b], VANISHING)
+    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], found, [a * b], VANISHING)
 
 
 def log(number: Enclosed) -> Enclosed:
@@ -352,19 +352,19 @@ def log(number: Enclosed) -> Enclosed:
     def of_positive(end):
         return kernels.log(operations.maximum(0.0, end))
 
-    return _monotone(of_positive, lambda _: kernels.ULPS["log"], kernels.log(number.value), [number])
+    return _monotone(of_positive, lambda _: kernels.ROUNDINGS["log"], kernels.log(number.value), [number])
 
 
 def power(number: Any, exponent: Any) -> Enclosed:
     """Return a^p: 0 for a number that is certainly not positive."""
     number, exponent = enclosed(number), enclosed(exponent)
 
-    def ulps(result):
-        return inner_where(result < kernels.SMALL_POWER, kernels.ULPS["small_power"], kernels.ULPS["power"])
+    def roundings(result):
+        return inner_where(result < kernels.SMALL_POWER, kernels.ROUNDINGS["small_power"], kernels.ROUNDINGS["power"])
 
     found = kernels.power(number.value, exponent.value)
     vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-    return _monotone(kernels.power, ulps, found, [number, exponent], vanishing)
+    return _monotone(kernels.power, roundings, found, [number, exponent], vanishing)
 
 
 def sign(number: Any) -> Enclosed:

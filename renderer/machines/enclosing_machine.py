@@ -1,16 +1,13 @@
 """A machine around another one: it runs the shader on numbers with bounds, and stores these beside the colours."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from types import SimpleNamespace
 from typing import Any
 
 from renderer.machines.enclosing import Enclosed, Mask, at_work, enclosed
+from renderer.machines.forms import Variables, flat, of_form
 from renderer.operations import where
-from renderer.shader.numbers import flat, of_form
-from renderer.shader.shader import BOUNDS, Group, Variables
-
-ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
 
 
 class Variable:
@@ -81,19 +78,20 @@ class Enclosing:
         self.inner.each_light(lambda light: body(enclosed_numbers(light)))
 
 
-def enclosed_numbers(numbers: SimpleNamespace, bounds: SimpleNamespace | None = None) -> SimpleNamespace:
-    """Return numbers of a form as Enclosed; of the scene's, those that are ROUNDED have `bounds`."""
+def enclosed_numbers(
+    numbers: SimpleNamespace, bounds: SimpleNamespace | None = None, rounded: Iterable[str] = ()
+) -> SimpleNamespace:
+    """Return numbers of a form as Enclosed; those that are `rounded` have `bounds`."""
     own = of_form(numbers, repeat(0.0))
-    if bounds:
-        vars(own).update({name: getattr(bounds, name) for name in ROUNDED})
+    vars(own).update({name: getattr(bounds, name) for name in rounded})
     return of_form(numbers, map(Enclosed, flat(numbers), flat(own)))
 
 
 class Pixels:
     """The pixels of a group, as the inner machine has them: the colours' bounds and what is open stored beside."""
 
-    def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any):
-        self._machine = machine
+    def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any, planes: Sequence[str]):
+        self._machine, self._planes = machine, planes
         self.x, self.y, self._pixels = Enclosed(pixels.x, x_bound, True), Enclosed(pixels.y, y_bound, True), pixels
 
     def load(self, name: str) -> Enclosed:
@@ -108,13 +106,13 @@ class Pixels:
             # two codes differ by 1 at least
             decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
-        elif f"{name}_bound" in BOUNDS:
+        elif f"{name}_bound" in self._planes:
             bound = number.bound
             self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
 
 
-def enclosed_group(group: Group, bounds: SimpleNamespace, x_bound: Any, y_bound: Any) -> Group:
+def enclosed_group(group: Any, bounds: SimpleNamespace, x_bound: Any, y_bound: Any) -> Any:
     """Return a group as the machine around its own one has it; bounds: of its scene's numbers, and of its pixels."""
-    machine = Enclosing(group.machine)
-    pixels = Pixels(machine, group.pixels, x_bound, y_bound)
-    return Group(machine, enclosed_numbers(group.scene, bounds), group.want, pixels)
+    machine, shader = Enclosing(group.machine), group.want.shader
+    pixels = Pixels(machine, group.pixels, x_bound, y_bound, shader.planes)
+    return shader.group(machine, enclosed_numbers(group.scene, bounds, shader.rounded), group.want, pixels)

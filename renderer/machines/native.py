@@ -15,16 +15,14 @@ import llvmlite.binding as llvm
 import llvmlite.ir as ir
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
-from renderer.kernels import HEIGHT_EVALUATIONS
 from renderer.machines import Job, compiling, kept_code
-from renderer.machines.drawing_code import ARGUMENTS, emit
-from renderer.shader.shader import WORK, Want
+from renderer.machines.drawing_code import arguments, emit
 
 NAME = "llvm"
 
 
 @cache
-def host_lanes(want: Want) -> int:
+def host_lanes(want: Any) -> int:
     """Return how many pixels go through the code at a time: 512 bits of them at least, where there are vectors.
 
     A difference's heights, a power and bounds are long chains of dependent operations: twice as many lanes hide each
@@ -32,8 +30,7 @@ def host_lanes(want: Want) -> int:
     """
     features = llvm.get_host_cpu_features()
     wide = 8 if features.get("avx") else 4
-    is_long = not want.whole or any(way in HEIGHT_EVALUATIONS for _, way in want.ways)
-    return 2 * wide if (is_long or want.bounds) and features.get("avx512f") else wide
+    return 2 * wide if (want.is_long or want.bounds) and features.get("avx512f") else wide
 
 
 def _target():
@@ -88,15 +85,15 @@ def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None]
 
 
 @cache
-def compiled(want: Want, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function that draws what is wanted, given the address of ARGUMENTS; what it lives as long as)."""
+def compiled(want: Any, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+    """Return (the function that draws what is wanted, given the address of its arguments; what it lives as long as)."""
     return machine_code(emit, want, lanes)
 
 
 def drawer(
-    want: Want, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
+    want: Any, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
 ) -> Callable[[slice], list[int]]:
-    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the order of WORK.
+    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the shader's order.
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """
@@ -105,11 +102,12 @@ def drawer(
             code, _ = compiled(want, lanes or host_lanes(want))
     given = {name: array.ctypes.data for name, array in job.items()}
     given |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
-    shared = [given.get(name, 0) for name in ARGUMENTS]
-    first, last, counts = (ARGUMENTS.index(name) for name in ("first_row", "last_row", "counts"))
+    names, kinds = arguments(want.shader.planes), len(want.shader.counted)
+    shared = [given.get(name, 0) for name in names]
+    first, last, counts = (names.index(name) for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):
-        arguments, counted = (ctypes.c_int64 * len(shared))(*shared), (ctypes.c_int64 * len(WORK))()
+        arguments, counted = (ctypes.c_int64 * len(shared))(*shared), (ctypes.c_int64 * kinds)()
         arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, ctypes.addressof(counted)
         code(ctypes.addressof(arguments))
         return list(counted)

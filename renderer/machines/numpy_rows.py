@@ -8,9 +8,8 @@ import numpy as np
 
 from renderer.machines import Job
 from renderer.machines.enclosing_machine import enclosed_group
+from renderer.machines.forms import Shader, Step, of_form
 from renderer.operations import Mask, Number
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, of_form
-from renderer.shader.shader import WORK, Group, Step, Want
 
 NAME = "numpy"
 
@@ -31,8 +30,9 @@ class Rows:
 
     variable = Variable
 
-    def __init__(self, lights: Iterable[np.ndarray]):
-        self.lights, self.counts = [of_form(LIGHT_FORM, light) for light in lights], dict.fromkeys(WORK, 0)
+    def __init__(self, shader: Shader, lights: Iterable[np.ndarray]):
+        self.lights = [of_form(shader.light, light) for light in lights]
+        self.counts = dict.fromkeys(shader.counted, 0)
 
     def count(self, kind: str, mask: Mask) -> None:
         """Add the number of a mask's pixels to what is counted of a kind."""
@@ -84,18 +84,19 @@ class Block:
         self._planes[name][self.rows, self.columns] = value
 
 
-def drawer(want: Want, job: Job) -> Callable[[slice], list[int]]:
-    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the order of WORK."""
-    scene = of_form(SCENE_FORM, job["scene"])
+def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
+    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the shader's order."""
+    shader = want.shader
+    scene = of_form(shader.scene, job["scene"])
 
     @np.errstate(all="ignore")  # a selection computes both of its sides
     def draw(rows):
-        machine, block = Rows(job["lights"]), Block(job, rows)
-        group = Group(machine, scene, want, block)
+        machine, block = Rows(shader, job["lights"]), Block(job, rows)
+        group = shader.group(machine, scene, want, block)
         if want.bounds:
             of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]
-            group = enclosed_group(group, of_form(SCENE_FORM, job["scene_bounds"]), *of_pixels)
+            group = enclosed_group(group, of_form(shader.scene, job["scene_bounds"]), *of_pixels)
         group.draw()
-        return [machine.counts[kind] for kind in WORK]
+        return [*machine.counts.values()]
 
     return draw

@@ -9,13 +9,13 @@ from collections.abc import Callable, Iterable
 
 import llvmlite.ir as ir
 
+from renderer.machines.forms import COLORS
 from renderer.machines.traced import BYTE, WHOLE, Tracer, Value
 from renderer.operations import maximum, minimum, rint
-from renderer.shader.shader import COLORS
 
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
             "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
-"""What the code is given, one array of int64: as in `drawing_code.ARGUMENTS`. level_at: uint8, threshold: float64,
+"""What the code is given, one array of int64: as `drawing_code.arguments` are. level_at: uint8, threshold: float64,
 palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
 NUMBERS = ("gain", "largest", "squares")
 """The gain is given; what is found is the largest difference of a channel, and the sum of their squares."""

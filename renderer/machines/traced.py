@@ -13,8 +13,7 @@ from typing import Any
 
 import llvmlite.ir as ir
 
-from renderer.shader.numbers import LIGHT_FORM, flat, of_form
-from renderer.shader.shader import WORK, Step, Variables
+from renderer.machines.forms import Step, Variables, flat, of_form
 
 FLOAT, BIT, BYTE, WHOLE = ir.DoubleType(), ir.IntType(1), ir.IntType(8), ir.IntType(64)
 
@@ -121,16 +120,25 @@ class Tracer:
     """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
     The function's one parameter is the address of an array of int64, its arguments: addresses of arrays, and numbers.
-    given: those that have names, by them.
+    given: those that have names, by them. shader: what is traced, where that is one.
     """
 
-    def __init__(self, module: ir.Module, name: str, lanes: int, names: Sequence[str] = (), number: ir.Type = FLOAT):
+    def __init__(
+        self,
+        module: ir.Module,
+        name: str,
+        lanes: int,
+        names: Sequence[str] = (),
+        number: ir.Type = FLOAT,
+        shader: Any = None,
+    ):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
         (self._arguments,), self.lanes, self.module = function.args, lanes, module
         self.number, self.builder = number, ir.IRBuilder(function.append_basic_block())
         self.vector = self._all(number)
         self.given = {argument: self.argument(place) for place, argument in enumerate(names)}
-        self.counts = {kind: self.reserve(WHOLE) for kind in WORK}
+        self.shader = shader
+        self.counts = {kind: self.reserve(WHOLE) for kind in (shader.counted if shader else ())}
         for place in self.counts.values():
             self.builder.store(WHOLE(0), place)
 
@@ -291,4 +299,4 @@ class Tracer:
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
         with self.loop(WHOLE(0), self.given["light_count"]) as number:
-            body(self.numbers(self.given["lights"], LIGHT_FORM, number))
+            body(self.numbers(self.given["lights"], self.shader.light, number))

@@ -5,6 +5,7 @@ for its exports.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
@@ -13,7 +14,6 @@ from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
-from renderer.shader.shader import Want
 
 LANES = 2
 TRIPLE = "wasm32-unknown-unknown"
@@ -23,12 +23,12 @@ CUSTOM, IMPORT, EXPORT, CODE, DATA = 0, 2, 7, 10, 11
 
 
 def compiled_module(
-    wants: Mapping[str, Want], kernels: Mapping[str, Callable], painters: Mapping[str, Callable] = PAINTERS
+    wants: Mapping[str, Any], kernels: Mapping[str, Callable], painters: Mapping[str, Callable] = PAINTERS
 ) -> tuple[bytes, dict[str, int]]:
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
-    wants: {name: Want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels: {name: kernel},
-    each a function over points (`renderer.machines.points_code`). painters: {name: painter}
+    wants: {name: what is drawn}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
+    {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
     (`renderer.machines.painting_code`). The module imports `env.__linear_memory`.
     """
     module = ir.Module()

@@ -1,65 +1,15 @@
 """How far two pictures are apart on sphere A: the numbers, and the ends between which the truth certainly lies."""
 
 import math
-from dataclasses import dataclass
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 import numpy as np
 
 from renderer.checks import check_kind, not_allowed
+from renderer.intervals import Interval, rms
 from renderer.operations import UNIT, Number, maximum, where
 from renderer.picture.frame import Frame
 
 TINY = 1e-100  # a distance that counts as none, or as this: its square would vanish
-DIGITS, EVERY_DIGIT = 4, 15  # of a table; as many as every float64 has
-
-
-@dataclass(frozen=True)
-class Interval:
-    """A number as it was computed, and the ends between which the true one lies."""
-
-    value: float
-    lower: float
-    upper: float
-
-    def __format__(self, form: str) -> str:
-        """Return what both ends are in a format, or without one the digits that are certain.
-
-        Raises ValueError where the format asks for more than is certain, or no digit is.
-        """
-        certain = {certain_digits(self.lower, self.upper)}
-        ends = {format(end, form) for end in (self.lower, self.upper)} if form else certain
-        if len(ends) > 1 or ends == {""}:
-            raise ValueError(f"{form or 'a digit'!r} of a number from {self.lower!r} to {self.upper!r} is not certain")
-        return ends.pop()
-
-    def outward(self) -> tuple[float, float]:
-        """Return numbers of two digits that it certainly lies between."""
-        down = Context(prec=2, rounding=ROUND_FLOOR).create_decimal(Decimal(self.lower))
-        return float(down), float(rounded_up(self.upper, 2))
-
-    def times(self, factor: float) -> "Interval":
-        """Return the interval of so many times the number; factor: 100, say, which is exact."""
-        down, up = 1 - 2 * UNIT, 1 + 4 * UNIT
-        return Interval(self.value * factor, self.lower * factor * down, self.upper * factor * up)
-
-
-def certain_digits(lower: float, upper: float, digits: int = DIGITS) -> str:
-    """Return the number that both ends are when they are rounded to a count of significant digits.
-
-    The count is the largest, up to `digits`, at which they agree: whatever lies between them is then rounded to the
-    same number. "" where they agree at none. The ends are taken as the exact fractions that they are.
-    """
-    for count in range(digits, 0, -1):
-        rounded = {Context(prec=count).create_decimal(Decimal(end)) for end in (lower, upper)}
-        if len(rounded) == 1:
-            return f"{float(rounded.pop()):.{count}g}"
-    return ""
-
-
-def rounded_up(upper: float, digits: int = 1) -> str:
-    """Return a number of so many digits that is not below `upper`, as text: what is certain where no digit is."""
-    return f"{float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal(Decimal(upper))):.{digits}g}"
 
 
 def _difference(frame, reference):
@@ -73,11 +23,6 @@ def _difference(frame, reference):
 def difference_on_a(frame: Frame, reference: Frame) -> np.ndarray:
     """Return the differences of two frames of one raster on sphere A, (pixels, 3). Raises ValueError of two rasters."""
     return _difference(frame, reference)[reference.stage.on_a]
-
-
-def rms(values: np.ndarray) -> float:
-    """Return the root of the mean square, 0 of nothing."""
-    return float(np.sqrt(np.mean(np.square(values)))) if values.size else 0.0
 
 
 def distance_on_a(frame: Frame, reference: Frame) -> tuple[Interval, Interval]:

@@ -6,13 +6,14 @@ import numpy as np
 
 from renderer import kernels
 from renderer.checks import check_whole
+from renderer.machines.forms import of_form
 from renderer.machines.numpy_rows import Block, Rows
 from renderer.picture.drawing import render
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import FIRST_LIGHT_BIT, SCENE_FORM, of_form, want_of
+from renderer.shader.numbers import FIRST_LIGHT_BIT, want_of
 from renderer.shader.shader import COLORS, Group
 
 SURFACES = ("none", "A", "B", "floor")
@@ -94,7 +95,8 @@ def _lit(frame):
     job = frame.stage.job(frame.scene, frame.method, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
     want = want_of(frame.scene, frame.method, chambers_known=True)
     want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
-    group = _WrittenDown(Rows(job["lights"]), of_form(SCENE_FORM, job["scene"]), want, Block(job, slice(1)))
+    machine, numbers = Rows(want.shader, job["lights"]), of_form(want.shader.scene, job["scene"])
+    group = _WrittenDown(machine, numbers, want, Block(job, slice(1)))
     group.draw()
     return group.found
 

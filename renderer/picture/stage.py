@@ -117,14 +117,14 @@ class Stage:
         before: Callable[[slice], None] | None = None,
         **want: Any,
     ) -> np.ndarray:
-        """Draw what is wanted (`renderer.shader.shader.Want`) into planes, by bands; return what was counted, by WORK.
+        """Draw what is wanted (`renderer.shader.numbers.Want`) into planes, by bands; return what was counted, by WORK.
 
         before: what is called with the rows of a band (a slice) before that is drawn.
         """
         job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
             with compiling:
-                from renderer.machines.rounded_inputs import input_bounds  # what most pictures never need to import
+                from renderer.shader.rounded_inputs import input_bounds  # what most pictures never need to import
 
             job |= input_bounds(scene, self.raster, len(self._x))
         draw_rows = machine().drawer(want_of(scene, method, **want), job)

@@ -10,7 +10,8 @@ import numpy as np
 
 from renderer import whole_files
 from renderer.checks import check_choice, check_kind
-from renderer.picture.differences import DIGITS, EVERY_DIGIT, certain_digits, distance_on_a, rounded_up
+from renderer.intervals import DIGITS, EVERY_DIGIT, certain_digits, rounded_up
+from renderer.picture.differences import distance_on_a
 from renderer.picture.drawing import render
 from renderer.scene.methods import DECADES, DIFFERENCES, GradientMethod, checked_method, difference, exact
 from renderer.scene.raster import Raster

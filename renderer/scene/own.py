@@ -1,7 +1,7 @@
 """Which height field: one of kernels.py by its name, or a HeightField that is made at run time.
 
-`renderer.generate.own`, which makes a custom field's kernels, is imported for it alone, since SymPy and the proofs come
-with it.
+`renderer.generate.custom_fields`, which makes a custom field's kernels, is imported for it alone, since SymPy and the
+proofs come with it.
 """
 
 from collections.abc import Iterable
@@ -12,17 +12,17 @@ from renderer.kernels import FIELDS
 
 
 def _makers():
-    from renderer.generate import own
+    from renderer.generate import custom_fields
 
-    return own
+    return custom_fields
 
 
 def check_field(name: str, value: Any, choices: Iterable[str]) -> Any:
     """Return one of `choices`, or a custom field, whose kernels are made. Raises ValueError on the rest."""
     if isinstance(value, str):
         return str(check_choice(name, value, choices))
-    own = _makers()
-    return own.registered(value) if isinstance(value, own.HeightField) else check_choice(name, value, choices)
+    makers = _makers()
+    return makers.made_field(value) if isinstance(value, makers.HeightField) else check_choice(name, value, choices)
 
 
 def check_size(field: Any, ku: float, kv: float, beta: float) -> None:

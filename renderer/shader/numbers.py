@@ -4,16 +4,17 @@ import math
 from collections.abc import Callable, Iterable
 from functools import lru_cache
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from renderer.kernels import LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
+from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
+from renderer.machines.forms import Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.scene import Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
-from renderer.shader.shader import FLOOR, NOTHING, Want
+from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "albedo_a", "albedo_b")
@@ -24,19 +25,6 @@ def read_only(*arrays: np.ndarray) -> None:
     """Let nobody write any more through arrays that several frames read."""
     for array in arrays:
         array.flags.writeable = False
-
-
-def flat(numbers: SimpleNamespace) -> list:
-    """Return the numbers one after another, a list."""
-    return [part for field in vars(numbers).values() for part in (field if isinstance(field, tuple) else (field,))]
-
-
-def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
-    """Return an iterable of values in the form of other numbers: the inverse of `flat`."""
-    values, names = iter(values), vars(form).items()
-    return SimpleNamespace(
-        **{n: tuple(next(values) for _ in old) if isinstance(old, tuple) else next(values) for n, old in names}
-    )
 
 
 @lru_cache(maxsize=64)
@@ -65,6 +53,38 @@ def style_of(scene: Scene) -> tuple[Any, str]:
     """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
     squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
+
+
+class Want(NamedTuple):
+    """What is drawn: it chooses the code, where the scene's numbers are given to it.
+
+    ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
+    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
+    highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
+    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
+    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
+    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    """
+
+    ways: tuple
+    lights: tuple
+    whole: bool = True
+    chambers_known: bool = False
+    surfaces: str = "all"
+    colors: bool = True
+    stored: tuple = ()
+    charted: bool = False
+    bounds: bool = False
+
+    @property
+    def shader(self) -> Shader:
+        """What draws it."""
+        return SHADER
+
+    @property
+    def is_long(self) -> bool:
+        """Whether a difference's heights or a power make a long chain of operations, each of which awaits another."""
+        return not self.whole or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
 def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
@@ -118,6 +138,8 @@ def light_numbers(number: int, light: Light, boxes: Iterable[Box]) -> SimpleName
 
 SCENE_FORM = scene_numbers(Scene(), exact())
 LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
+ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
+SHADER = Shader(Group, SCENE_FORM, LIGHT_FORM, ROUNDED, WORK, PLANES)
 
 
 @lru_cache(maxsize=64)

@@ -11,75 +11,35 @@ gives values for many pixels at once, and masks that say for which of them somet
     count(kind, mask)                               so many pixels more, of a kind of WORK
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from functools import partial
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 from renderer import kernels as k
+from renderer.machines.forms import COLORS, Numbers, Variables
 from renderer.operations import Mask, Number, floor, where
 from renderer.scene.own import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
-COLORS = ("red", "green", "blue")
 BOUNDS = tuple(f"{color}_bound" for color in COLORS)
 ANGLES, CHART, SLOPES = ("cos_theta", "sin_theta", "cos_phi", "sin_phi"), ("u", "v"), ("h_u", "h_v")
 ON_A = (*ANGLES, *SLOPES)
+PLANES = (*COLORS, "code", *ON_A, *CHART, *BOUNDS, "open")
 WORK = ("gradient_evaluations", "shadow_tests", "specular_powers", "light_terms")
 
-Step = Callable[[], None]
-Numbers = Sequence[Number]
 Bodies = Callable[[SimpleNamespace], Iterable[tuple[Numbers, Numbers]]]
-
-
-class Want(NamedTuple):
-    """What is drawn: it chooses the code, where the scene's numbers are given to it.
-
-    ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
-    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
-    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
-    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
-    """
-
-    ways: tuple
-    lights: tuple
-    whole: bool = True
-    chambers_known: bool = False
-    surfaces: str = "all"
-    colors: bool = True
-    stored: tuple = ()
-    charted: bool = False
-    bounds: bool = False
-
-
-class Variables:
-    """Several values that change, and do so together."""
-
-    def __init__(self, machine: Any, values: Iterable[Number]):
-        self._each = [machine.variable(value) for value in values]
-
-    @property
-    def value(self) -> Numbers:
-        """The present values."""
-        return [variable.value for variable in self._each]
-
-    def set(self, values: Iterable[Number], mask: Mask | None = None) -> None:
-        """Put values in their place, where the mask holds."""
-        for variable, value in zip(self._each, values, strict=True):
-            variable.set(value, mask)
 
 
 class Group:
     """The pixels of a group while they are drawn.
 
     pixels: their image points x, y (x is NaN beyond a row's end), and `load` and `store` of the frame's planes by name.
-    scene: `renderer.shader.numbers.scene_numbers`.
+    scene: `renderer.shader.numbers.scene_numbers`. want: `renderer.shader.numbers.Want`.
     """
 
-    def __init__(self, machine: Any, scene: SimpleNamespace, want: Want, pixels: Any):
+    def __init__(self, machine: Any, scene: SimpleNamespace, want: Any, pixels: Any):
         self.machine, self.scene, self.want, self.pixels = machine, scene, want, pixels
         self.x, self.y = pixels.x, pixels.y
         self.sphere_a = (0.0, 0.0, 0.0, scene.radius)

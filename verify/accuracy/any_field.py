@@ -12,9 +12,9 @@ from flint import arb
 from sympy import Expr, Symbol, diff
 
 from proofs.engine.program import chain
+from proofs.engine.vectors import real
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HeightField, gradient
-from proofs.formulas.symbols import real
 from renderer.checks import not_allowed
 from renderer.machines.enclosing import SLACK
 from verify.evaluate.arrays import BITS, Inputs, distance, in_balls, with_bounds

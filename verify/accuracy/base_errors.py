@@ -12,15 +12,16 @@ from typing import Any, ClassVar
 import numpy as np
 from flint import arb
 
+from proofs.engine.program import Program
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.camera import angles_on_a
 from proofs.formulas.symbols import cos_phi, cos_theta, rho, sin_phi, sin_theta
 from renderer import kernels, operations
+from renderer.machines.bounded import Bounded
 from renderer.machines.enclosing import SLACK, Enclosed, enclosed
 from renderer.operations import UNIT
-from verify.accuracy.pieces import lines
-from verify.evaluate import code_of
-from verify.evaluate.rounding import Running, run
+from verify.evaluate import ANY_NUMBERS, code_of
+from verify.evaluate.programs import lines
 
 LEAST_SQUARE = 0.1
 """The least 1 − (ρ/ρ_s)²."""
@@ -29,15 +30,29 @@ RATIOS = (1e-6, 1 - 1e-9)
 BOXES, ANGLES = (6000, 200), 2000
 
 
-class OverBoxes(Running):
-    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most."""
+class OverBoxes(Bounded):
+    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most.
+
+    It goes through the printed text of lines in place of a float.
+    """
 
     def __init__(self, value: Any, error: Any = 0.0):
         super().__init__(enclosed(value), Enclosed(enclosed(error).size * SLACK))
 
-    def known_as(self, value: Enclosed) -> "OverBoxes":
-        """Return the number, of which more is known than its line says."""
-        return OverBoxes(value, self.error)
+    @classmethod
+    def of(cls, number: Any) -> "OverBoxes":
+        """Return a number as one of this kind."""
+        return number if isinstance(number, cls) else cls(number)
+
+    @property
+    def size(self) -> Any:
+        """How large the float64 number can be."""
+        return abs(self.value) + self.error
+
+    size_of_quotient = staticmethod(abs)
+
+    def __neg__(self):
+        return OverBoxes(-self.value, self.error)
 
     def inverse(self) -> Enclosed:
         """Return how large its inverse can be."""
@@ -59,7 +74,8 @@ class OverBoxes(Running):
         root, least = operations.sqrt(self.value), operations.sqrt(self.value - self.error)
         return self.rounded(root, self.error / (root + least), UNIT)
 
-    names: ClassVar = Running.names | {
+    names: ClassVar = ANY_NUMBERS | {
+        "rational": lambda p, q: p / q,
         "sqrt": sqrt,
         "maximum": lambda zero, number: number,
         "compare": lambda *sides: True,  # A is hit, off the pole
@@ -74,9 +90,17 @@ def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
     return Enclosed(np.expand_dims(middle, -1 - axis), np.expand_dims(reach, -1 - axis))
 
 
+def run(program: Program, values: dict[str, OverBoxes], known: dict[str, Enclosed] | None = None) -> dict:
+    """Run the lines on {name: number}, and return it with theirs. known: {name: its value, if that is known better}."""
+    for name, line in code_of(program):
+        number = OverBoxes.of(eval(line, {**OverBoxes.names, "value": values}))
+        values[name] = OverBoxes(known[name], number.error) if known and name in known else number
+    return values
+
+
 def _errors(outputs, given, values, known):
     """Return [the errors] of outputs of A's lines, from given symbols on."""
-    found = run(code_of(lines(angles_on_a, given, outputs)), values, known, OverBoxes)
+    found = run(lines(angles_on_a, given, outputs), values, known)
     return [found[symbol.name].error for symbol in outputs]
 
 
@@ -89,7 +113,7 @@ def errors_around() -> tuple[float, float]:
     """Return by how much the base of u, and ρ of itself, are off at most: over a quarter of the circle ρ = 1."""
     angle = boxes(np.linspace(0, 0.5, ANGLES + 1))
     at = {"x": OverBoxes(kernels.cospi(angle)), "y": OverBoxes(kernels.sinpi(angle)), "eye": OverBoxes(1.0)}
-    *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": (Enclosed(1.0),)})
+    *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": Enclosed(1.0)})
     return _largest(*of_u), _largest(of_rho)
 
 
@@ -101,7 +125,7 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     radius, share = boxes(ratios, 0), boxes(np.sqrt(1 - np.linspace(least, 1, BOXES[1] + 1)))  # ρ/ρ_s
     rho_here = share * radius / operations.sqrt((1.0 - radius) * (1.0 + radius))
     at = {"eye": OverBoxes(1.0), "radius": OverBoxes(radius), "rho": OverBoxes(rho_here, rho_here * of_rho)}
-    known = {"discriminant_a": (radius * radius * ((1.0 - share) * (1.0 + share)),)}
+    known = {"discriminant_a": radius * radius * ((1.0 - share) * (1.0 + share))}
     return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, known))
 
 

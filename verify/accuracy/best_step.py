@@ -13,7 +13,7 @@ from proofs.formulas import step_bounds
 from proofs.formulas.finite_difference import central
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer.generate.kernels import function_of
-from renderer.generate.step_terms import SINE_ULPS, UNIT, rounding_bound, slope_bound, truncation_bound
+from verify.accuracy.step_terms import SINE_ROUNDINGS, UNIT, rounding_bound, slope_bound, truncation_bound
 from verify.evaluate.arrays import in_balls, in_float64
 from verify.evaluate.programs import naive
 
@@ -40,7 +40,7 @@ def best_of(k: float, rounding: float) -> Best:
 
 def predicted(k: float, representable: bool = False) -> Best:
     """Return the Best of the proved bound for sine in u, wherever the point is; representable: with the trick."""
-    heights, arguments = SINE_ULPS * UNIT + UNIT, 0.0 if representable else UNIT
+    heights, arguments = SINE_ROUNDINGS * UNIT + UNIT, 0.0 if representable else UNIT
     return best_of(k, rounding_bound(2.0, slope_bound(k), 0.0, heights, arguments))
 
 

@@ -2,7 +2,7 @@
 
 The difference in exact arithmetic, and the same of the arguments u ± ε as float64 has them, are balls of the
 program's own lines; the float64 difference is the kernel's. With D the exact difference and D̂ that of the rounded
-arguments: total = (D − h') + (D̂ − D) + (computed − D̂). The bounds are those of `renderer.generate.step_terms`.
+arguments: total = (D − h') + (D̂ − D) + (computed − D̂). The bounds are those of `verify.accuracy.step_terms`.
 """
 
 from functools import cache
@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.step_bounds import TERMS
-from renderer.generate.step_terms import SLOPE_TERMS
-from verify.accuracy.pieces import lines
+from verify.accuracy.step_terms import SLOPE_TERMS
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
+from verify.evaluate.programs import lines
 
 PER_DECADE = 40
 ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)

@@ -26,20 +26,6 @@ OF_WAVES = {name: field for name, field in HEIGHT_FIELDS.items() if field.wave_n
 """The fields that turn with one product of a wave number and a coordinate: of no other is a bound claimed."""
 
 
-def image_points(rng: np.random.Generator, eye: float, radius: float, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return image points with 1 − (ρ/ρ_s)² ≥ 0.1: spread over the disc, and toward the pole down to sin φ = 1e-150.
-
-    A third of them has an azimuth that is a multiple of π/64: of the creases of ridges.
-    """
-    rho = kernels.silhouette_of_a(eye, radius) * math.sqrt(0.9) * np.sqrt(rng.random(count)) * (1 - 1e-12)
-    # Near the pole ρ = e R sin φ/(e − R cos φ), which is e R sin φ/(e − R) to first order.
-    toward_pole = np.minimum(eye * radius * 10.0 ** rng.uniform(-149.9, -1, count) / (eye - radius), rho)
-    rho = np.where((np.arange(count) % 2 == 0) & (toward_pole > 2e-150 * eye), toward_pole, rho)
-    angle = rng.uniform(-math.pi, math.pi, count)
-    angle = np.where(np.arange(count) % 3 == 0, np.rint(angle * 64 / math.pi) * math.pi / 64, angle)
-    return rho * np.cos(angle), rho * np.sin(angle)
-
-
 def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.ndarray:
     """Return the errors of the algebraic gradient at image points in units of (1 + k) π k 2^-53.
 
@@ -61,20 +47,20 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
 def worst_at(ratios: np.ndarray, shares: np.ndarray, *waves: np.ndarray) -> np.ndarray:
     """Return the largest of `errors_at` for each R/e, ρ/ρ_s, k_u and k_v, of every field that has an algebraic form.
 
-    The azimuth is random, and wave numbers are rounded to those that have one. Of each also one of `image_points`. The
-    shape is that of the ratios.
+    Half of the points are moved toward the pole. The azimuth is random, of a third a multiple of π/64: of the creases
+    of ridges. Wave numbers are rounded to those that have an algebraic form. The shape is that of the ratios.
     """
     rng, found, eye = np.random.default_rng(SEED), np.zeros(ratios.shape), 1 / ratios
-    rho, angle = kernels.silhouette_of_a(eye, 1.0) * shares, rng.uniform(-math.pi, math.pi, ratios.shape)
-    given = np.array([rho * np.cos(angle), rho * np.sin(angle)])
-    points = np.stack(
-        [given, np.reshape([image_points(rng, e, 1.0, 1) for e in eye.flat], (-1, 2)).T.reshape(given.shape)], 1
-    )
+    toward_pole = 10.0 ** -np.where(rng.random(ratios.shape) < 0.5, rng.uniform(0, 140, ratios.shape), 0)
+    angle = rng.uniform(-math.pi, math.pi, ratios.shape)
+    angle = np.where(rng.random(ratios.shape) < 1 / 3, np.rint(angle * 64 / math.pi) * math.pi / 64, angle)
+    rho = kernels.silhouette_of_a(eye, 1.0) * shares * toward_pole
+    points = rho * np.cos(angle), rho * np.sin(angle)
     k = np.stack([2 * np.rint(waves[0] / 2), np.rint(waves[1])])
     for field, pair in product(OF_WAVES.values(), np.unique(k.reshape(2, -1), axis=1).T):
         here = (k == pair.reshape(2, *(1,) * ratios.ndim)).all(axis=0)
-        at = dict(zip(("x", "y"), points[..., here], strict=True)) | {"eye": eye[here], "radius": 1.0}
+        at = dict(zip(("x", "y"), (axis[here] for axis in points), strict=True)) | {"eye": eye[here], "radius": 1.0}
         multiples = [float(wave.subs({k_u: 1, k_v: 1})) or 1 for wave in field.wave_numbers or ()]
         at |= dict(zip(("k_u", "k_v"), pair / multiples, strict=True))
-        found[here] = np.maximum(found[here], errors_at(field, at).max(axis=0))
+        found[here] = np.maximum(found[here], errors_at(field, at))
     return found

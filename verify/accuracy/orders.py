@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 from sympy import Abs, diff
 
+from proofs.engine.half_turns import cospi, ordinary
 from proofs.formulas import step_bounds
 from proofs.formulas.finite_difference import central as central_difference
-from proofs.formulas.half_turns import cospi, ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from renderer.picture.differences import Interval, rms
+from renderer.intervals import Interval, rms
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import distance, in_balls

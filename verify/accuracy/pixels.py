@@ -17,8 +17,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Scene, render
 from renderer.picture.frame import Frame
-from verify.evaluate.balls import Balls
-from verify.reference import COLORS, chamber_code, lights_on, lines_of, scene_values
+from verify.reference import COLORS, chamber_code, lines_of
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 WIDEST = 1e-40
@@ -85,11 +84,8 @@ def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
     """Return the balls of every line of a frame's pixel."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
-    place = {"column": left + column, "row": top + row}
-    size = {"width": raster.width, "height": raster.height, "epsilon": method.eps or 0.0}
-    balls = lines_of(Balls, scene.field, scene.model, len(lights_on(scene)), method.name)
-    with ctx.workprec(BITS):
-        return balls({name: arb(value) for name, value in scene_values(scene, **place, **size).items()}, BITS)
+    place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
+    return lines_of(scene, method.name, BITS, **place, epsilon=method.eps or 0.0)
 
 
 def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:

@@ -14,13 +14,13 @@ import numpy as np
 from proofs.formulas.colour_bounds import light_bound
 from renderer import Light, Scene, central, exact, kernels, render
 from renderer.generate.kernels import function_of
+from renderer.intervals import Interval
 from renderer.operations import UNIT
-from renderer.picture.differences import Interval, enclosed_distance
+from renderer.picture.differences import enclosed_distance
 
 SIDE, EPS = 256, 1e-2
 HALF = 1.5  # of the lamp's side, in radii of A
 FAR = 1e3  # along a ray, beyond everything
-NOTHING, ITSELF, BALL, DARK, LIGHT = range(5)
 _bound = function_of(light_bound(0))
 
 
@@ -92,9 +92,9 @@ def stacked(scene: Scene, lamp: int = 1, pixel: int = 1, side: int = SIDE) -> St
 
 
 def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
-    """Return what the eye's ray, mirrored at N', meets from each pixel of A: NOTHING, ITSELF, BALL, DARK or LIGHT.
+    """Return what the eye's ray, mirrored at N', meets from each pixel of A: either square, A, B or nothing.
 
-    `planes` are a frame's `planes_on_a`. ITSELF is where the mirrored ray goes into the smooth sphere.
+    Each has a number. `planes` are a frame's `planes_on_a`; A is the smooth sphere.
     """
     angles, gradient = planes[:4], planes[4:]
     point = np.array(kernels.point_on_a(*angles, scene.radius))
@@ -102,9 +102,9 @@ def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
     to_eye = np.array([[0.0], [0.0], [scene.eye]]) - point
     ray = 2 * (bumped * to_eye).sum(axis=0) * bumped - to_eye
     x, y, _ = point - ray * point[2] / np.where(ray[2] < 0, ray[2], 1)
-    found = np.where(ray[2] < 0, np.where(kernels.checker(x, y) > 0, DARK, LIGHT), NOTHING)
     on_ball = kernels.shadow(*point, *(point + FAR * ray), *scene.ball_center, scene.ball_radius) > 0
-    return np.where((ray * point).sum(axis=0) < 0, ITSELF, np.where(on_ball, BALL, found))
+    others = (ray * point).sum(axis=0) < 0, on_ball, ray[2] >= 0
+    return np.select(others, (2, 3, 4), kernels.checker(x, y) > 0)
 
 
 def mirrors_apart(scene: Scene, side: int = SIDE) -> tuple[int, int]:

@@ -6,12 +6,11 @@ That every point lies below its bound is the theorem `difference_bounds`, run wi
 import numpy as np
 import pytest
 
-from proofs.formulas.certified import ALGEBRAIC_GRADIENT
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import u, v
 from renderer import Scene, central, gradient_at
-from renderer.generate.expression import parse_expression
-from renderer.generate.own import HeightField
+from renderer.generate.custom_fields import HeightField
+from renderer.generate.reader import parse_expression
 from verify.accuracy import best_step
 from verify.accuracy.any_field import third_derivatives, u_curve
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
@@ -82,13 +81,6 @@ def test_a_crease_or_a_pole_has_no_bound():
 
 
 # The algebraic gradient, once the sides of the creases are certain
-
-
-def test_the_point_at_which_eight_units_were_claimed():
-    x, y = map(float.fromhex, ("0x1.bc6ffc88851b2p-1", "-0x1.87c10a5d4cef9p-2"))
-    at = {"eye": float.fromhex("0x1.021f2fb272d1dp+9"), "radius": 1.0, "x": [x], "y": [y]}
-    (found,) = errors_at(HEIGHT_FIELDS["sine"], at | {"k_u": 60.0, "k_v": 63.0})
-    assert 9 < found < ALGEBRAIC_GRADIENT
 
 
 def test_a_crease_has_to_be_excluded():

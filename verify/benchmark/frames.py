@@ -11,11 +11,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import cycle, product
+from unittest.mock import patch
 
 from renderer import Scene, central, exact, render, stage_of
+from renderer.machines import numpy_rows
+from renderer.picture import stage as picture
+from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
-from renderer.shader.shader import ON_A
-from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.timing import Case
 from verify.sources import ROOT
@@ -30,12 +32,17 @@ SIDES = {"seed_exact": (64, 128, 256), "seed_central": (64, 128, 256), "numpy": 
          "algebraic": (64, *FITTED), "general": (64, 256, 1024, 4096), "central": (64, 256, 1024, 4096)}  # fmt: skip
 PIXELS_A_VISIT = 2**23
 STEP = 1024
-IN_CACHE = 256  # six planes of that side stay in a cache: it is the gradient that is timed, not the memory
 
 
 def calls(side: int) -> int:
     """Return how many frames of that side a visit times: two at least, so that one before them touches the memory."""
     return max(2, min(40, PIXELS_A_VISIT // side**2))
+
+
+def on_numpy(scene: Scene, width: int, height: int, threads: int = 1) -> Frame:
+    """Return a frame as NumPy draws it, where there is no LLVM."""
+    with patch.object(picture, "machine", lambda: numpy_rows):
+        return render(scene, width, height, threads=threads)
 
 
 def frame_cases(largest: int) -> list[Case]:
@@ -47,20 +54,10 @@ def frame_cases(largest: int) -> list[Case]:
             if name in METHODS:
                 cases.append(Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side)))
             elif name == "numpy":
-                cases.append(Case(label, partial(numpy_tiles, *frame, threads), max(1, calls(side) // 8), 5))
+                cases.append(Case(label, partial(on_numpy, *frame, threads), max(1, calls(side) // 8), 5))
             elif threads == 1:
                 cases.append(Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3))
     return cases
-
-
-def bounds_cases() -> list[Case]:
-    """Return the cases of a frame of sine on all threads, with bounds and without."""
-    sine, sides = replace(SCENE, field="sine"), {"bounds": (256, 1024), "no_bounds": (256, 1024, 2048)}
-    return [
-        Case(f"{name}_{side}", partial(render, sine, side, side, bounds=name == "bounds"), calls(side))
-        for name in sides
-        for side in sides[name]
-    ]
 
 
 def stepping(scene: Scene, frames: Sequence[tuple[Scene, GradientMethod]], threads: int) -> Callable[[], None]:
@@ -88,15 +85,6 @@ def step_cases() -> list[Case]:
         **{f"a_alone_{name}_{STEP}_1": [(A_ALONE, method)] for name, method in METHODS.items()},
     }
     return [Case(n, stepping(f[0][0], f, int(n[-1])), calls(STEP)) for n, f in sequences.items()]
-
-
-def image_gradient_case() -> Case:
-    """Return the case of the exact gradient alone, from (x, y) to (h_u, h_v) at the pixels of A: nothing is drawn."""
-    stage = stage_of(A_ALONE, IN_CACHE, IN_CACHE)
-    planes = {name: stage.new_plane() for name in ON_A}
-    method = exact("algebraic")
-    work = partial(stage.draw, A_ALONE, method, 1, planes, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
-    return Case("image_gradient", work, calls(IN_CACHE), unit="ns", points=int(stage.on_a.sum()))
 
 
 START = {

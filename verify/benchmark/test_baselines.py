@@ -8,14 +8,14 @@ from numpy.testing import assert_array_equal
 
 from renderer import Scene, central, exact, render
 from renderer.kernels import FIELDS
+from renderer.machines import native
 from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.scene import MODELS
-from verify.benchmark.baselines.numpy_tiles import numpy_tiles
 from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
+from verify.benchmark.frames import on_numpy
 
 SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
-TILES_AGREE = 1e-12  # libm's sine of a rounded πku
 
 
 def largest(rgb, frame):
@@ -47,9 +47,7 @@ def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart():
     assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
 
 
-def test_the_numpy_tiles_draw_our_picture():
-    for side, threads in product((64, 256), (1, 2)):
-        frame = render(Scene(), side, side, exact("general"))
-        rgb, surfaces = numpy_tiles(Scene(), side, side, threads)
-        assert largest(rgb, frame) < TILES_AGREE
-        assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+def test_numpy_draws_our_picture(monkeypatch):
+    ours = render(Scene(), 64, 64).rgb
+    monkeypatch.delattr(native, "drawer")
+    assert_array_equal(on_numpy(Scene(), 64, 64, 2).rgb, ours)

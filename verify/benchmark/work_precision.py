@@ -21,7 +21,7 @@ from tqdm import tqdm
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import gradient
 from renderer import Scene, central, central4, exact, forward, render, stage_of
-from renderer.picture.differences import rms
+from renderer.intervals import rms
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
@@ -153,11 +153,9 @@ def measure(rounds: int, pixels: int) -> dict[str, Any]:
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)
-    print(f"left out, not installed: {', '.join(absent)}" if absent else "every library is installed")
+    print(f"left out, not installed: {', '.join(absent) or 'none'}")
     more = {"absent": absent, "seed": SEED, "rounds": rounds, "side": SIDE}
-    gradients, frames = gradient_rows(rounds), frame_rows(rounds, pixels)
-    print(f"others that beat ours in both: {[r['method'] for r in peers_that_beat(gradients)] or 'none'}")
-    return {"label": more, "gradients": gradients, "frames": frames}
+    return {"label": more, "gradients": gradient_rows(rounds), "frames": frame_rows(rounds, pixels)}
 
 
 main = partial(command, "work_precision", __doc__, measure, rounds=ROUNDS, pixels=PIXELS)

@@ -4,9 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import mpmath
-from sympy import And, Basic, Expr, Symbol
+from sympy import And, Basic, Derivative, Expr, Mul, Symbol, evaluate, prod, sympify
 
-from renderer.generate.printer import differentiated
 from verify.evaluate import DIGITS, MPMATH, Evaluator, code_of, compare
 
 Lines = Sequence[tuple[Symbol, Expr]]
@@ -39,6 +38,23 @@ def _step(x, *_):
 
 NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "DiracDelta": lambda x, *_: 0 * _step(x)}
 """What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
+
+
+def differentiated(expression: Basic) -> Basic:
+    """Return an expression with the derivatives in it as SymPy takes them, whatever the rules of a translation do.
+
+    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+    """
+    expression = sympify(expression)
+    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
+    with evaluate(False):
+        return expression.xreplace(taken)
+
+
+def _without_products_of_numbers(expression):
+    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
+    with evaluate(False):
+        return expression.xreplace(numbers)
 
 
 class Code(Evaluator):

@@ -32,10 +32,10 @@ from proofs.check import reasons
 from proofs.engine import stored
 from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
+from proofs.engine.half_turns import sinpi
 from proofs.engine.program import Program, chain
 from proofs.engine.stored import NotFound, statements
 from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems, variant
-from proofs.formulas.half_turns import sinpi
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided

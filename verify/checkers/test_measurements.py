@@ -11,16 +11,15 @@ from flint import arb
 from sympy import symbols
 
 from proofs.engine.theorem import Theorem
-from proofs.formulas.certified import CERTIFIED
-from verify.accuracy import certified_ulps
-from verify.accuracy.certified_ulps import PIECES, errors_on_pieces
+from proofs.formulas.certified import SINE as MOST
+from verify.accuracy import sine
 from verify.checkers import proof_checker
 from verify.checkers.grades import graded, summary
 from verify.checkers.measured import examine, measurements
 from verify.checkers.measurement import REGISTERED, Enclosure, Measurement, measures
 
 x = symbols("x", real=True)
-SOME = Theorem("measured_here", "A measurement", "At most 1.53 ulps.", expected="measured")
+SOME = Theorem("measured_here", "A measurement", "At most 2.42 roundings.", expected="measured")
 
 
 @pytest.fixture
@@ -88,16 +87,18 @@ def test_without_a_measurement_nothing_is_measured():
         measures(SOME.id, false={})
 
 
-SINE = Enclosure(
-    PIECES["sinpi"], {"x": ((0.001, 0.25),)}, partial(errors_on_pieces, "sinpi"), CERTIFIED["sinpi"], "sine, in ulps"
-)
+SINE = Enclosure(sine.pieces, {"x": ((0.001, 0.25),)}, sine.errors, MOST, "sine, in roundings")
 
 
 def forged(pieces):
     """Return a function that returns pieces, and looks like one of `verify`."""
-    function = lambda *points: pieces  # noqa: E731
-    function.__module__, function.__name__ = certified_ulps.__name__, f"forged_{id(pieces)}"
-    vars(certified_ulps)[function.__name__] = function
+    return forged_with(lambda *points: pieces)
+
+
+def forged_with(function):
+    """Return a function that looks like one of `verify`."""
+    function.__module__, function.__name__ = sine.__name__, f"forged_{id(function)}"
+    vars(sine)[function.__name__] = function
     return function
 
 
@@ -105,10 +106,10 @@ def elsewhere(points):
     return 0 * points
 
 
-elsewhere.__module__ = "verify.accuracy.pieces"
+elsewhere.__module__ = "verify.accuracy.differences"
 
 
-OWN = [(Fraction(0), Fraction(1, 2), Fraction(153, 100))]
+OWN = [(Fraction(0), Fraction(1, 2), Fraction(242, 100))]
 TAMPERED = {
     "pieces of its own": {"pieces": lambda: OWN},
     "pieces written down": {"pieces": OWN},
@@ -117,7 +118,7 @@ TAMPERED = {
     "no range of its variable": {"over": {"x": ()}},
     "a function that its module has not": {"at": elsewhere},
     "an infinite bound": {"bound": arb("inf")},
-    "a bound that is a float": {"bound": 1.53},
+    "a bound that is a float": {"bound": 2.42},
     "a smaller bound": {"bound": Fraction(133, 100)},
     "one number": {"pieces": forged([(arb(0.125), arb(0.125), arb(1))]), "over": {"x": ((0.125, 0.125),)}},
     "wide ends": {"pieces": forged([(arb(0, 5), arb(1, 5), arb(1))]), "over": {"x": ((0.0, 1.0),)}},
@@ -125,7 +126,7 @@ TAMPERED = {
     "no value": {"at": partial(forged(np.zeros((0, 1))))},
     "a gap": {"pieces": forged(SINE.enclosed[:300] + SINE.enclosed[301:])},
     "beyond its pieces": {"over": {"x": ((0.001, 0.51),)}},
-    "another function": {"at": partial(errors_on_pieces, "sinpi_of_product")},
+    "another function": {"at": forged_with(lambda points: 8 * sine.errors(points))},
     "its own function": {"at": lambda points: 0 * points},
 }
 
@@ -136,12 +137,12 @@ def test_an_enclosure_is_taken_apart_and_tried(changes):
 
 
 WORDS = [
-    *((words, "certified") for words in (SOME.statement, r"$\sin\pi x$ is off by 1.53 $\mu$, $\mu = 2^{-53}$.")),
-    ("At most 1.5 ulps.", "failed"),
-    (r"At most 1.53 ulps at all $x$, $y$.", "failed"),
-    (r"$|f(x)| \le 1.53$ for every $x$", "failed"),
-    (r"$\sin\pi\varphi x$ is off by 1.53 ulps.", "failed"),
-    (r"$\sin\pi x_1$ is off by 1.53 ulps.", "failed"),
+    *((words, "certified") for words in (SOME.statement, r"$\sin\pi x$ is off by 2.42 $\mu$, $\mu = 2^{-53}$.")),
+    ("At most 2.4 roundings.", "failed"),
+    (r"At most 2.42 roundings at all $x$, $y$.", "failed"),
+    (r"$|f(x)| \le 2.42$ for every $x$", "failed"),
+    (r"$\sin\pi\varphi x$ is off by 2.42 roundings.", "failed"),
+    (r"$\sin\pi x_1$ is off by 2.42 roundings.", "failed"),
 ]
 
 

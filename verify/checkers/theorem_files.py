@@ -7,7 +7,8 @@ from proofs.engine.project import PROJECT
 
 FOLDER = PROJECT.folder(PROJECT.theorems)
 TRUSTED = ("__init__", "language")
-IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", "proofs.engine.claim.")
+ENGINE = tuple(f"proofs.engine.{name}." for name in ("claim", "half_turns", "vectors"))
+IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", *ENGINE)
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}

@@ -14,8 +14,16 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from proofs.engine.claim import CitedLemma, Claim, Induction, equation
 from proofs.engine.theorem import Point
-from renderer.generate.printer import differentiated
-from verify.checkers.digits import DIGITS, ROUNDING, TOLERANCE, WORKING_DIGITS, Code, Relations, Undefined
+from verify.checkers.digits import (
+    DIGITS,
+    ROUNDING,
+    TOLERANCE,
+    WORKING_DIGITS,
+    Code,
+    Relations,
+    Undefined,
+    differentiated,
+)
 from verify.checkers.sampler import Sampler
 
 NUMBERS, STARTS, BARREN, LEMMA_DIGITS, EDGE = 13, 12, 256, 150, mpmath.mpf(10) ** -30

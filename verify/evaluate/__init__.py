@@ -1,6 +1,6 @@
 """Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
-What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` and `Rounded.names` in the modules beside it.
+What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` in the module beside it.
 The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are the
 table's.
 For float64 and what is `Enclosed` there is `renderer.generate.kernels.function_of`.
@@ -13,48 +13,17 @@ from types import CodeType
 from typing import Any
 
 import mpmath
-from sympy import Basic, Rational, S, Symbol, sympify
+from sympy import Basic, Symbol, sympify
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
-from renderer.generate.printer import KernelPrinter
+from proofs.printers.numbers import NumberPrinter
 
 DIGITS = 50
 NOTHING = mpmath.nan  # the value of a line that has none, such as the normal of a sphere that is not hit
 OPERATORS = {"<": (operator.lt, operator.ge), ">": (operator.gt, operator.le), "==": (operator.eq, operator.ne)}
 OPERATORS |= {"<=": (operator.le, operator.gt), ">=": (operator.ge, operator.lt), "!=": (operator.ne, operator.eq)}
 """{relation: (the operator, that of its negation)}"""
-
-
-class NumberPrinter(KernelPrinter):
-    """Prints for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
-
-    Of a choice the side that is not taken is not computed.
-    """
-
-    def literal(self, rational: Rational) -> str:
-        return f"rational({rational.p}, {rational.q})"
-
-    def _print_Symbol(self, expr):
-        return f"value[{expr.name!r}]"
-
-    def _half_turn(self, name, argument):
-        return self._call(name, [argument])
-
-    def _print_Relational(self, expr):
-        return f"compare({self._print(expr.lhs)}, {expr.rel_op!r}, {self._print(expr.rhs)})"
-
-    def _print_And(self, expr, connective="every"):
-        return self._call(connective, sorted(expr.args, key=str))
-
-    def _print_Or(self, expr):
-        return self._print_And(expr, "some")
-
-    def _print_Pow(self, expr):
-        neither = expr.exp.is_Rational and expr.exp > 0 and expr.exp.q > 1 and expr.exp != S.Half  # product nor root
-        return self._call("power", expr.args) if neither else super()._print_Pow(expr)
-
-    def select(self, condition: str, value: str, otherwise: str) -> str:
-        return f"where({condition}, lambda: {value}, lambda: {otherwise})"
 
 
 def compare(left: Any, relation: str, right: Any) -> bool | None:
@@ -76,11 +45,11 @@ ANY_NUMBERS = {
 }
 """What the text calls, where comparisons are decided."""
 
-MPMATHS_OWN = ("sqrt", "floor", "sign", "power", "inf", "pi", "sin", "cos", "sinpi", "cospi", "exp", "log")
+MPMATHS_OWN = {f.kernel: f.mpmath or f.kernel for f in FUNCTIONS if hasattr(mpmath, f.mpmath or f.kernel)}
+MPMATHS_OWN |= {name: name for name in ("sqrt", "power", "inf", "pi", "sin", "cos")}
 MPMATH = ANY_NUMBERS | {
-    **{name: getattr(mpmath, name) for name in MPMATHS_OWN},
+    **{name: getattr(mpmath, of_mpmath) for name, of_mpmath in MPMATHS_OWN.items()},
     "rational": lambda p, q: mpmath.mpf(p) / q,
-    "rint": mpmath.nint,
     "nan": mpmath.nan,
     "binary_exponent": lambda x: mpmath.mpf(mpmath.frexp(x)[1] - 1),
     "power_of_two": lambda n: mpmath.mpf(2) ** n,

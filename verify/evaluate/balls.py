@@ -9,6 +9,7 @@ from functools import reduce
 
 from flint import arb, ctx, fmpq
 
+from proofs.engine.functions import FUNCTIONS
 from verify.evaluate import ANY_NUMBERS, Evaluator, compare
 
 
@@ -32,19 +33,18 @@ def where(condition: bool | None, value: Callable[[], arb], otherwise: Callable[
 
 
 BALLS = ANY_NUMBERS | {
-    **{name: getattr(arb, name) for name in ("floor", "sin", "cos", "exp", "log")},
+    **{f.kernel: getattr(arb, f.arb or f.kernel) for f in FUNCTIONS if hasattr(arb, f.arb or f.kernel)},
+    "sin": arb.sin,
+    "cos": arb.cos,
     "rational": lambda p, q: arb(fmpq(p, q)),
     "compare": compare,
     "where": where,
-    "sign": arb.sgn,
     "sqrt": root,
     "power": power,
     "rint": lambda x: (x + 0.5).floor(),
     "maximum": lambda *values: reduce(arb.max, values),
     "minimum": lambda *values: reduce(arb.min, values),
     "inf": arb.pos_inf(),
-    "sinpi": arb.sin_pi,
-    "cospi": arb.cos_pi,
     "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
 }
 """What the text calls, at flint's working precision; `pi` is an evaluation's own."""

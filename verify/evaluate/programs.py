@@ -3,14 +3,22 @@
 A difference is Σ wᵢ (h(u + cᵢε) − h(u − cᵢε))/2cᵢε. No wrapping, no clamping: for points clear of the chart's ends.
 """
 
-from sympy import Rational, prod
+from collections.abc import Collection
 
+from sympy import Rational, Symbol, prod
+
+from proofs.engine.half_turns import ordinary
 from proofs.engine.program import Program, chain
+from proofs.engine.vectors import real
 from proofs.formulas.algebraic_form import base_of_u, base_of_v, complex_product, complex_square
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HeightField, cos_u, cos_v, gradient, gradient_from_factors, sin_u, sin_v
 from proofs.formulas.pixel import instance
-from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, real, u, v
+from proofs.formulas.symbols import epsilon, h_u, h_v, k_u, k_v, u, v
+
+
+def lines(program: Program, after: Collection[Symbol], until: tuple[Symbol, ...]) -> Program:
+    """Return the program's lines that do not stand in `after`, up to those that `until` need."""
+    return chain(program.name, {s: x for s, x in program.definitions if s not in after}).keep(*until)
 
 
 def naive(program: Program) -> Program:

@@ -8,9 +8,9 @@ import numpy as np
 
 from proofs.formulas.step_bounds import TERMS
 from renderer import Scene
-from renderer.generate.step_terms import SLOPE_TERMS
 from renderer.picture.frame import Frame
 from verify.accuracy.differences import PARTS, SLOPES, taken_apart
+from verify.accuracy.step_terms import SLOPE_TERMS
 
 ROUNDED = range(1, len(PARTS) - 1)  # the terms of rounding, among PARTS and among TERMS
 

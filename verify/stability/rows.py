@@ -14,7 +14,7 @@ SWEEPS: dict[str, Callable[..., Sweep]] = {
     "silhouette": geometry.toward_the_silhouette,
     "near_to_far": geometry.from_near_to_far,
     **{f"wave_numbers_{field}": partial(large_wave_numbers, field) for field in OF_WAVES},
-    "wave_numbers_edges": partial(large_wave_numbers, "ridges", [(k, k) for k in EDGES], samples=200),
+    "wave_numbers_edges": partial(large_wave_numbers, "ridges", EDGES, samples=200),
 }
 
 

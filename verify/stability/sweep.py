@@ -10,8 +10,6 @@ from proofs.engine.program import Program
 from renderer.machines.enclosing import Enclosed
 from verify.evaluate.arrays import Inputs, distance, in_balls, length, response, with_bounds
 
-SHAPE = 61, 24  # of a sweep whose own is not said: values of its parameter, and samples at each
-
 
 @dataclass(frozen=True)
 class Sweep:

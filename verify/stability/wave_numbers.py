@@ -12,8 +12,8 @@ from verify.stability.sweep import Sweep, measured
 
 SEED, LARGEST = 4, 2.0**20
 LEAST = 1e-150  # the chart's smallest v off the pole; far below it the product of two sines underflows
-EDGES = (0.0, 5e-324, 1e-300, LARGEST, -LARGEST)
-PAIRS = ((8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (LARGEST, -LARGEST), (0.25, 1e-5))
+UNEQUAL = (8.0, 4.0), (7.3, -3.1), (0.0, 5.0), (3.0, 0.0), (-64.0, 64.0), (LARGEST, -LARGEST), (0.25, 1e-5)
+EDGES = *((k, k) for k in (0.0, 5e-324, 1e-300, LARGEST, -LARGEST)), *UNEQUAL
 
 
 def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:

@@ -11,11 +11,11 @@ from functools import lru_cache
 import numpy as np
 from sympy import cos, diff, lambdify, sin
 
+from proofs.engine.half_turns import ordinary
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.camera import parallel_radius
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.displacement import blinn_normal, displaced_normal
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import beta, cos_phi, eye, k_u, k_v, phi, radius, rho, sin_phi, u, v
 from renderer import Scene, render

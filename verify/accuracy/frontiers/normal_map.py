@@ -14,7 +14,7 @@ from proofs.formulas.bump import bumped, g, m, normal_by_beta, perturbed
 from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
-from renderer.picture.differences import rms
+from renderer.intervals import rms
 from renderer.scene.methods import GradientMethod
 from verify.accuracy.frontiers.wall import LINEAR, interpolated, sample
 from verify.evaluate.arrays import in_float64

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from renderer import Scene, exact, render
-from renderer.picture import differences
+from renderer.intervals import rms
 from verify.accuracy.frontiers import fiction, normal_map, wall
 from verify.accuracy.orders import fitted_slope
 
@@ -33,7 +33,7 @@ def test_a_creased_map_converges_like_a_root():
 def test_the_derivative_in_beta_is_lost_between_the_centres():
     """It is an identity in g, but a map keeps no g: what its normals say of g is the filter's."""
     coarse, fine = (normal_map.derivative_errors("sine", texels) for texels in FINER[1:])
-    assert differences.rms(coarse) / differences.rms(fine) == pytest.approx(4, rel=0.2)
+    assert rms(coarse) / rms(fine) == pytest.approx(4, rel=0.2)
     assert fine.max() > 0.01
 
 

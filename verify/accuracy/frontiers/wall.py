@@ -9,8 +9,8 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from renderer import Scene, exact, gradient_at
+from renderer.intervals import rms
 from renderer.kernels import FIELDS
-from renderer.picture.differences import rms
 from verify.accuracy.orders import fitted_slope
 
 KU, KV = Scene().ku, Scene().kv

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from sympy import lambdify
 
+from proofs.engine.half_turns import ordinary
 from proofs.formulas.finite_difference import central, central4
-from proofs.formulas.half_turns import ordinary
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from verify.benchmark.methods.compiled import compiled_loop

@@ -1,4 +1,4 @@
-"""Formulas as text: read by a list of what is allowed, and written so that they read back as they were.
+"""Print a formula as text that reads back as it was, and read one by a list of what is allowed.
 
 A text from a file, a command line or a picture may be anybody's. It has to be short and of few letters; Python's parser
 makes a tree of it, of which nothing is run: a walk makes SymPy's expression of the nodes that it knows.
@@ -28,8 +28,6 @@ from sympy import (
     S,
     Symbol,
     Tuple,
-    exp,
-    log,
     pi,
     sign,
     sqrt,
@@ -38,18 +36,16 @@ from sympy.logic.boolalg import Boolean
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import evaluated
-from proofs.formulas.half_turns import cospi, sinpi
-from proofs.formulas.symbols import k_u, k_v, u, v
-from renderer.checks import not_allowed
+from proofs.engine.registry import not_allowed
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
 MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
 MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
-OF_FIELDS: Mapping[str, Symbol] = {symbol.name: symbol for symbol in (u, v, k_u, k_v)}
-"""What an expression may be of, unless it says otherwise."""
-_OF_ONE = {"sinpi": sinpi, "cospi": cospi, "exp": exp, "log": log, "sqrt": sqrt}
-_CHOICES = {"abs": Abs, "sign": sign, "max": Max, "min": Min, "Piecewise": Piecewise}
+_CALLED = {function.text or function.kernel: function.made for function in FUNCTIONS if function.enclosed}
+_OF_ONE = {name: made for name, made in _CALLED.items() if made not in (Abs, sign, Max, Min)} | {"sqrt": sqrt}
+_CHOICES = {name: made for name, made in _CALLED.items() if name not in _OF_ONE} | {"Piecewise": Piecewise}
 _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
@@ -195,7 +191,7 @@ def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> 
 
 
 @evaluated
-def parse_expression(text: str, names: Mapping[str, Symbol] = OF_FIELDS) -> Expr:
+def parse_expression(text: str, names: Mapping[str, Symbol]) -> Expr:
     """Return the SymPy expression of a text: numbers, names, π, + - * / ** and the functions that have kernels.
 
     A decimal is the exact fraction that it says. Raises ValueError, in one sentence, on anything else.
@@ -205,7 +201,7 @@ def parse_expression(text: str, names: Mapping[str, Symbol] = OF_FIELDS) -> Expr
     return _Reader(text.strip(), names).whole()
 
 
-def expression_text(expression: Expr, names: Mapping[str, Symbol] = OF_FIELDS) -> str:
+def expression_text(expression: Expr, names: Mapping[str, Symbol]) -> str:
     """Return the text that `parse_expression` reads as the expression. Raises ValueError where there is none."""
     text = _Writer().doprint(expression)
     if parse_expression(text, names) != expression:

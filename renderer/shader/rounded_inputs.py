@@ -8,11 +8,12 @@ import numpy as np
 from renderer.kernels import image_extent, image_x, image_y, silhouette_of_a
 from renderer.machines import Job
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed, enclosed
+from renderer.machines.forms import flat, of_form
 from renderer.operations import Number, where
 from renderer.scene.methods import exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import flat, of_form, read_only, scene_numbers
+from renderer.shader.numbers import read_only, scene_numbers
 
 
 def _lengths(scene):

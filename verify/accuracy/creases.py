@@ -8,10 +8,11 @@ from collections.abc import Callable
 from sympy import diff, expand
 
 from proofs.engine.program import Program
+from proofs.engine.vectors import real
 from proofs.formulas.camera import parallel_radius
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import k_u, k_v, real, u, v
+from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer.generate.kernels import function_of
 from renderer.operations import Number, where
 

@@ -9,11 +9,11 @@ from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, parts
-from verify.accuracy.gradient_errors import OF_WAVES, UNIT, worst_at
+from verify.accuracy.gradient_errors import UNIT, worst_at
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
 from verify.checkers.measurement import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
-from verify.stability.wave_numbers import PAIRS, SEED as SWEEP_SEED, large_wave_numbers
+from verify.stability.wave_numbers import SEED as SWEEP_SEED
 
 
 @cache
@@ -35,31 +35,22 @@ def pixels(share: float = 1.0) -> Measurement:
     )
 
 
-def _of_sweeps(found, bound, what, form=None):
-    """Return the Measurement of {name: sweep}, of our form or another."""
+@measures(
+    "gradient_accuracy",
+    false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}, "within one unit": {"bound": 1.0}},
+)
+def general_gradient(form: str | None = None, bound: float = GENERAL_GRADIENT) -> Measurement:
+    """The general form, |k| to 2^20, at random and beside the creases; k_u and k_v equal and not, or one of them 0."""
+    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
     units = {name: (seen.others[form] if form else seen.errors).ravel() / UNIT for name, seen in found.items()}
     return Measurement(
         np.concatenate([*units.values()]),
         seed=SWEEP_SEED,
         bound=bound,
         holds=not any(seen.escaped for seen in found.values()),
-        what=f"the general form{what}: the largest error over π max(1, |k|) 2^-53",
+        what="the general form: the largest error over π max(1, |k|) 2^-53",
         numbers={name: max(errors) for name, errors in units.items()},
     )
-
-
-@measures("gradient_accuracy", false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}})
-def general_gradient(form: str | None = None) -> Measurement:
-    """The general form, |k| to 2^20, at random and beside the creases."""
-    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
-    return _of_sweeps(found, GENERAL_GRADIENT, "", form)
-
-
-@measures("gradient_accuracy", false={"within one unit": {"bound": 1.0}})
-def unequal_wave_numbers(bound: float = GENERAL_GRADIENT) -> Measurement:
-    """The general form where k_u and k_v differ, have other signs, or one is zero."""
-    found = {f"unequal_{field}": large_wave_numbers(field, PAIRS, samples=64) for field in OF_WAVES}
-    return _of_sweeps(found, bound, " where k_u is not k_v")
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})

@@ -1,23 +1,28 @@
-"""Print one definition of a straight-line program in Python.
+"""Print a straight-line program as a Python function, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
 What is printed fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
+import builtins
+from collections.abc import Callable, Mapping
 from functools import reduce
-from typing import ClassVar
+from inspect import isfunction
+from typing import Any, ClassVar
 
-from sympy import Basic, Derivative, Mul, Rational, S, evaluate, prod, sympify
+from sympy import Basic, Mul, Rational, S
 from sympy.printing.precedence import PRECEDENCE, precedence
 from sympy.printing.str import StrPrinter
 
-from renderer.checks import not_allowed
+from proofs.engine.functions import FUNCTIONS
+from proofs.engine.program import Program
 
 
 class KernelPrinter(StrPrinter):
-    """Prints for `renderer.operations`; `verify.evaluate` prints the same lines for any other kind of number."""
+    """Prints one definition for `renderer.operations`; `NumberPrinter` prints the same for any other kind of number."""
 
-    names: ClassVar = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "Infinity": "inf", "NegativeInfinity": "-inf"}
+    names: ClassVar = {function.made.__name__: function.kernel for function in FUNCTIONS}
+    names |= {"Infinity": "inf", "NegativeInfinity": "-inf"}
 
     def literal(self, rational: Rational) -> str:
         """Return the text of an exact rational."""
@@ -127,7 +132,7 @@ class KernelPrinter(StrPrinter):
         """Return the text of a Piecewise, of the texts of its values and conditions."""
         (last, otherwise) = expr.args[-1]
         if otherwise != True:  # noqa: E712  (SymPy's true is not Python's)
-            raise not_allowed("expression", expr, "a selection whose last value is for all else")
+            raise ValueError(f"expression = {expr} is not allowed: a selection whose last value is for all else")
         text = branch(last)
         for value, condition in reversed(expr.args[:-1]):
             text = self.select(decision(condition), branch(value), text)
@@ -144,18 +149,38 @@ class KernelPrinter(StrPrinter):
         return self._print_And(expr, " | ")
 
 
-def differentiated(expression: Basic) -> Basic:
-    """Return an expression with the derivatives in it as SymPy takes them, whatever the rules of a translation do.
+OPTIONAL = "product_error"  # an input that is 0 unless it is given: of what is called with two_product
 
-    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+
+def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
+    """Return the text of a function of a program's inputs that returns its outputs, a line for each definition.
+
+    before: further parameters, as text.
     """
-    expression = sympify(expression)
-    taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
-    with evaluate(False):
-        return expression.xreplace(taken)
+    needed = program.reaches(*program.outputs)
+    printed = {s.name: printer.doprint(e) for s, e in program.definitions if s in needed}
+    results, used = [s.name for s in program.outputs], set().union(*(e.free_symbols for _, e in program.definitions))
+    at_once = f"return {', '.join(printed.values())}"
+    if list(printed) == results and used.isdisjoint(program.outputs) and len(at_once) <= 100:
+        lines = [at_once]
+    else:
+        lines = [*(f"{name} = {text}" for name, text in printed.items()), f"return {', '.join(results)}"]
+    parameters = ", ".join(f"{s.name}=0.0" if s.name == OPTIONAL else s.name for s in program.inputs)
+    return "\n".join([f"def {name}({before}{parameters}):", *(f"    {line}" for line in lines), ""])
 
 
-def _without_products_of_numbers(expression):
-    numbers = {m: prod(m.args) for m in expression.atoms(Mul) if all(a.is_Rational for a in m.args)}
-    with evaluate(False):
-        return expression.xreplace(numbers)
+def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
+    """Return a program as a Python function of its inputs, in order, that returns its outputs.
+
+    names: what the printed text may call.
+    """
+    scope = dict(names)
+    exec(print_function(program.name, program, KernelPrinter()), scope)
+    return scope[program.name]
+
+
+def refuse_unknown_calls(known: dict[str, Any]) -> None:
+    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
+    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
+        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
+            raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

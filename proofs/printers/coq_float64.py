@@ -1,18 +1,17 @@
-"""What is carried out on float64 numbers as Coq definitions: by kernels, line by line, and by the enclosing machine.
+"""Print what is carried out on float64 numbers as Coq definitions: by kernels, and by a machine that counts roundings.
 
 Both run on numbers that write down what is done: whatever is carried out on float64 numbers is carried out on these,
 and the text of a result is what it was made by.
 """
 
 import math
+from collections.abc import Callable, Mapping
 from functools import partialmethod
 from typing import Any
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
-from renderer import operations
-from renderer.generate.kernels import function_of
-from renderer.generate.printer import KernelPrinter
-from renderer.machines.enclosing import Enclosed
+from proofs.printers.python import KernelPrinter, function_of
 
 
 def literal(number: float) -> str:
@@ -115,14 +114,17 @@ class Term:
     (__lt__, __gt__), (__le__, __ge__), (__eq__, _) = map(_compare, ("Rlt_dec", "Rle_dec", "Req_EM_T"))  # type: ignore[arg-type]
 
 
-def rule(program: Program) -> list[str]:
-    """Return Coq's lines of what the machine makes of a program of one line: its value, and the count of its error."""
-    names = [symbol.name for symbol in program.inputs]
+def rule(program: Program, names: Mapping[str, Any], counted: Callable) -> list[str]:
+    """Return Coq's lines of what the machine makes of a program of one line: its value, and the count of its error.
+
+    names: the kernels. counted: (value, count) → a number of the machine.
+    """
+    inputs = [symbol.name for symbol in program.inputs]
     ((output, _),) = program.definitions
-    found = function_of(program)(*(Enclosed.counted(Term(name), Term(f"{name}_error")) for name in names))
-    inputs = " ".join(f"{name} {name}_error" for name in names)
+    found = function_of(program, names)(*(counted(Term(name), Term(f"{name}_error")) for name in inputs))
+    variables = " ".join(f"{name} {name}_error" for name in inputs)
     return [
-        f"Variables {inputs} : R.",
+        f"Variables {variables} : R.",
         f"Definition {output.name} := {found.value.text}.",
         f"Definition {output.name}_error := {found.error.text}.",
     ]
@@ -142,21 +144,8 @@ class Line(Term):
         return cls(f"({super().where(mask, value, otherwise).text})")
 
 
-NAMES = {
-    "floor": "whole_below",
-    "rint": "rint",
-    "maximum": "Rmax",
-    "minimum": "Rmin",
-    "sign": "sign",
-    "power_of_two": "power_of_two",
-    "binary_exponent": "binary_exponent",
-    "height": "height",
-    "sinpi": "sine_of_half_turns_float64.sine",
-    "cospi": "cosine_of_half_turns_float64.cosine",
-    "atan2pi": "angle_in_half_turns_float64.angle",
-    "exp": "exponential_of_sum_float64.exponential",
-    "log": "natural_logarithm_float64.logarithm",
-}
+NAMES = {function.kernel: function.coq_float64 for function in FUNCTIONS if function.coq_float64}
+NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")}
 """{what is called: Coq's function}, none of which is rounded but as it says itself"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 
@@ -172,13 +161,13 @@ def _called(name):
 for name in NAMES:
     setattr(Term, name, _called(name))
 
-CALLED = vars(operations) | {"pi": Line("rounded PI")}
+CALLED: dict[str, Any] = {"pi": Line("rounded PI")}
 CALLED |= {name: getattr(Line, name) for name in (*NAMES, "two_product", "where")}
 
 
-def carried_out(program: Program) -> list[str]:
-    """Return Coq's lines of what a kernel carries out, in its order."""
-    printer, scope = KernelPrinter(), CALLED | {s.name: Line(s.name) for s in program.inputs}
+def carried_out(program: Program, operations: Mapping[str, Any]) -> list[str]:
+    """Return Coq's lines of what a kernel carries out, in its order; operations: what kernels call."""
+    printer, scope = KernelPrinter(), {**operations, **CALLED} | {s.name: Line(s.name) for s in program.inputs}
     lines = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
     for symbol, expression in program.definitions:
         made = Line.operand(eval(printer.doprint(expression), scope))

@@ -1,4 +1,4 @@
-"""The text of `proofs/formal/Statements.v`: every claim of every theorem as a proposition for Coq to prove.
+"""Print claims as propositions for Coq to prove.
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
 
@@ -17,8 +17,8 @@ from sympy.core.relational import Relational
 
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
 from proofs.engine.names import symbols_of
-from proofs.engine.theorem import Theorem, all_theorems
-from renderer.generate.coq import CoqPrinter
+from proofs.engine.theorem import Theorem
+from proofs.printers.coq import CoqPrinter
 
 HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
    Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
@@ -236,10 +236,10 @@ def statements(theorem: Theorem) -> dict[str, str]:
     return printed
 
 
-def statements_source() -> str:
-    """Return the text of proofs/formal/Statements.v."""
+def statements_of(theorems: Iterable[Theorem]) -> str:
+    """Return the text of a file of Coq's with every printed claim of some theorems."""
     texts: dict[str, str] = {}
-    for theorem in all_theorems().values():
+    for theorem in theorems:
         printed = statements(theorem)
         if "__" in theorem.id or not all(name.isidentifier() and name not in texts for name in printed):
             raise ValueError(f"{theorem.id}: one of {', '.join(printed)} is no name in Coq, or another theorem's")

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from sympy import Abs, Expr, Mul
 
+from proofs.engine.half_turns import cospi, sinpi
 from proofs.formulas import step_bounds
-from proofs.formulas.certified import CERTIFIED
-from proofs.formulas.half_turns import cospi, sinpi
+from proofs.formulas.certified import PROVED, SINE
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import u as along_u, v as along_v
@@ -21,8 +21,8 @@ from renderer.generate.programs import field_programs
 from renderer.operations import UNIT, Mask, Number, floor, inf, maximum, minimum, rint, where
 
 ROOM = 1 + 2.0**-40
-SINE_ULPS = float(max(CERTIFIED["sinpi_of_product"], CERTIFIED["cospi_of_product"]))
-SHARED = 2 * UNIT * SINE_ULPS  # how far the factor that does not move is off, relatively: the same in both heights
+SINE_ROUNDINGS = float(SINE)
+SHARED = UNIT * float(PROVED["of_product_relative"])  # of itself, of a factor that does not move: in both heights
 ARGUMENT = TERMS.index("argument rounding")
 TRUNCATION, STRADDLING, ONE_SIDED = (float(TERMS.index(term)) for term in ("truncation", "straddling", "one-sided"))
 
@@ -155,7 +155,7 @@ def _terms(side, still, epsilon, span, excess, moved, exact):
     reach = where(jump > 0.0, 1.0, slope_bound(side.rate) * (epsilon + moved))  # past a jump nothing near is known
     steepest = slope_bound(side.rate) * fixed * minimum(1.0, side.slope() + reach)
     largest = minimum(1.0, abs(side.height(side.at)) + reach)
-    height = SINE_ULPS * UNIT * minimum(1.0, 2.0 * largest) * fixed
+    height = minimum(SINE_ROUNDINGS * UNIT, SHARED * largest) * fixed
     if still.factor is not None:
         height, excess = height + UNIT * largest * fixed, excess + SHARED + excess * SHARED
     argument = rounding_bound(span, steepest, 0.0, 0.0, moved)

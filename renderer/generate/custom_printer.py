@@ -13,9 +13,8 @@ from sympy.printing.precedence import precedence
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.ranges import DIGITS, enclosure
 from proofs.formulas.symbols import k_u, k_v
+from proofs.printers.python import KernelPrinter, refuse_unknown_calls
 from renderer import kernels
-from renderer.generate.kernels import refuse_unknown_calls
-from renderer.generate.printer import KernelPrinter
 
 CALLED = vars(kernels)
 """Names that kernels of custom fields may call."""

@@ -1,55 +1,13 @@
-"""The text of `proofs/formal/Formulas.v`: the chapter's programs as Coq definitions over its real numbers.
-
-A program is a module, each of its lines a definition of those inputs that the line depends on.
-"""
+"""Print a program as Coq definitions over its real numbers: a module, each line a definition of what it depends on."""
 
 from collections.abc import Iterable
 from typing import ClassVar
 
 from sympy import And, Basic, Or, Rational, S
 
+from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
-from proofs.formulas import (
-    algebraic_form,
-    bump,
-    camera,
-    chart,
-    displacement,
-    elementary,
-    exponential,
-    finite_difference,
-    height_fields,
-    image_derivative,
-    shading,
-    shadow,
-    shadow_cone,
-    tangent_frame,
-)
-from proofs.formulas.registry import by_name
-from renderer.generate.printer import KernelPrinter
-
-HEADER = """(* Printed from proofs/formulas by `python -m renderer.generate`. Do not edit: change the formula instead.
-   Each module is one program of the chapter; each definition is one line of its derivation. *)
-
-From Coq Require Import Reals.
-From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries.
-Open Scope R_scope.
-"""
-
-MODULES = (
-    camera,
-    chart,
-    tangent_frame,
-    bump,
-    shading,
-    shadow,
-    shadow_cone,
-    algebraic_form,
-    displacement,
-    image_derivative,
-)
-
+from proofs.printers.python import KernelPrinter
 
 COMPARISONS = {
     ">=": ("le", -1),
@@ -69,9 +27,8 @@ class CoqPrinter(KernelPrinter):
     real part is taken.
     """
 
-    names: ClassVar = {
-        "Abs": "Rabs", "Max": "Rmax", "Min": "Rmin", "log": "ln", "Pi": "PI", "Infinity": "p_infty",
-    }  # fmt: skip
+    names: ClassVar = {function.made.__name__: function.coq for function in FUNCTIONS if function.coq}
+    names |= {"Pi": "PI", "Infinity": "p_infty"}
 
     def literal(self, rational: Rational) -> str:
         return str(rational.p) if rational.q == 1 else f"({rational.p} / {rational.q})"
@@ -171,47 +128,3 @@ def in_module(name: str, inside: Iterable[str]) -> str:
     given = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
     unfolded = f"Ltac lines := unfold {given}."
     return "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])
-
-
-HALF_TURN_POLYNOMIALS = Program(
-    "half_turn_polynomials",
-    (elementary.remainder,),
-    tuple(elementary.reduction.items())[[*elementary.reduction].index(elementary.z) :],
-    (elementary.sine_near, elementary.cosine_near),
-)
-"""What the kernels' sine and cosine evaluate once the argument is reduced."""
-OF_RATIO = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
-ARCTANGENT_POLYNOMIAL = Program(
-    "arctangent_polynomial",
-    (elementary.ratio, elementary.node_correction),
-    {symbol: elementary.angle_in_half_turns[symbol] for symbol in OF_RATIO},
-)
-"""What the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
-EXPONENTIAL_POLYNOMIAL = Program(
-    "exponential_polynomial",
-    (exponential.away, exponential.away_error),
-    exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1],
-)
-"""What the kernels' exp evaluates once the doublings are taken off."""
-OF_QUOTIENT = (exponential.quotient_squared, exponential.log_tail)
-LOGARITHM_POLYNOMIAL = Program(
-    "logarithm_polynomial",
-    (exponential.quotient,),
-    {symbol: exponential.logarithm_in_three[symbol] for symbol in OF_QUOTIENT},
-)
-"""What the kernels' log adds to a quotient q twice: 2 artanh q − 2q."""
-
-
-def programs() -> dict[str, Program]:
-    """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
-    found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += [*image_derivative.base_derivatives.values()]
-    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
-    programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
-    found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
-    return by_name(found)
-
-
-def formulas_source() -> str:
-    """Return the text of proofs/formal/Formulas.v."""
-    return HEADER + "".join(f"\n{module_of(program)}" for program in programs().values())

@@ -6,44 +6,36 @@ They alone let SymPy and the proofs be imported where something is drawn.
 from functools import cache
 from typing import Any
 
-from proofs.formulas.half_turns import cospi as cospi, sinpi as sinpi
+from proofs.engine.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
+from proofs.printers.python import print_function
+from proofs.printers.text import check_operations
 from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
-from renderer.generate.expression import check_operations, expression_text, parse_expression
-from renderer.generate.kernels import field_entry, print_function
-from renderer.generate.own_kernels import OwnPrinter, exact_waves, made
+from renderer.generate.custom_printer import OwnPrinter, exact_waves, made
+from renderer.generate.kernels import field_entry
+from renderer.generate.reader import expression_text, parse_expression
 
-_KNOWN: dict[str, HeightField] = dict(HEIGHT_FIELDS)
-_OF_THE_CHAPTER = (*HEIGHT_FIELDS.values(),)
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
-def _named(field):
-    """Return the first of this process that has a name. Raises ValueError where that has another expression."""
-    first = _KNOWN.get(field.name, field)
-    if first.expression != field.expression:
-        raise not_allowed("name", field.name, "a name that no other formula has in this process")
-    return first
+def made_field(field: HeightField) -> str | HeightField:
+    """Return a field once its kernels are made, or the name of the chapter's that it is.
 
-
-def registered(field: HeightField) -> str | HeightField:
-    """Return what has the name and the formula of a field: the first of this process, or a chapter's name.
-
-    It has the name once its kernels are made. Raises ValueError where another formula has it, or there are none.
+    Raises ValueError where the chapter has another formula by its name, or what is not allowed.
     """
-    first = _named(field)
-    if first in _OF_THE_CHAPTER:
-        return field.name
-    field_kernels(first)
-    return _KNOWN.setdefault(field.name, first)
+    if field.name not in HEIGHT_FIELDS:
+        field_kernels(field)
+        return field
+    if field.expression != HEIGHT_FIELDS[field.name].expression:
+        raise not_allowed("name", field.name, "a name that no other formula has, and this is one of the chapter's")
+    return field.name
 
 
 @cache
 def field_kernels(field: HeightField) -> dict[str, Any]:
     """Return the entry of a custom field, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
-    _named(field)
     printed = [print_function(p.name, p, OwnPrinter()) for p in programs.field_programs(field).values()]
     entry = made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
     return entry | ({"wave_numbers": exact_waves(field)} if field.wave_numbers else {})

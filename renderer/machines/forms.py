@@ -1,0 +1,57 @@
+"""What machines and a shader have in common: numbers in a form, values that change together, and what a shader is."""
+
+from collections.abc import Callable, Iterable, Sequence
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+from renderer.operations import Mask, Number
+
+COLORS = ("red", "green", "blue")
+Step = Callable[[], None]
+Numbers = Sequence[Number]
+
+
+class Shader(NamedTuple):
+    """What a machine is given to run. What is drawn by it, a want, has it as `shader`, `bounds` and `is_long`.
+
+    group: (machine, scene, want, pixels) → what has `draw()`, and these as attributes. scene, light: the forms of their
+    numbers. rounded: which of a scene's numbers are; the others are exact. counted: the kinds of work. planes: the
+    names of what is stored.
+    """
+
+    group: Callable
+    scene: SimpleNamespace
+    light: SimpleNamespace
+    rounded: Sequence[str]
+    counted: Sequence[str]
+    planes: Sequence[str]
+
+
+def flat(numbers: SimpleNamespace) -> list:
+    """Return the numbers one after another, a list."""
+    return [part for field in vars(numbers).values() for part in (field if isinstance(field, tuple) else (field,))]
+
+
+def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
+    """Return an iterable of values in the form of other numbers: the inverse of `flat`."""
+    values, names = iter(values), vars(form).items()
+    return SimpleNamespace(
+        **{n: tuple(next(values) for _ in old) if isinstance(old, tuple) else next(values) for n, old in names}
+    )
+
+
+class Variables:
+    """Several values that change, and do so together."""
+
+    def __init__(self, machine: Any, values: Iterable[Number]):
+        self._each = [machine.variable(value) for value in values]
+
+    @property
+    def value(self) -> Numbers:
+        """The present values."""
+        return [variable.value for variable in self._each]
+
+    def set(self, values: Iterable[Number], mask: Mask | None = None) -> None:
+        """Put values in their place, where the mask holds."""
+        for variable, value in zip(self._each, values, strict=True):
+            variable.set(value, mask)
