@@ -125,9 +125,8 @@ def _direct_imports(path: Path) -> frozenset[Path]:
     names |= NAMED if "pkgutil.resolve_name" in names else set()
     found = {file for name in names for file in _module_files(name)}
     if computed:
-        found.update(
-            file for file in files_in(path.parents[len(package) - 1]) if file.suffix == ".py" and not is_test(file)
-        )
+        around = files_in(path.parents[len(package) - 1])
+        found.update(file for file in around if file.suffix == ".py" and not is_test(file))
     return frozenset(found)
 
 
