@@ -18,6 +18,7 @@ from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, exact, kernels
+from renderer.files.record import Drawing, text_of
 from renderer.files.srgb import tables, thresholds
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
@@ -25,6 +26,7 @@ from renderer.machines.forms import flat
 from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
+from renderer.scene.raster import Raster
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from verify.accuracy.creases import crease_point, crease_rates
@@ -99,6 +101,7 @@ def data() -> dict:
     return {
         "scene": asdict(SCENE),
         "scenes": _scenes(),
+        "record": json.loads(text_of(Drawing(SCENE, exact(), Raster(256, 256)))) | {"machine": "webassembly"},
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
         "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},

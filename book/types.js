@@ -18,7 +18,8 @@
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
  *   models: Record<string, { index: number, power: number }>, arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
- *   terms: string[], term_colours: string[], scene_bounds?: number[] }} SimulatorData
+ *   terms: string[], term_colours: string[], scene_bounds?: number[],
+ *   record: { gradient: object, scene: object } }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number],
  *   targets: Record<string, number> }} Stage

@@ -49,7 +49,7 @@ def opened(browser, address, until=None, prepare="", given=(), home=None, **opti
     until: what to wait for. prepare: a script to run before the page's own. given: scripts to give for others, by their
     addresses. home: what addresses begin with that it may ask for. options: as Playwright's new_context.
     """
-    context, asked, complaints = browser.new_context(**DESKTOP | options), [], []
+    context, asked, complaints = browser.new_context(**DESKTOP | {"reduced_motion": "reduce"} | options), [], []
     context.add_init_script(prepare)
     for place, script in dict(given).items():
         context.route(place, partial(Route.fulfill, body=script, content_type="text/javascript"))
@@ -76,10 +76,13 @@ def visits(browser, site, server):
     """A function that opens a page of the site by its name, over http or from the disk; §4 when its simulator runs."""
     with ExitStack() as pages:
 
-        def visit(page, scheme="http", fragment="", **options):
+        def visit(page, scheme="http", fragment="", folded=False, **options):
             base = server if scheme == "http" else site.as_uri()
             until = {"until": RUNNING} if page == "s4" else {}
-            return pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
+            tab = pages.enter_context(opened(browser, f"{base}/{page}.html{fragment}", **until | options))
+            if not folded:
+                tab.evaluate("document.querySelectorAll('.sim-fold').forEach(fold => { fold.open = true })")
+            return tab
 
         yield visit
 

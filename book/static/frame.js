@@ -8,6 +8,7 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
   // Who comes to a page's top finds what is below laid out when it is near, and all of it with the first click; who comes
   // back, or to a part of the page, finds all of it, lest what is above grows.
   const [{ type }] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType("navigation"));
+  root.classList.toggle("embed", new URLSearchParams(location.search).has("embed")); // the simulator alone, in another page
   root.classList.toggle("begun", type === "navigate" && !location.hash);
   // Icons come once the text stands: drawn with it, they would be most of what its style takes.
   requestAnimationFrame(() => setTimeout(() => root.classList.add("drawn")));

@@ -1,4 +1,4 @@
-// What is known of the pixel under the cursor, by both pipelines, and how many floats apart they are.
+// What is known of the pixel under the cursor, by both pipelines, and how far apart they are.
 "use strict";
 
 /** @param {HTMLElement} root @param {States} states @param {SimulatorData} data @param {SimulatorModule} module */
@@ -20,11 +20,20 @@ function simulator_cursor(root, states, data, module) {
     return bits < 0n ? -(bits & 0x7fffffffffffffffn) : bits;
   }
 
-  /** @param {number} a @param {number} b */
-  function ulps(a, b) {
-    const apart = place(a) - place(b);
-    const count = apart < 0n ? -apart : apart;
-    return count <= MOST ? `${count} ulp` : "—";
+  /** How far apart two numbers are, and by how many floats, if these are few. @param {number} a @param {number} b */
+  function distance(a, b) {
+    const steps = place(a) - place(b);
+    const count = steps < 0n ? -steps : steps;
+    return `${scientific(Math.abs(a - b), 1)}${count <= MOST ? ` · ${count} ulp` : ""}`;
+  }
+
+  /** A number, the digits in which it agrees with another marked. @param {number} a @param {number} b */
+  function marked(a, b) {
+    const [text, other] = [a, b].map((number) => (Object.is(number, -0) ? "-0" : String(number)));
+    const alike = text.split("e")[1] === other.split("e")[1];
+    const first = alike ? [...text].findIndex((digit, n) => digit !== other[n]) : 0;
+    const length = first < 0 ? text.length : first;
+    return `<span class="same">${text.slice(0, length)}</span>${text.slice(length)}`;
   }
 
   /**
@@ -65,7 +74,7 @@ function simulator_cursor(root, states, data, module) {
     return COMPUTED.flatMap(({ key, names }) =>
       (one[key] ?? []).map((a, n) => {
         const b = /** @type {number[]} */ (other[key])[n];
-        const cells = [a, b, ulps(a, b)].map((text) => `<td>${text}</td>`);
+        const cells = [marked(a, b), marked(b, a), distance(a, b)].map((text) => `<td>${text}</td>`);
         return `<tr><th scope="row">${names[n]}</th>${cells.join("")}</tr>`;
       })
     );
@@ -78,7 +87,6 @@ function simulator_cursor(root, states, data, module) {
     const entries = shared(one, state).map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`);
     facts.innerHTML = entries.join("");
     body.innerHTML = compared(one, other).join("");
-    find_element(root, ".sim-far").hidden = !body.textContent.includes("—");
     find_element(root, ".sim-python code").textContent = states.python(state);
   }
 

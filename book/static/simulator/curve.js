@@ -19,6 +19,7 @@ function simulator_curve(root, module) {
   const TOP = 10;
   const STILLS = 16; // each a power of ten wide, in the middle of the axis
   const LINE = 15;
+  const NAMES_WIDE = 110; // beside the plot
   const FINE = Array.from({ length: 137 }, (_, n) => power_of_ten(LEFT + n / 8));
   const COARSE = Array.from({ length: 35 }, (_, n) => power_of_ten(-1 - n / 2));
   /** @type {Record<string, string>} */
@@ -66,6 +67,7 @@ function simulator_curve(root, module) {
     });
     at_rest = found.map(({ words }) => words).join(" · ");
     if (pointer.hidden) reading.textContent = at_rest;
+    svg.setAttribute("aria-label", `Error against the step: ${at_rest || "no slope here"}`);
     return found.map(({ markup }) => markup).join("");
   }
 
@@ -182,6 +184,24 @@ function simulator_curve(root, module) {
     return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
   }
 
+  // The plot as a picture of its own: what the style sheet says is written into it.
+  function picture() {
+    const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
+    const [from, to] = [svg, copy].map((one) => one.querySelectorAll("*"));
+    for (const [n, element] of from.entries()) {
+      const style = getComputedStyle(element);
+      const names = ["fill", "stroke", "stroke-width", "stroke-dasharray", "font", "text-anchor"];
+      to[n].setAttribute("style", names.map((name) => `${name}:${style.getPropertyValue(name)}`).join(";"));
+    }
+    set_attributes(copy, {
+      xmlns: "http://www.w3.org/2000/svg",
+      width: width + NAMES_WIDE,
+      height,
+      viewBox: `0 0 ${width + NAMES_WIDE} ${height}`
+    });
+    return copy.outerHTML;
+  }
+
   /** Read the step under the pointer. @param {PointerEvent} event */
   function hover(event) {
     const exponent = rescaled(pointer_in(box, event).x, inset, width - inset, LEFT, RIGHT);
@@ -196,5 +216,5 @@ function simulator_curve(root, module) {
     pointer.hidden = true;
     reading.textContent = at_rest;
   });
-  return { COARSE, at_pixel, show, mark, csv };
+  return { COARSE, at_pixel, show, mark, csv, picture };
 }

@@ -1,6 +1,7 @@
 // Who draws what. The page itself draws at most 256 × 256 pixels, in the slider's own frame: to hand that over would take
-// longer. When nothing moves any more, the workers draw all pixels of a larger picture, each a band of rows, and then do
-// the idle work. The next move cancels either. Where no worker starts or answers, the page does their part, too.
+// longer; so it draws the first picture, too. When nothing moves any more, the workers start if they have not, draw all
+// pixels of a larger picture, each a band of rows, and then do the idle work. The next move cancels either. Where no worker
+// starts or answers, the page does their part, too.
 "use strict";
 
 /**
@@ -14,6 +15,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   const AFTER = 100; // milliseconds, in which nothing moves
   const PATIENCE = 20000; // for the workers' answer
   const SMALL = 256; // pixels
+  const MOST = 8; // workers: each has its own tables and memory
   /** @type {Drawer[]} */
   let workers = [];
   /** @type {{ id: number, state: State, asked: number, replies: Drawn[] }} */
@@ -26,29 +28,45 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let id = 0;
   let resting = 0;
   let refined = ""; // the raster that the workers were last asked for
+  let is_on = false;
   /** @type {Drawer} */
   const page = { postMessage: simulator_worker((reply) => receive(reply, page)), terminate() {} };
   page.postMessage({ kind: "begin", data, compiled });
 
-  // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
   function start() {
+    if (is_on) return;
+    is_on = true;
+    ask(last);
+  }
+
+  // As many as there are cores; each has its own memory, since pages from a disk cannot share any.
+  function hire() {
     if (workers.length) return;
+    const cores = Math.min(navigator.hardwareConcurrency || 1, MOST);
+    workers = Array.from({ length: cores }, () => {
+      const worker = worker_of(float64s, simulator_module, simulator_worker);
+      listen(worker, (reply) => receive(reply, worker), go_alone);
+      worker.postMessage({ kind: "begin", data, compiled });
+      return worker;
+    });
+  }
+
+  /** Have all pixels of a picture drawn, or what is left to do done. @param {State} state @param {boolean} is_whole */
+  function go_on(state, is_whole) {
+    if (!is_on) return;
     try {
-      workers = Array.from({ length: navigator.hardwareConcurrency || 1 }, () => {
-        const worker = worker_of(float64s, simulator_module, simulator_worker);
-        listen(worker, (reply) => receive(reply, worker), go_alone);
-        worker.postMessage({ kind: "begin", data, compiled });
-        return worker;
-      });
-      ask(last);
+      hire();
     } catch (error) {
-      go_alone(error_text(error));
+      return go_alone(error_text(error));
     }
+    timer = setTimeout(go_alone, PATIENCE, `no answer within ${PATIENCE / 1000} seconds`);
+    (is_whole ? rest : refine)(state);
   }
 
   /** Have the page do what the workers would. @param {string} why */
   function go_alone(why) {
     stop();
+    is_on = true;
     workers = [page];
     handlers.failed(why);
     refine(last);
@@ -58,6 +76,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     clearTimeout(timer);
     cancelAnimationFrame(frame);
     frame = 0;
+    is_on = false;
     for (const worker of workers) worker.terminate();
     workers = [];
   }
@@ -84,7 +103,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   function ask(state) {
     last = state;
     clearTimeout(timer);
-    if (frame || !workers.length) return;
+    if (frame || !is_on) return;
     frame = requestAnimationFrame(() => {
       frame = 0;
       if (last !== state) ask(last);
@@ -113,11 +132,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     clearTimeout(timer);
     const is_whole = reply.band.wide === state.size;
     handlers.drawn(state, replies, asked, drawer === page, is_whole);
-    timer = setTimeout(() => {
-      if (!workers.length) return;
-      timer = setTimeout(go_alone, PATIENCE, `no answer within ${PATIENCE / 1000} seconds`);
-      (is_whole ? rest : refine)(state);
-    }, AFTER);
+    timer = setTimeout(go_on, AFTER, state, is_whole);
   }
 
   /** @param {State} state */

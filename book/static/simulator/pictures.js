@@ -11,6 +11,7 @@ function simulator_pictures(root, states, data, module) {
   const NAMES = ["numeric", "symbolic", "difference"];
   const POINTS = 257;
   const TICK = 10; // pixels of the page
+  const HEAD = 33; // bytes of a PNG's signature and first chunk
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
   const boxes = NAMES.map((name) => find_element(root, `[data-picture="${name}"]`));
   /** @param {string} selector @returns {HTMLCanvasElement[]} */
@@ -89,7 +90,7 @@ function simulator_pictures(root, states, data, module) {
     for (const [n, canvas] of seen.bases.entries()) {
       const room = rooms[n];
       if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
-      canvas.classList.toggle("smooth", canvas.width > room);
+      canvas.classList.toggle("smooth", canvas.width > room / 2 && room % canvas.width > 0);
     }
   }
 
@@ -201,5 +202,30 @@ function simulator_pictures(root, states, data, module) {
     return whole;
   }
 
-  return { boxes, paint, show, show_bounds, decorate, hold, resized, canvas: canvas_of, still: scale.still };
+  /** A picture as a PNG that says how it was drawn, as the renderer's own do (tEXt). @param {string} name @param {State} state */
+  function file(name, state) {
+    const url = canvas_of(name).toDataURL();
+    if (name === "difference") return url;
+    const bytes = Uint8Array.from(atob(url.slice(url.indexOf(",") + 1)), (sign) => sign.charCodeAt(0));
+    const kept = text_chunk(JSON.stringify(states.record(state, name === "numeric")));
+    const all = [...bytes.subarray(0, HEAD), ...kept, ...bytes.subarray(HEAD)];
+    return URL.createObjectURL(new Blob([Uint8Array.from(all)], { type: "image/png" }));
+  }
+
+  return { boxes, file, paint, show, show_bounds, decorate, hold, resized, canvas: canvas_of, still: scale.still };
+}
+
+/** A PNG's chunk of text under the renderer's own word. @param {string} text */
+function text_chunk(text) {
+  const content = new TextEncoder().encode(`tEXtsymbolic-rendering\0${text}`);
+  let check = ~0;
+  for (const byte of content) {
+    check ^= byte;
+    for (let bit = 0; bit < 8; bit++) check = (check >>> 1) ^ (check & 1 ? 0xedb88320 : 0);
+  }
+  const chunk = new DataView(new ArrayBuffer(content.length + 8));
+  chunk.setUint32(0, content.length - 4);
+  new Uint8Array(chunk.buffer).set(content, 4);
+  chunk.setUint32(content.length + 4, ~check);
+  return new Uint8Array(chunk.buffer);
 }

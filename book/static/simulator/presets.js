@@ -24,6 +24,17 @@ function simulator_presets(root, states, act) {
   /** @type {HTMLElement} */
   let asked_by; // the experiment's button
 
+  /** @type {Experiment} */
+  const OPENING = { says: "", begin: {}, moves: "eps", from: -1, to: -6, still: -3, seconds: 25 };
+
+  // What a reader sees first moves, until the first touch.
+  function open() {
+    if (no_motion.matches || now) return;
+    now = OPENING;
+    share = 0;
+    go_on();
+  }
+
   /** @param {number} to */
   function put(to) {
     if (!now) return;
@@ -115,10 +126,12 @@ function simulator_presets(root, states, act) {
   }
 
   document.addEventListener("keydown", press);
+  for (const kind of ["pointerdown", "keydown", "focusin", "wheel"])
+    root.addEventListener(kind, () => now === OPENING && stop(), { passive: true });
   root.addEventListener("focusin", (event) => is_typed(event) && pause()); // what moves would write into the box
   bar.addEventListener("input", () => {
     pause();
     put(Number(bar.value));
   });
-  return { run, pause, stop, reset, toggle, step, running: () => frame !== 0 };
+  return { open, run, pause, stop, reset, toggle, step, running: () => frame !== 0 };
 }

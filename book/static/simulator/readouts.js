@@ -85,10 +85,23 @@ function simulator_readouts(root, data, module) {
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
+    name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
     put(".sim-remark", remark(state));
     $(".sim-legend").hidden = view !== "terms";
     $("#certified").hidden = view !== "bounds";
+  }
+
+  /** Give every picture a name that says what it shows now. @param {State} state */
+  function name_pictures({ field, ku, kv, beta, view, method, eps }) {
+    const scene = `${field}, k u ${ku}, k v ${kv}, β ${beta}`;
+    const [by, seen] = [`#sim-method [value=${method}]`, `#sim-view [value=${view}]`].map(
+      (place) => $(place).textContent
+    );
+    const apart = ["rms", "max"].map((name) => `${name} ${$(`[data-readout=${name}]`).textContent}`).join(", ");
+    const names = { numeric: `${seen}, ${by}, ε ${eps}`, symbolic: `${seen}, exact gradient`, difference: apart };
+    for (const [name, words] of Object.entries(names))
+      $(`[data-picture=${name}] .pixels`).setAttribute("aria-label", `${name}: ${scene}; ${words}`);
   }
 
   const terms = data.terms.map(

@@ -6,7 +6,9 @@ function simulator_start(root, compiled, module) {
   const data = Simulator.data;
   /** @param {string} selector */
   const $ = (selector) => find_element(root, selector);
-  const PANELS_EVERY = 100; // milliseconds
+  const AT_REST = 100; // milliseconds after the last change the panels follow,
+  const MOVING = 500; // or so long after the first
+  const sizes = Array.from(/** @type {HTMLSelectElement} */ ($("#sim-size")).options, ({ value }) => Number(value));
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   for (const name of Object.keys(data.fields)) {
     const button = make_element("input", { type: "radio", name: "sim-field", value: name });
@@ -33,6 +35,12 @@ function simulator_start(root, compiled, module) {
   let wanted = 0;
   let saved = 0;
   let shown_panels = 0;
+  let moved_since = 0;
+  let is_sized = false; // by the reader, and not by the screen
+  /** @type {State[]} */
+  const past = [];
+  /** @type {State[]} */
+  const undone = [];
   let drawn_size = state.size;
   /** @type {{ ready: number }[]} */
   const frames = []; // milliseconds from a change to its pictures in the canvases
@@ -52,7 +60,9 @@ function simulator_start(root, compiled, module) {
   const times_key = key_without("eps view scale column row beta");
 
   function panels_soon() {
-    wanted ||= setTimeout(panels, Math.max(0, shown_panels + PANELS_EVERY - performance.now()));
+    moved_since ||= performance.now();
+    clearTimeout(wanted);
+    wanted = setTimeout(panels, clamp(0, moved_since + MOVING - performance.now(), AT_REST));
   }
 
   /** Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace. @param {State} next */
@@ -69,12 +79,31 @@ function simulator_start(root, compiled, module) {
     saved = setTimeout(put_into_address, 300);
   }
 
-  // What changes the pictures is a step that the browser's Back undoes; where the cursor is, is none.
+  // What changes the pictures is a step that can be undone; where the cursor is, is none. The browser's Back leaves the page.
   function put_into_address() {
-    if (drawn_key(state) === drawn_key(addressed)) return history.replaceState(null, "", states.fragment(state));
-    if (!location.hash.startsWith(states.MARK)) history.replaceState(null, "", states.fragment(addressed));
-    history.pushState(null, "", states.fragment(state));
+    history.replaceState(null, "", states.fragment(state));
+    if (drawn_key(state) === drawn_key(addressed)) return;
+    past.push(addressed);
+    undone.length = 0;
     addressed = state;
+    offer();
+  }
+
+  function offer() {
+    for (const [name, list] of Object.entries({ undo: past, redo: undone }))
+      $(`[data-${name}]`).toggleAttribute("disabled", list.length === 0);
+  }
+
+  /** Go to the last state of one list, and put this one on the other. @param {State[]} from @param {State[]} to */
+  function go(from, to) {
+    if (state !== addressed) put_into_address();
+    const next = from.pop();
+    if (!next) return;
+    to.push(state);
+    presets.stop();
+    act.replace(next);
+    addressed = state;
+    offer();
   }
 
   /** @type {Act} */
@@ -83,6 +112,7 @@ function simulator_start(root, compiled, module) {
     // What the reader's hand does; it ends an experiment.
     set(changes) {
       const next = "size" in changes ? states.zoomed(state, changes) : state;
+      is_sized ||= "size" in changes;
       take(states.changed(next, changes));
       presets.stop();
       say(root, "");
@@ -115,12 +145,22 @@ function simulator_start(root, compiled, module) {
   const readouts = simulator_readouts(root, data, module);
   const pictures = simulator_pictures(root, states, data, module);
   const layout = simulator_layout(root, pictures.resized);
+  const theorem = document.querySelector('.bd-article a[href*="#theorem-bump_moves_no_boundary"]:not(.simulator *)');
+  $("[data-theorem]").textContent = theorem ? `(${theorem.textContent})` : "";
   const hand = simulator_hand(pictures, act);
   const curve = simulator_curve(root, module);
   const cursor = simulator_cursor(root, states, data, module);
 
+  // The raster has about as many pixels as the screen has for it, unless the reader chose.
+  function fit() {
+    const size = layout.size_of_screen(sizes);
+    if (!is_sized && size !== state.size) take(states.zoomed(state, { size }));
+    layout.fit(state.size);
+  }
+
   function panels() {
     wanted = 0;
+    moved_since = 0;
     if (document.hidden) return;
     if (pixel_key(state) !== pixel_of) pixel_curve = curve.at_pixel(state, states.crop(state));
     pixel_of = pixel_key(state);
@@ -204,14 +244,19 @@ function simulator_start(root, compiled, module) {
     pause: presets.toggle,
     step: (steps) => presets.step(Number(steps)),
     stop: presets.stop,
-    apart: () => layout.toggle_apart(state.size),
+    apart: layout.toggle_apart,
     large: layout.toggle_large,
-    save: (name) => download(`${name}.png`, pictures.canvas(name).toDataURL()),
+    save: (name) => download(`${state.field}-eps${state.eps}-${name}.png`, pictures.file(name, state)),
+    undo: () => go(past, undone),
+    redo: () => go(undone, past),
+    svg: () => download("u-curve.svg", `data:image/svg+xml,${encodeURIComponent(curve.picture())}`),
     zoom: (steps) => act.zoom(Number(steps)),
     reset() {
       presets.reset();
       hand.release();
+      is_sized = false;
       act.replace(states.start());
+      fit();
     },
     csv: () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`),
     copy: () => copy(states.python(state), $(".sim-python code")),
@@ -246,11 +291,13 @@ function simulator_start(root, compiled, module) {
       const next = states.from_fragment(hash);
       if (next) {
         presets.stop();
+        is_sized = true; // 256 where the address says nothing
         act.replace(next);
         addressed = state;
       }
       return next !== null;
     } catch (error) {
+      history.replaceState(null, "", states.fragment(state));
       say(root, `${error_text(error)}. Nothing was changed.`);
       return true;
     }
@@ -262,14 +309,28 @@ function simulator_start(root, compiled, module) {
   }
   watch_closer();
   controls.show(state);
-  layout.fit(state.size); // before anything is drawn in it, which else moves once more
-  if (from_address()) root.scrollIntoView();
+  fit(); // before anything is drawn in it, which else moves once more
+  const is_addressed = from_address();
+  if (is_addressed) root.scrollIntoView();
+  addressed = state;
   engine.start();
+  const opening = new IntersectionObserver(([{ isIntersecting }]) => {
+    if (!isIntersecting) return;
+    opening.disconnect();
+    if (!is_addressed) presets.open();
+  });
+  opening.observe(root);
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || is_typed(event) || !"zy".includes(event.key.toLowerCase())) return;
+    event.preventDefault();
+    if (event.key === "z") go(past, undone);
+    else go(undone, past);
+  });
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
-  const fitting = new ResizeObserver(() => layout.fit(state.size));
-  for (const part of [layout.page, $(".sim-stage")]) fitting.observe(part); // the page is still sliding when the window tells
+  const fitting = new ResizeObserver(fit);
+  for (const part of [layout.page, layout.room]) fitting.observe(part); // the page is still sliding when the window tells
   new ResizeObserver(panels_soon).observe($(".sim-curve")); // also what stands beside it changes its width
-  window.addEventListener("resize", () => layout.fit(state.size));
+  window.addEventListener("resize", fit);
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) {
       presets.pause();

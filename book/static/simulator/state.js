@@ -2,7 +2,7 @@
 "use strict";
 
 /** @param {HTMLElement} root @param {SimulatorData} data */
-function simulator_states(root, { fields, models, scene }) {
+function simulator_states(root, { fields, models, scene, record }) {
   const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
@@ -240,7 +240,22 @@ function simulator_states(root, { fields, models, scene }) {
     );
   }
 
+  /** What the renderer's own pictures say of how they were drawn. @param {State} state @param {boolean} is_numeric */
+  function record_of(state, is_numeric) {
+    const { field, ku, kv, beta, model, method, eps, size, left, top } = state;
+    const lights = scene.lights.map(({ position, color }, n) => ({ position, color: state.lights[n] ? color : null }));
+    return {
+      ...record,
+      width: side(state),
+      height: side(state),
+      crop: [left, top, size, size],
+      gradient: { ...record.gradient, ...(is_numeric ? { name: method, eps } : {}) },
+      scene: { ...record.scene, field, ku, kv, beta, model, lights, ball: Boolean(state.ball) }
+    };
+  }
+
   return {
+    record: record_of,
     parameters,
     start,
     changed,
