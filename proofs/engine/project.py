@@ -34,9 +34,9 @@ class Project(NamedTuple):
     {office: the page that has it}, of findings, legend, graph, trust, seed, times and shell, whose frame an edition
     takes; sections: the pages that come first; laboratory: the page with cells. name: of the editions. printed: {file:
     "module:function" of its text}; kernels: the printed module. programs: {script of the site: the module with its
-    `source`}. tex: "module:name" of {symbol: TeX}. slowest: the figures that take longest. records: {name: the fields
-    of a `verify.records.Record`}; results, benchmarks: their folders. formal: the folder of Coq's files; trusted: {one:
-    its hash}; partly: {theorem: what of its words Coq was not told}.
+    `source`}; directives: further modules of the extension. tex: "module:name" of {symbol: TeX}. slowest: the figures
+    that take longest. records: {name: the fields of a `verify.records.Record`}; results, benchmarks: their folders.
+    formal: the folder of Coq's files; trusted: {one: its hash}; partly: {theorem: what of its words Coq was not told}.
     """
 
     root: Path
@@ -59,6 +59,7 @@ class Project(NamedTuple):
     printed: Table = NOTHING
     kernels: str = ""
     programs: Table = NOTHING
+    directives: Names = ()
     tex: str = ""
     slowest: Names = ()
     records: Mapping[str, Mapping[str, Any]] = NOTHING
