@@ -28,21 +28,18 @@ def beside(values, count=3):
 
 RANDOM = np.random.default_rng(5)
 SPREAD = RANDOM.uniform(-2, 2, 3000), RANDOM.uniform(-(2**20), 2**20, 1000), 10.0 ** -np.arange(1.0, 100)
-NUMBERS = np.concatenate([*SPREAD, beside(np.arange(-16, 17) / 8)])
+NUMBERS = np.concatenate([*SPREAD, beside(np.arange(-32, 33) / 16)])
 POSITIVE = np.abs(NUMBERS)[np.abs(NUMBERS) > 1e-90]
 WAVES = RANDOM.integers(1, 65, 800).astype(float)
 CREASES = beside(np.floor((WAVES + 1) * RANDOM.random(800)) / WAVES)
-RATIOS = np.concatenate(
-    [RANDOM.random(2000), beside(np.array([5 / 16, 0.5, 0.75, 1.0])), 10.0 ** -np.arange(1.0, 280, 9)]
-)
-SIDES = np.concatenate([RATIOS, np.ones_like(RATIOS)]), np.concatenate([np.ones_like(RATIOS), RATIOS])
+SIGNS = RANDOM.choice([-1.0, 1.0], NUMBERS.size)
 EXPONENTS = 10.0 ** RANDOM.uniform(-3, 6, 5000)
 BASES = np.exp(-np.where(RANDOM.random(5000) < 0.5, 50, 707) * RANDOM.random(5000) / EXPONENTS)
 PRODUCTS = np.append(np.resize(WAVES, CREASES.size), np.ones(NUMBERS.size)), np.append(CREASES, NUMBERS)
 CASES = {
     "sine": (RULES["enclosed_sine"], PRODUCTS, PROVED["of_product_relative"]),
     "cosine": (RULES["enclosed_cosine"], PRODUCTS, PROVED["of_product_relative"]),
-    "angle": (RULES["enclosed_angle"], SIDES * RANDOM.choice([-1, 1], np.shape(SIDES)), ROUNDINGS["atan2pi"]),
+    "angle": (RULES["enclosed_angle"], (np.append(NUMBERS, SIGNS), np.append(SIGNS, NUMBERS)), ROUNDINGS["atan2pi"]),
     "exponential": (RULES["enclosed_exponential"], (350 * NUMBERS[np.abs(NUMBERS) <= 2],), PROVED["exp"]),
     "logarithm": (RULES["enclosed_logarithm"], (np.concatenate([POSITIVE, POSITIVE**-3]),), PROVED["log"]),
     "power": (chain("raised", {real("raised"): x**y}), (BASES[BASES > 0], EXPONENTS[BASES > 0]), PROVED["power"]),

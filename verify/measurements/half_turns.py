@@ -13,7 +13,7 @@ def enclosed(bound: Fraction = SINE, off: int = 0) -> Enclosure:
     """Sine and cosine at every reduced argument."""
     return Enclosure(
         pieces=partial(sine.pieces, off),
-        over={"ku": ((0.0, 0.25),)},
+        over={"ku": ((0.0, sine.END),)},
         at=sine.errors,
         bound=bound,
         what="sine and cosine: the error over every piece of the reduced range, in units of 2^-53",

@@ -9,8 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from sympy import S
 
-from proofs.engine.program import Program
-from proofs.formulas.bump import bumped, g, m, normal_by_beta, perturbed
+from proofs.formulas.bump import g, normal_by_beta, perturbed
 from proofs.formulas.pixel import instance
 from proofs.formulas.symbols import h_u, h_v, normal
 from renderer import Scene, central, exact, gradient_at
@@ -25,9 +24,6 @@ bumped_in_frame = instance(perturbed, "in_frame", given=in_frame)
 
 by_beta_in_frame = instance(normal_by_beta, "by_beta_in_frame", given=in_frame)
 """(h_u, h_v, β) → ∂N'/∂β there."""
-
-unit_length = Program("unit_length", m, perturbed.definitions[len(m) :], bumped)
-"""M → M/|M|: the last lines of N'."""
 
 TEXELS = (33, 65, 129, 257, 513, 1025)
 EPS = 1e-3
