@@ -45,16 +45,16 @@ class Project(NamedTuple):
     formal: Path
     bibliography: Path
     theorems: str
+    figures: str
     writable: bool = True
     packages: Names = ()
     above: Names = ()
-    formulas: str = ""
-    figures: str = ""
-    measurements: str = ""
+    formulas: str = "formulas"
+    measurements: str = "measurements"
     measuring: Names = ()
     page: Table = NOTHING
     sections: Names = ()
-    laboratory: str = ""
+    laboratory: str = "laboratory.md"
     name: str = "book"
     printed: Table = NOTHING
     kernels: str = ""

@@ -21,11 +21,10 @@ from verify.optional import lacking
 @cache
 def _left_out():
     """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
-    needs, package = {}, PROJECT.measurements
-    folder = PROJECT.folder(package)
-    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])) if package else ():
+    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
         try:
-            importlib.import_module(f"{package}.{module}")
+            importlib.import_module(f"{PROJECT.measurements}.{module}")
         except ImportError as error:
             if not (library := lacking(error)):
                 raise
