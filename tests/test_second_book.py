@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from book.editions.pages import parsed
 from proofs.engine.project import FILE, PROJECT, project_of
 from proofs.engine.theorem import all_theorems
+from tests.processes import python
 from tests.test_contributing import EXAMPLES, shell
 from verify import conftest
 from verify.sources import ROOT
@@ -36,6 +37,9 @@ def test_where_no_file_names_a_project_this_one_is_read_and_nothing_is_written(t
     assert outside == PROJECT._replace(writable=False) and project_of(EXAMPLE / "pages").root == EXAMPLE
     entries = [{"id": id, "grade": "cited", "expected": "cited", "uses": []} for id in all_theorems()]
     monkeypatch.setattr(conftest, "EVIDENCE", entries)
+    for command in ("proofs.engine.certificate", "renderer.generate", "book"):
+        _, refusal = python("-m", command, status=1, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)})
+        assert "nothing is written" in refusal
     session = SimpleNamespace(config=SimpleNamespace(getoption=lambda name: None))
     for project in (outside, PROJECT):
         monkeypatch.setattr(conftest, "PROJECT", project._replace(pages=tmp_path))

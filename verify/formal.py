@@ -217,6 +217,7 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
     asked = parser.parse_args()
+    PROJECT.require_writable()
     if unknown := set(asked.file) - (known := set().union(*layers())):
         parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(known))}")
     table = {} if asked.fresh or asked.file or asked.coqchk else record()

@@ -115,6 +115,7 @@ class Run:
     """A run that measures a record: make it before anything is measured, and write what was found at the end."""
 
     def __init__(self, name: str):
+        PROJECT.require_writable()
         self.record, self.code = RECORDS[name], code_of(name)
         self.label = label([*self.record.packages, *filter(find_spec, self.record.needs)])
 

@@ -112,8 +112,7 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
-    if not PROJECT.writable:
-        parser.error("the working directory is in no project")
+    PROJECT.require_writable()
     FOLDER.mkdir(exist_ok=True)
     for id in named:
         theorem = theorems[id]

@@ -78,6 +78,11 @@ class Project(NamedTuple):
         """The report of a run of the theorems."""
         return self.generated / "proofs.json"
 
+    def require_writable(self) -> None:
+        """Raise SystemExit where the working directory is not in it."""
+        if not self.writable:
+            raise SystemExit(f"no {FILE} here or above has a table [tool.symbolic-book]: nothing is written")
+
     def folder(self, package: str) -> Path:
         """Return the folder of one of its packages."""
         return self.root.joinpath(*package.split("."))

@@ -24,4 +24,5 @@ def write_all(printed: Mapping[Path, Callable[[], str]]) -> None:
 
 if __name__ == "__main__":
     argparse.ArgumentParser("python -m renderer.generate", description=__doc__).parse_args()
+    PROJECT.require_writable()
     write_all(PRINTED)
