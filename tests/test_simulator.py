@@ -363,7 +363,7 @@ def test_paper_and_scriptless_readers_get_the_figures(visit, medium, script):
     page = visit("s4", java_script_enabled=script)
     page.emulate_media(media=medium)
     assert page.is_visible(".sim-absent") is not script and not page.is_visible("#simulator")
-    assert page.locator("img[src*=contact_sheet]").first.is_visible()
+    assert page.locator("img[src*=sweep_of_sine]").first.is_visible()
 
 
 def test_a_browser_without_vectors_is_told(visit):

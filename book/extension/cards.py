@@ -8,6 +8,8 @@ Words that stand for the statement, which is then folded away with its proof. Wi
 
 :::{all-theorems}     every theorem, by section
 :::
+:::{dependencies}     what each rests on, below all that it rests on
+:::
 :::{grades}           the legend of the badges, with the number of theorems that have each; `:asked:` adds who was asked
 :::
 :::{argued-clauses}   the words that no claim says, each with its reason
@@ -107,6 +109,11 @@ def argued_clauses(here: SphinxDirective) -> Nodes:
     book = Here(here.env)
     found = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
     return [filled("argued_clauses", book=book, found=found)]
+
+
+@directive("dependencies")
+def dependencies(here: SphinxDirective) -> Nodes:
+    return [filled("dependencies", book=Here(here.env))]
 
 
 @directive("all-theorems")

@@ -130,7 +130,7 @@ def in_signs(text: str) -> Nodes:
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
     """The page on which each figure is placed."""
-    return dict(placed(book, "chapter-figure"))
+    return dict(placed(book, "chapter-figure|idea|worked-pixel"))
 
 
 def test_address(node: str) -> str:

@@ -4,15 +4,11 @@
 {trusted-lines}`claims`                      how many lines a grade passes through; `float64`: with its printers
 {source-link}`proofs/engine/kernel.py`       a link to its page
 
-:::{docstring} proofs/engine/certificate.py
-:::
-
 :::{printed-lines} bumped_normal
 :lines: m_x m_length          the lines of a function of the printed kernels that define these names
 :::
 """
 
-import ast
 import inspect
 import re
 import shutil
@@ -116,12 +112,6 @@ def trusted_lines(here: SphinxRole) -> Nodes:
 def source_link(here: SphinxRole) -> Nodes:
     target = listing_address(source_file(here.text))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
-
-
-@directive("docstring", arguments=1)
-def docstring(here: SphinxDirective) -> Nodes:
-    text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
-    return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
 
 
 def printed(name: str, wanted: list[str]) -> str:
