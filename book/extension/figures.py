@@ -18,6 +18,7 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 
 import shutil
 from pathlib import Path
+from posixpath import relpath
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -58,7 +59,8 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
     figure += filled("pictures", pictures=pictures, panels=panels, wiper="wiper" in options, moves=moves)
     rest = _add_caption(here, figure, id) if here.content else []
     if "plain" not in options:
-        origin = filled("provenance", **{"certified": None, "id": id} | description)
+        address = relpath(description["source"], book.name)  # both from the root
+        origin = filled("provenance", **{"certified": None, "id": id, "address": address} | description)
         figure += nodes.legend("", raw(FOLD), *rest, origin, raw("</details>"))
     elif rest:
         figure += nodes.legend("", *rest)
