@@ -12,7 +12,7 @@ PICTURES = "figure, .simulator"
 UNREAD = "script, style, noscript, pre, math, .headerlink, .on-paper, [hidden]"  # code, formulas, what does not show
 RMS = r"\{number\}`(\w+)\.\w*rms"
 WORDS_AT_MOST, FOLDED_AT_MOST, FIGURES_AT_MOST = 7000, 18_000, 24
-CARDS_AT_MOST, CAPTION_AT_MOST, WAY_AT_MOST = 6, 36, 350  # cards in §3; 36 words are two lines
+CARDS_AT_MOST, CAPTION_AT_MOST, WAY_AT_MOST = 6, 30, 350  # cards in §3; 30 words are two lines
 THEOREM = re.compile(r"(?:Theorem|Claim) (\d+)$")
 
 
