@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from tests.processes import run, settings_without
-from verify.sources import PACKAGES, ROOT, files_in, is_test
+from verify.evidence.sources import PACKAGES, ROOT, files_in, is_test
 
 EXAMPLES = ROOT / "tests" / "examples"
 DOCUMENTS = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "Makefile")]
@@ -76,8 +76,8 @@ def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
     made = {line.partition(":")[0] for line in printed["proofs.engine.certificate"].splitlines()}
     assert made == {"bump_moves_no_boundary", theorem}
     assert re.search(rf"{theorem} +proved .* mutants 2/2", printed["pytest"])
-    if "verify.formal" in printed:
-        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.formal"])
+    if "verify.coq" in printed:
+        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.coq"])
     site = tmp_path / "book" / "_build" / "html"
     assert f"theorem-{theorem}" in (site / "findings.html").read_text("utf-8")
     assert ('id="fig-waves"' in (site / "s3.html").read_text("utf-8")) is (example == "height_field")

@@ -7,11 +7,11 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
-from verify import formal
 from verify.checkers import theorem_files
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
+from verify.coq import formal
+from verify.evidence.sources import ROOT
 from verify.optional import lacking
-from verify.sources import ROOT
 
 REPORT = ROOT / "book" / "_generated" / "proofs.json"
 EVIDENCE = []

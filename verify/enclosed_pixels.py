@@ -18,7 +18,7 @@ from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.accuracy.pixels import compared
-from verify.records import command
+from verify.evidence.records import command
 
 EACH = 6  # pixels of a picture at random, and as many of the largest bounds
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)

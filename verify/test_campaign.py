@@ -16,8 +16,8 @@ from functools import cache
 
 import pytest
 
-from verify.records import Run
-from verify.sources import ROOT
+from verify.evidence.records import Run
+from verify.evidence.sources import ROOT
 
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -29,7 +29,7 @@ STAGES = (
     (*PYTEST, "verify/test_theorems.py", "-n", "2"),
 )
 """What Python runs: the quick check, all but the theorems, the theorems with their samples and false variants."""
-OF_NUMBERS = (STAGES[0], ("verify.stale",), *STAGES[1:])
+OF_NUMBERS = (STAGES[0], ("verify.evidence.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
 FEW_NUMBERS, FEW_RELATIONS = 3, 20
 FORMULAS = "formulas/*.py", "engine/half_turns.py", "engine/vectors.py"

@@ -14,10 +14,10 @@ from hypothesis.strategies import fixed_dictionaries, floats, integers, just, on
 
 from proofs.engine.theorem import all_theorems
 from renderer import render
-from verify import formal
 from verify.accuracy.differences import SLOPES, Case, bounds, parts
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
 from verify.accuracy.step_terms import SLOPE_TERMS
+from verify.coq import formal
 from verify.stability.geometry import toward_the_pole
 
 EXHAUSTIVE = {"crease_products", "crease_contrast", "dark_difference", "difference_slopes"}

@@ -6,8 +6,8 @@ import sys
 from pathlib import Path
 
 from book.assembly import stamps
-from verify import formal
 from verify.checkers import second_checker
+from verify.coq import formal
 
 REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import FIGURES, Registered
-from verify.sources import difference
+from verify.evidence.sources import difference
 
 GENERATED = stamps.ROOT / "book" / "_generated"
 PROCESSES = 2

@@ -30,7 +30,7 @@ from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, module_and_line, proofs_of
 from proofs.engine.standalone import standalone_script
 from renderer import kernels
-from verify import grade_path
+from verify.evidence import grade_path
 
 DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
 LINKED = re.compile(r"\{source-link\}`([^`]+)`")

@@ -12,7 +12,7 @@ from book.assembly import report, stamps
 from book.assembly.contents import placed
 from proofs.engine.theorem import Theorem, all_theorems
 from proofs.printers.coq_statements import statements
-from verify import formal
+from verify.coq import formal
 
 CLAIMS_PAGE = "findings"
 LEGEND = ("s1", "badges")  # the page and the id of what says what the badges mean

@@ -17,7 +17,7 @@ from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real, x, y
 from renderer import kernels
 from renderer.operations import UNIT
-from verify import formal
+from verify.coq import formal
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 

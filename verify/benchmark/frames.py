@@ -20,7 +20,7 @@ from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.timing import Case
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 SCENE = Scene()
 A_ALONE = Scene(ball=False, floor=False)

@@ -5,7 +5,7 @@ from functools import partial
 
 from verify.benchmark import __main__ as frames, timing
 from verify.benchmark.timing import Case
-from verify.records import read
+from verify.evidence.records import read
 
 
 def with_quartiles(numbers):

@@ -26,7 +26,7 @@ from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
-from verify.records import command
+from verify.evidence.records import command
 from verify.reference import COLORS, reference_pixel
 
 CHECKED, ROUNDS, SEED = 4096, 15, 3

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
-from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says, unnamed
+from verify.checkers.measurements import FALSE, REGISTERED, Enclosure, record, says, unnamed
 from verify.optional import lacking
 
 FOLDER = Path(__file__).parents[1] / "measurements"

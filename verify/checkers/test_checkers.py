@@ -15,7 +15,7 @@ from proofs.engine.theorem import all_theorems
 from verify.checkers import second_checker
 from verify.checkers.known_bad import UNSOUND, pair_of, reasons_of, wrong_verdicts
 from verify.checkers.second_checker import compact
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 HIDDEN = """import sys; sys.modules["playwright"] = None; sys.path.insert(0, sys.argv[1])
 import pytest; sys.exit(pytest.main(sys.argv[2:]))"""

@@ -1,4 +1,4 @@
-"""The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
+"""The formal proofs:  python -m verify.coq compiles `proofs/formal/` with Coq and records what it accepted.
 
 What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
 of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of
@@ -23,9 +23,9 @@ from pathlib import Path
 from proofs.engine.claim import Separation
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
-from verify import survey, vernacular
-from verify.sources import ROOT, file_hashes, key
-from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
+from verify.coq import survey, vernacular
+from verify.coq.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
+from verify.evidence.sources import ROOT, file_hashes, key
 
 FOLDER = ROOT / "proofs" / "formal"
 RECORD = FOLDER / "record.json"
@@ -223,7 +223,7 @@ def printed_otherwise() -> list[str]:
 
 def main() -> None:
     """Compile what changed since the record was made, say what was accepted, and write the record."""
-    parser = argparse.ArgumentParser(prog="python -m verify.formal", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m verify.coq", description=__doc__)
     parser.add_argument("file", nargs="*", help="this file alone, and what it requires: no record is written")
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
@@ -249,10 +249,3 @@ def main() -> None:
         rests = ", ".join(short) or "closed under the global context"
         counts = "  ".join(f"{len(entry[of]):2} {of}" for of in ("claims", "statements"))
         print(f"{theorem:32} {counts}   {rests}")
-
-
-if __name__ == "__main__":
-    try:
-        main()
-    except NotAccepted as error:
-        sys.exit(str(error))

@@ -15,7 +15,7 @@ from importlib.util import find_spec
 
 from tqdm import tqdm
 
-from verify.records import RECORDS, ROOT, read, why_stale
+from verify.evidence.records import RECORDS, ROOT, read, why_stale
 
 
 def stale(names: Iterable[str] = ()) -> dict[str, str]:

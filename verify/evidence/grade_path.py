@@ -7,12 +7,12 @@ Coq alone proves something, is counted behind it.
 
 import ast
 
-from verify.sources import PACKAGES, ROOT, imported, without_prose
+from verify.evidence.sources import PACKAGES, ROOT, imported, without_prose
 
 ENTRANCES = (
     "verify/checkers/proof_checker.py",
     "verify/checkers/theorem_files.py",
-    "verify/formal.py",
+    "verify/coq/formal.py",
     "proofs/printers/coq.py",
     "proofs/printers/coq_statements.py",
 )

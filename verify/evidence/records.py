@@ -22,8 +22,8 @@ from typing import Any
 
 from renderer.threads import available_cores
 from renderer.whole_files import write_whole
-from verify import sources
-from verify.sources import ROOT
+from verify.evidence import sources
+from verify.evidence.sources import ROOT
 
 RESULTS, BENCHMARKS = "verify/results", "verify/benchmark/results"
 PROSE = {".md", ".bib"}
@@ -81,7 +81,7 @@ RECORDS = {
             "edited_formulas",
             RESULTS,
             _CAMPAIGN,
-            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/stale.py"),
+            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/evidence/stale.py"),
             ("sympy", "mpmath"),
         ),
     )

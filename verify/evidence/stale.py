@@ -1,4 +1,4 @@
-"""What is printed or stored of the formulas and no longer what they say:  python -m verify.stale
+"""What is printed or stored of the formulas and no longer what they say:  python -m verify.evidence.stale
 
 It lists the files that `python -m renderer.generate` would change, and the theorems whose certificates have to be
 searched anew; nothing is searched, and no certificate is checked. It fails where there is any.
@@ -32,7 +32,7 @@ def problems() -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    argparse.ArgumentParser("python -m verify.stale", description=__doc__).parse_args()
+    argparse.ArgumentParser("python -m verify.evidence.stale", description=__doc__).parse_args()
     stale = False
     for problem in problems():
         print(problem)

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from verify import evidence, records, sources
-from verify.records import RESULTS, Record, Run, read, why_stale
+from verify.evidence import __main__ as evidence, records, sources
+from verify.evidence.records import RESULTS, Record, Run, read, why_stale
 
 FILES = {
     "verify/__init__.py": "",

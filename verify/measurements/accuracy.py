@@ -11,7 +11,7 @@ from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, parts
 from verify.accuracy.gradient_errors import UNIT, worst_at
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
-from verify.checkers.measurement import Enclosure, Measurement, measures
+from verify.checkers.measurements import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
 from verify.stability.wave_numbers import SEED as SWEEP_SEED
 

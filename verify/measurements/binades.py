@@ -4,7 +4,7 @@ import numpy as np
 
 from renderer import kernels
 from verify.accuracy.binades import dies
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 
 SEED, EACH, DEEPEST = 31, 400, 60
 STEPS = (0.2, 0.25, 0.26, 0.49, 0.51, 0.74, 0.76, 1.2)  # in spacings; the tie apart

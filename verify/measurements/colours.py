@@ -5,7 +5,7 @@ from sympy import lambdify
 
 from proofs.engine.claim import Rounded
 from proofs.engine.theorem import all_theorems
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 SEED, SAMPLES = 27, 300

@@ -10,7 +10,7 @@ from renderer import Scene, central, render
 from renderer.picture.differences import difference_on_a
 from renderer.picture.facts import crease_contrast
 from renderer.shader.gradients import height_at
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 
 SIZE, MOST = 256, 64
 FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels

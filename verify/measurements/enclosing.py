@@ -7,7 +7,7 @@ from proofs.engine.program import Program
 from proofs.formulas.enclosed import RULES
 from renderer.generate.kernels import function_of
 from renderer.machines.enclosing import Enclosed
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.evaluate.balls import Balls
 
 SEED, SAMPLES, BITS = 26, 400, 256

@@ -5,7 +5,7 @@ from functools import partial
 
 from proofs.formulas.certified import SINE
 from verify.accuracy import sine
-from verify.checkers.measurement import Enclosure, measures
+from verify.checkers.measurements import Enclosure, measures
 
 
 @measures("elementary_functions", {"within 12/5": {"bound": Fraction(12, 5)}, "π²/2 is off by 1 ulp": {"off": 1}})

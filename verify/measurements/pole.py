@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.stability.geometry import toward_the_pole
 
 SEED, POINTS = 20, 200

@@ -15,8 +15,9 @@ from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
 from proofs.printers.coq_statements import proposition, statements_of
 from renderer.whole_files import write_whole
-from verify import conftest, formal, survey, vernacular
-from verify.sources import ROOT
+from verify import conftest
+from verify.coq import formal, survey, vernacular
+from verify.evidence.sources import ROOT
 
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None or find_spec("tqdm") is None,
@@ -62,7 +63,7 @@ def test_coq_accepts_what_the_record_says(request, record_property):
         assert said == formal.compile_files(said=None if alone else said)
         write_whole(formal.KEPT, formal.seen().encode())
         record_property("agreed", "Coq")
-    assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
+    assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.coq"
 
 
 WRONG = """From Coq Require Import Reals Lra.

@@ -14,9 +14,9 @@ from proofs.check import FOLDER, is_empty, parsed, text_of
 from proofs.engine.claim import Claim
 from proofs.engine.theorem import all_theorems
 from proofs.printers.coq_statements import StatementPrinter
-from verify import formal
 from verify.checkers.digits import WORKING_DIGITS, Code, Relations, Undefined, differentiated, parts_of
 from verify.checkers.sampler import Sampler
+from verify.coq import formal
 
 POINTS, ATTEMPTS = 2, 3000
 CLOSE = mpmath.mpf(10) ** -30
