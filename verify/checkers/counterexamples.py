@@ -1,10 +1,12 @@
 """Counterexamples of false variants: a point at 50 digits, certified by balls, and where it can be had an exact one."""
 
-from collections.abc import Iterable
+import operator
+from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
 import mpmath
+from sympy import Eq, Symbol
 
 from proofs.engine import kernel
 from proofs.engine.claim import Claim, Induction, Separation
@@ -13,10 +15,17 @@ from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import each_shown
 from proofs.engine.theorem import Mutant, Theorems
 from verify.checkers import witness
-from verify.checkers.certified import certified
-from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
-from verify.checkers.sampler import Sampler
+from verify.checkers.digits import TOLERANCE, WORKING_DIGITS, Code, Undefined, decided, parts_of
+from verify.checkers.sampler import Sampler, real_roots
 
+try:
+    import flint
+
+    from verify.evaluate.balls import BALLS
+except ImportError:  # then no counterexample is certified
+    flint = None  # type: ignore[assignment]
+
+BITS = 400
 FAILURES, UNROLLED = 6, 4  # and the first numbers of which an induction is tried
 EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draws for each: a short look, a long one
 
@@ -94,3 +103,48 @@ def path_to_avoided(claim: Separation) -> list[str] | None:
                 seen.add(name)
                 paths.append([*path, name])
     return None
+
+
+def certified(sampler: Sampler, point: Mapping[Symbol, Any], fixed: Collection[Symbol] = ()) -> bool:
+    """Return whether balls, with every rounding in them, show that a claim fails near a 50-digit point {symbol: value}.
+
+    The free inputs, and those that are fixed, are taken as they are, exactly; what the sampler solved for is solved
+    again, by formulas, so that its ball holds a solution. Of other equations each has to hold of exact numbers.
+    """
+    if flint is None:
+        return False
+    with flint.ctx.workprec(BITS):
+        names = BALLS | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
+        names |= {"sqrt": flint.arb.sqrt, "power": operator.pow}  # undefined where a ball reaches below 0
+        again = [(s, of) for s, of in sampler.solved if s not in fixed]
+        values = {s: flint.arb(v) for s, v in point.items() if s not in dict(again)}
+
+        def holds(relation):
+            """Return whether a relation holds, or None where that is open."""
+            if relation == False:  # noqa: E712  (SymPy's false is not Python's)
+                return False
+            try:
+                left, right = Code((relation.lhs, relation.rhs), sampler.definitions)(values, names)
+                return decided(left, relation.rel_op, right)
+            except (Undefined, NameError):
+                return None
+
+        def solved(symbol, coefficients):
+            """Return a ball with the root that is near the point's coordinate."""
+            near = flint.arb(point[symbol])
+            return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
+
+        try:
+            for symbol, coefficients in again:
+                values[symbol] = solved(symbol, coefficients)
+        except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
+            return False
+        solutions = {r for r, symbol in sampler.solved_relations.items() if symbol not in fixed}
+        unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in solutions)]
+        return all(map(holds, unsolved)) and any(holds(r) is False for r in parts_of(sampler.claimed))
+
+
+def _real(ball):
+    if not ball.is_finite():
+        raise Undefined("infinite, or of a ball where it has no value")
+    return ball

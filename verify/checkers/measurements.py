@@ -1,4 +1,10 @@
-"""Evidence that is no certificate of polynomials: what was sampled, or enclosed in balls.
+"""Theorems without claims: their measurements, sampled or enclosed in balls, and the grade that these reach.
+
+certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
+measured   every measurement holds on its samples, and rejects its false variants
+cited      the source is in the bibliography
+
+A measurement is a function in a module of `verify/measurements`:
 
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
@@ -11,7 +17,9 @@ that the same function has to reject, at least one. A run calls both. What it re
 the run takes apart and tries; nobody declares either.
 """
 
+import importlib
 import math
+import pkgutil
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
@@ -19,13 +27,17 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from html.entities import html5
+from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 import numpy as np
 
-from verify.optional import arb
+from proofs.engine.theorem import Theorem, Theorems, incomplete
+from verify.checkers.grades import Examination
+from verify.optional import arb, lacking
 
+FOLDER = Path(__file__).parents[1] / "measurements"
 DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
 MEASURING = ("verify.accuracy.", "verify.stability.")
@@ -33,7 +45,7 @@ FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
 SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
-"""{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
+"""{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measurements` has imported all"""
 
 
 @dataclass(frozen=True)
@@ -206,3 +218,66 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
         return function
 
     return register
+
+
+@cache
+def _left_out():
+    """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
+    needs = {}
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
+        try:
+            importlib.import_module(f"verify.measurements.{module}")
+        except ImportError as error:
+            if not (library := lacking(error)):
+                raise
+            text = (FOLDER / f"{module}.py").read_text(encoding="utf-8")
+            needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
+    return needs
+
+
+def measurements() -> dict[str, list[tuple[Callable, dict]]]:
+    """Return what is registered, of every module of measurements that can be imported here."""
+    _left_out()
+    return REGISTERED
+
+
+def library_for(theorem_id: str) -> str | None:
+    """Return the library without which a theorem cannot be measured here, or None if it can."""
+    return _left_out().get(theorem_id)
+
+
+def examine(theorem: Theorem, theorems: Theorems) -> Examination:
+    """Return the Examination of a theorem without claims: measured, or else cited."""
+    examination = Examination(theorem.id, theorem.expected, theorem.uses)
+    examination.problems += incomplete(theorem, theorems)
+    examination.check_sources(theorem)
+    evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
+    examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
+    examination.reached = "cited"
+    if theorem.expected != "cited":
+        enclosed = [seen for seen, *_ in evidence if isinstance(seen, Enclosure)]
+        examination.reached = "certified" if evidence and len(enclosed) == len(evidence) else "measured"
+        missing = unnamed(theorem.words, [name for seen in enclosed for name in seen.over])
+        if examination.reached == "certified" and missing:
+            examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
+        if not evidence:
+            examination.problems.append("no measurement is registered for it in verify/measurements")
+    examination.record["grade"] = examination.grade
+    return examination
+
+
+def _measured(examination, theorem, seen, function, false):
+    """Judge what a measurement saw, and run its false variants, which it has to reject."""
+    rejected: list[dict] = []
+    why = seen.why_refused()
+    if isinstance(seen, Enclosure) and not says(theorem.words, seen.bound):
+        why = why or "the theorem's words do not state this bound"
+    if why:
+        examination.problems.append(f"{seen.what}: {why}: worst {seen.worst}, bound {seen.bound}")
+    for text, changes in false.items():
+        rejected.append({"variant": text, "rejected": function(**changes).why_refused() == FALSE})
+        examination.mutants += 1
+        examination.mutants_killed += rejected[-1]["rejected"]
+        if not rejected[-1]["rejected"]:
+            examination.problems.append(f"{seen.what}: does not reject the false variant “{text}”")
+    return record(seen) | {"false_variants": rejected}

@@ -12,8 +12,8 @@
 
 Nothing raises a grade by hand. A run also gives every certificate to the second checker (`verify.test_theorems`).
 
-What is certified, measured or cited has no claims: `verify.checkers.measured`. It and the search are imported where a
-theorem needs them: no grade of what is proved rests on either.
+Theorems that are certified, measured or cited have no claims: `verify.checkers.measurements`. That module and the
+search are imported where a theorem needs them: no grade of what is proved rests on either.
 """
 
 import importlib
@@ -33,8 +33,7 @@ from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, statements, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
-from verify.checkers.certified import flint
-from verify.checkers.counterexamples import FAILURES, counterexample
+from verify.checkers.counterexamples import FAILURES, counterexample, flint
 from verify.checkers.grades import Examination
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
@@ -59,7 +58,7 @@ def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: in
     with anew, for every certificate, whatever is stored.
     """
     if not theorem.claims and theorem.expected in WITHOUT_CLAIMS:
-        return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
+        return importlib.import_module("verify.checkers.measurements").examine(theorem, theorems)
     prove = importlib.import_module("proofs.engine.certificate").prove
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.record["grade"] = "failed"

@@ -15,8 +15,7 @@ from proofs.formulas.certified import SINE as MOST
 from verify.accuracy import sine
 from verify.checkers import proof_checker
 from verify.checkers.grades import graded, summary
-from verify.checkers.measured import examine, measurements
-from verify.checkers.measurements import REGISTERED, Enclosure, Measurement, measures
+from verify.checkers.measurements import REGISTERED, Enclosure, Measurement, examine, measurements, measures
 
 x = symbols("x", real=True)
 SOME = Theorem("measured_here", "A measurement", "At most 2.42 roundings.", expected="measured")
