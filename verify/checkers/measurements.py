@@ -4,7 +4,7 @@ certified  everything is an enclosure, over whole ranges, of what the theorem's 
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
 
-A measurement is a function in a module of `verify/measurements`:
+A measurement is a function in a module of the project's package of them:
 
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
@@ -27,20 +27,19 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from html.entities import html5
-from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 import numpy as np
 
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
 from verify.optional import arb, lacking
 
-FOLDER = Path(__file__).parents[1] / "measurements"
 DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
-MEASURING = ("verify.accuracy.", "verify.stability.")
+MEASURING = tuple(f"{package}." for package in PROJECT.measuring)
 FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
 SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")
@@ -223,14 +222,14 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
 @cache
 def _left_out():
     """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
-    needs = {}
-    for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
+    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
         try:
-            importlib.import_module(f"verify.measurements.{module}")
+            importlib.import_module(f"{PROJECT.measurements}.{module}")
         except ImportError as error:
             if not (library := lacking(error)):
                 raise
-            text = (FOLDER / f"{module}.py").read_text(encoding="utf-8")
+            text = (folder / f"{module}.py").read_text(encoding="utf-8")
             needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
     return needs
 
@@ -261,7 +260,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
         if examination.reached == "certified" and missing:
             examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
         if not evidence:
-            examination.problems.append("no measurement is registered for it in verify/measurements")
+            examination.problems.append(f"no measurement is registered for it in {PROJECT.measurements}")
     examination.record["grade"] = examination.grade
     return examination
 
