@@ -1,4 +1,4 @@
-"""What stacks on a bump: a mean over points of a lamp, or over points of a pixel, of the two pipelines' difference.
+"""Means of the two pipelines' difference over points of a lamp, or of a pixel: both stack on a bump.
 
 A lobe of reflected directions does not: its rays are made from N', and what they meet depends on the bump.
 

@@ -1,4 +1,4 @@
-"""What is timed of whole frames: every renderer, sizes from 64² on, one thread and two, and steps of a sweep.
+"""Whole frames that are timed: every renderer, sizes from 64² on, one thread and two, and steps of a sweep.
 
 A case's name is renderer_side_threads. No frame is kept: two of 8192² at once would not fit everywhere.
 """

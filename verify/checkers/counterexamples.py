@@ -42,9 +42,9 @@ def counterexample(mutant: Mutant, seed: str, theorems: Theorems) -> dict[str, A
     if not isinstance(mutant.claim, Induction):
         return _where_it_fails(mutant.claim, mutant.at, seed, theorems)
     for number in range(UNROLLED):
-        seen = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
-        if seen:
-            return seen | {"at": seen["at"] | {mutant.claim.n.name: str(number)}}
+        point = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
+        if point:
+            return point | {"at": point["at"] | {mutant.claim.n.name: str(number)}}
     return None
 
 
@@ -72,13 +72,13 @@ def _where_it_fails(claim, at, seed, theorems):
 def exact_counterexample(claim: Claim, failures: Iterable[dict], theorems: Theorems) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that the kernel accepts, or None."""
     try:
-        said = each_shown(claim, theorems)
+        statements = each_shown(claim, theorems)
     except Untranslatable:
         return None
     for point in failures:
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):
-            pair = refutation(said, rational)
+            pair = refutation(statements, rational)
             if pair is not None and kernel.check(*pair) is None:
                 return {s.name: str(q) for s, q in sorted(rational.items(), key=str)}
     return None
@@ -94,13 +94,13 @@ def _rational(value):
 def path_to_avoided(claim: Separation) -> list[str] | None:
     """Return the shortest list of names from an output of a Separation to a name that it should avoid, or None."""
     uses = {s: sorted(e.free_symbols, key=str) for s, e in claim.lines.definitions}
-    paths, seen = [[s] for s in claim.outputs], set(claim.outputs)
+    paths, reached = [[s] for s in claim.outputs], set(claim.outputs)
     for path in paths:
         if path[-1] in claim.avoid:
             return [s.name for s in path]
         for name in uses.get(path[-1], []):
-            if name not in seen:
-                seen.add(name)
+            if name not in reached:
+                reached.add(name)
                 paths.append([*path, name])
     return None
 

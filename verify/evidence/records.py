@@ -48,7 +48,7 @@ class Record:
 
     @property
     def path(self) -> str:
-        """Where it lies, from the root."""
+        """Its path from the root."""
         return f"{self.folder}/{self.name}.json"
 
 
@@ -104,7 +104,7 @@ def code_of(name: str) -> dict[str, str]:
     code = sources.code_hashes(path for path in reached if path.suffix not in PROSE and path.parent not in records)
     lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
     pins = [re.findall(rf"^{package}==([^\s;\\]+)", lock, re.MULTILINE) for package in RECORDS[name].packages]
-    return code | {p: " ".join(found) for p, found in zip(RECORDS[name].packages, pins, strict=True) if found}
+    return code | {p: " ".join(versions) for p, versions in zip(RECORDS[name].packages, pins, strict=True) if versions}
 
 
 def _seal(content):

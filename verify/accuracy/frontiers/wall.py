@@ -42,9 +42,9 @@ def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) 
     """
     texels = table.shape[-2]
     weights, places = [], []
-    for coordinate, own, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
+    for coordinate, functions, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
         first = np.floor(coordinate * texels)
-        weights.append(np.array([weight(coordinate * texels - first) for weight in own]))
+        weights.append(np.array([weight(coordinate * texels - first) for weight in functions]))
         around = np.arange(len(weights[-1]))[:, None] + 1 - len(weights[-1]) // 2
         places.append((first.astype(int) + around) % period)
     coefficients = table[..., places[0][:, None], places[1][None]]

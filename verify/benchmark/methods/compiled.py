@@ -32,8 +32,8 @@ def loop_of(kernel: Callable, outputs: int) -> Callable:
         padded = -(-count // LANES) * LANES
         arrays = [np.ascontiguousarray(a if padded == count else np.resize(a, padded), np.float64) for a in arrays]
         filled = np.empty((outputs, padded))
-        given = np.array([padded, *(a.ctypes.data for a in (*arrays, *filled))], np.int64)
-        code(given.ctypes.data)
+        pointers = np.array([padded, *(a.ctypes.data for a in (*arrays, *filled))], np.int64)
+        code(pointers.ctypes.data)
         return filled[:, :count]
 
     run.alive = alive  # type: ignore[attr-defined]
