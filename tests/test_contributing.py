@@ -1,4 +1,4 @@
-"""CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
+"""CONTRIBUTING: its map, its answers, and two ways in, `tests/examples/*/way_in.sh`, followed in a copy to the end."""
 
 import re
 import runpy
@@ -34,6 +34,15 @@ def walked(folder, example, left_out):
     lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
     lines = filter(None, (line.partition("#")[0].strip() for line in lines))
     return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
+
+
+def test_the_map_is_of_the_house_and_every_question_has_its_file():
+    text = DOCUMENTS[1].read_text("utf-8")
+    paths = [path.relative_to(ROOT).parts for package in PACKAGES for path in files_in(ROOT / package)]
+    rooms = {"/".join(parts[:2]) for parts in paths if len(parts) > 2}
+    assert sorted(re.findall(r"^    (\S+)/ +\w", text, re.M)) == sorted(rooms)
+    assert len(re.findall(r"^- .+\? \[`(\S+)`\]\(\1\)$", text, re.M)) == 10
+    assert all((ROOT / path).is_file() for path in re.findall(r"\]\((\S+)\)", text))
 
 
 def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):

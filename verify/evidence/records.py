@@ -1,9 +1,10 @@
-"""Records: what long runs measured, in committed JSON that a build only reads; and whether the code has changed since.
+"""Records of long runs, in committed JSON that a build only reads; and whether the code has changed since.
 
-A record holds a `label` (where, with what, when and at which commit it was measured), what was measured, the hashes of
-all `code` that the run could reach when it began, and a `seal`, the hash of all this. Only a `Run` writes one, with
-what it measured. The seal shows that a record was edited or merged by hand. It keeps nobody from forging one: who wants
-to can compute it.
+A record holds a `label` (place, versions, day and commit of the run), the results, the hashes of all `code` that the
+run could reach when it began, and a `seal`, the hash of all this. Where the code has changed, pages mark its numbers
+with † and a release waits: `python -m verify.evidence --list` says why, `make evidence` measures anew. A record is an
+entry of `[tool.symbolic-book.records]` and a command that calls `command`; only a `Run` writes one. The seal shows that
+a record was edited or merged by hand. It keeps nobody from forging one: who wants to can compute it.
 """
 
 import argparse
