@@ -103,7 +103,8 @@ OPERATIONS = {
     "log": (kernels.log, arb.log, (1.0, 50.0)),
     "power": (kernels.power, arb.__pow__, (1e-6, 1.0), (1e-3, 100.0)),
 }
-"""What Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and what false bounds are of."""
+"""Operations that Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and those that false bounds
+are of."""
 
 
 def escapes(name, count=2000):

@@ -28,7 +28,7 @@ STAGES = (
     (*PYTEST, "verify", "-n", "2", "--ignore", "verify/test_theorems.py", "--ignore", "verify/test_campaign.py"),
     (*PYTEST, "verify/test_theorems.py", "-n", "2"),
 )
-"""What Python runs: the quick check, all but the theorems, the theorems with their samples and false variants."""
+"""Modules that Python runs: the quick check, all but the theorems, the theorems with samples and false variants."""
 OF_NUMBERS = (STAGES[0], ("verify.evidence.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
 FEW_NUMBERS, FEW_RELATIONS = 3, 20

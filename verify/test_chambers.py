@@ -1,6 +1,6 @@
 """Boxes and the reach of A leave no pixel out: chambers are those of a picture that tests every pixel for everything.
 
-That chambers and colours are the true ones, `test_bounds` holds to 256-bit balls.
+`test_bounds` holds chambers and colours to 256-bit balls.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
 """An optimiser climbs toward the worst case of each bound that is measured on samples, and proved nowhere.
 
-What is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or a fitted order
-(`difference_slopes`) leaves nothing to climb.
+A check that is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or of a fitted
+order (`difference_slopes`) leaves nothing to climb.
 """
 
 import math

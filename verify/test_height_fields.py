@@ -1,6 +1,6 @@
 """Derivatives of a height field's expression: creases, factors, and the bounds of a central difference's error.
 
-What no kernel could draw is refused in words.
+A field that no kernel could draw is refused in words.
 """
 
 import re
@@ -136,7 +136,7 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch, cap
         assert capsys.readouterr().out == f"{told} first: 0 lines\n"
 
 
-# What bounds a central difference's error, on the pages and in the simulator
+# The bounds of a central difference's error, on the pages and in the simulator
 
 
 def test_only_what_the_theorems_cover_has_a_bound():

@@ -1,7 +1,7 @@
 """Obligations of a claim's divisors, radicands and derivatives: Coq is asked for all that the kernel asks for.
 
 The statements that the kernel checks are compared with the text of Statements.v, by their values at points at which
-the hypotheses hold. That a branch of |x|, max or a case is the one that is taken Coq computes; it is not asked.
+the hypotheses hold. Coq is not asked which branch of |x|, max or a case is taken: it computes that.
 """
 
 import re

@@ -1,7 +1,7 @@
 """Certified errors of the algebraic gradient: those of its bases over boxes of the hits, and of their powers.
 
-A's lines are run on numbers that are Enclosed twice: the exact ones over a box, and how far float64's are off there.
-That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
+A's lines are run on numbers that are Enclosed twice: the exact ones over a box, and float64's errors there. These have
+no unit of length: e = 1. All numbers are positive; x and y are, without loss.
 """
 
 from fractions import Fraction

@@ -28,7 +28,7 @@ Curves = dict[str, np.ndarray]  # {part: one number for each step}
 
 
 class Case(NamedTuple):
-    """Where a difference is taken: the component, one of SLOPES, of a field at (u, v)."""
+    """A place of a difference: the component, one of SLOPES, of a field at (u, v)."""
 
     name: str
     field: str

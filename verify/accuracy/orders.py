@@ -25,7 +25,7 @@ NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4
 CLAMPED = (*HEIGHT_FIELDS.values(), HeightField("cosine", cospi(k_v * v)))
 FIELDS = {field.name: field for field in CLAMPED if field.expression.has(v)}
-"""What is clamped at the pole: the fields that depend on v, and one that is not odd about v = 0, whatever they are."""
+"""Fields that are clamped at the pole: those that depend on v, and one that is not odd about v = 0."""
 STEPS = np.logspace(-6, -3, 13)
 _crease_rms = function_of(step_bounds.crease_rms)
 

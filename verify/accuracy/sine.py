@@ -2,7 +2,7 @@
 
 Over boxes of the reduced argument r, 0 ≤ r ≤ 1/4 + 2⁻³⁰; the rest is by symmetry. The reduction is exact, but for the
 rounding of r, where product_error is added. The error is at most that of the rounded lines, of their polynomial, as it
-stands with its float64 coefficients, and what the rounding of r makes of it.
+stands with its float64 coefficients, and of the rounding of r.
 """
 
 import math

@@ -1,6 +1,6 @@
 """Errors of slopes: the U-curve taken apart, its best step, the algebraic gradient's worst.
 
-That every point lies below its bound is the theorem `difference_bounds`, run with the others.
+By theorem `difference_bounds`, run with the others, every point lies below its bound.
 """
 
 import numpy as np

@@ -62,7 +62,7 @@ def line(symbol, expression):
     return chain("line", {symbol: expression})
 
 
-# What is not proved, but with a hypothesis
+# Claims that are not proved but with a hypothesis
 
 POSITIVE, ROOM = greater(x, 0), (greater(x, 0), greater(x, y))
 WITHOUT_DERIVATIVE = [
@@ -73,7 +73,7 @@ WITHOUT_DERIVATIVE = [
     equation(Derivative(1 / x, x), -(x**-2)),
     at_least(diff(Piecewise((x, x > 0), (0, True)), x), 0),
 ]
-"""What is not so where x = 0, and is where x > 0, or more: most of it as `diff` leaves it, or would."""
+"""Claims that are false at x = 0, and true where x > 0, or more: most of it as `diff` leaves it, or would."""
 with evaluate(False):  # obligations come before anything cancels, whichever side of an inequality they stand on
     AS_THEY_STAND = [
         equation(1 / x - 1 / x, 0),
@@ -99,7 +99,7 @@ def test_what_does_not_follow_is_not_proved(claim, hypotheses):
     assert prove(claim.but(given=hypotheses), {})
 
 
-# What grade a theorem has, and no better one
+# The grade that a theorem has, and no better one
 
 SEPARATION = Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a)
 PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
@@ -117,7 +117,7 @@ NOTHING_SAID = [
     Separation("from an input", Program("p", (x, a), {y: x + a}, y), x, a),
     Induction("to nothing", n, (equation(x, x), equation(0, 0))),
 ]
-"""What lines and what is given already say, or nothing has to."""
+"""Relations that lines or hypotheses already state, or that need no proof."""
 CONTRADICTIONS = [
     says(equation(x, x + 1), given=(x > 5, x**2 < 20)),
     Induction("from a contradiction", n, equation(x, 0), ((x, 0, x),), (y > 0, y < 0)),
@@ -311,7 +311,7 @@ def test_a_clause_without_a_claim_is_argued():
             examined(statement=wrong, mutants=TRUE)
 
 
-# What is left out, or cannot occur
+# Cases that are left out, or cannot occur
 
 
 def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions():

@@ -36,7 +36,7 @@ PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 BESIDE = ("__point", "__false")
-"""The ends of the names of additions that say nothing of a theorem."""
+"""The suffixes of additions that add nothing to a theorem: values for its hypotheses, a refuted false variant."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
 PARTLY, TRUSTED = PROJECT.partly, PROJECT.trusted

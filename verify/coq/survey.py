@@ -11,7 +11,7 @@ AXIOMS = {
     "FunctionalExtensionality.functional_extensionality_dep": "functions",
     "Classical_Prop.classic": "the excluded middle",
 }
-"""{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
+"""{axiom: its subject}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 SEPARATOR = "I\n     : True\n"
 CLOSED = "Closed under the global context\n"
 AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it

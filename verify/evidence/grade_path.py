@@ -1,7 +1,7 @@
 """The modules that a grade passes through, from claim to grade, Coq's included.
 
-Every module of this repository that the checkers of claims import, or what asks Coq, directly or not, as soon as they
-are imported. A module that a function imports, such as the search, decides no grade. The printer of float64's
+Every module of this repository that the checkers of claims, or those that ask Coq, import as they are imported,
+directly or not. A module that a function imports, such as the search, decides no grade. The printer of float64's
 operations, of which Coq alone proves anything, is counted behind them.
 """
 

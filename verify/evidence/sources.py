@@ -24,7 +24,7 @@ IMPORT_NOTHING = (
     "importlib.util.resolve_name",
     "pkgutil.resolve_name",
 )
-# What a module reaches that asks pkgutil for what the project names, "module:name".
+# The modules of the names, "module:name", that the project gives: what asks pkgutil for a name reaches them all.
 NAMED = {text.partition(":")[0] for text in (*PROJECT.printed.values(), PROJECT.tex)}
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 

@@ -1,7 +1,7 @@
 """The fiction: the chapter's N' against the normal of the surface that is really displaced, P + βhN on the unit sphere.
 
-What separates them is turned on one at a time: the sign, the chart's scale, the metric. And what a bump cannot do:
-move the silhouette, or keep light from where the surface faces away.
+Their differences are turned on one at a time: the sign, the chart's scale, the metric. And effects that a bump lacks:
+it cannot move the silhouette, nor keep light from where the surface faces away.
 """
 
 from collections.abc import Iterable, Mapping

@@ -25,7 +25,7 @@ _s = Polynomial([0, 1])
 _t = 1 - _s
 LINEAR = _t, _s
 CUBIC = _t**3 / 6, (4 - 6 * _s**2 + 3 * _s**3) / 6, (4 - 6 * _t**2 + 3 * _t**3) / 6, _s**3 / 6
-"""Those of the two nearest samples, and of the four nearest coefficients of a cubic B-spline."""
+"""The weights of the two nearest samples, and of the four nearest coefficients of a cubic B-spline."""
 
 
 def _spline_coefficients(table):

@@ -17,7 +17,7 @@ NAMES = vars(kernels) | {
     "sin": lambda value: value.machine.call("sin", value),
     "cos": lambda value: value.machine.call("cos", value),
 }
-"""What a program may call: our functions, and the platform's libm by LLVM's own."""
+"""The functions that a program may call: ours, and the platform's libm by LLVM's own."""
 
 
 def loop_of(kernel: Callable, outputs: int) -> Callable:

@@ -154,7 +154,7 @@ METHODS = (
 
 
 CLEAR = (0.35, 0.65)
-"""Where u and v of the sample lie: no step leaves the chart from there."""
+"""The range of u and v of the sample: no step leaves the chart from there."""
 
 
 def sample(points: int, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
