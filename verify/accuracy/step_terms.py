@@ -126,7 +126,7 @@ def _exact_in_v(side, epsilon, inside):
     """Return (kind, bound, no jump) of the error in v in exact arithmetic. Zeros at the poles are no creases.
 
     Clamped at the pole v = 0, a sine keeps second order, but not where a factor that is folded is 0: at the pole itself
-    its slope is 0 by the rule of creases. A field that is clamped there, or at the other pole, has the crudest bound.
+    its slope is 0 by the rule of creases. A factor that is clamped there, or at the other pole, has the crudest bound.
     """
     smooth, most = truncation_bound(epsilon, side.rate), crease_bound(side.rate)
     clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf

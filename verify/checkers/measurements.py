@@ -13,8 +13,8 @@ A measurement is a function in a module of the project's package of them:
 
 The function takes its claim as parameters, with the true one as their defaults; `false` names variants of the claim
 that the same function has to reject, at least one. A run calls both. The function returns one of two kinds of
-evidence: a `Measurement` of finitely many samples, which the run counts and of which it takes the worst, or an `Enclosure`, which
-the run takes apart and tries; nobody declares either.
+evidence: a `Measurement` of finitely many samples, which the run counts and of which it takes the worst, or an
+`Enclosure`, which the run takes apart and tries; nobody declares either.
 """
 
 import importlib
