@@ -1,4 +1,4 @@
-"""What is printed for Coq: programs (Formulas.v), what kernels carry out of them (Float64.v), claims (Statements.v)."""
+"""The files printed for Coq: programs (Formulas.v), float64 operations (Float64.v), claims (Statements.v)."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -55,27 +55,27 @@ HALF_TURN_POLYNOMIALS = Program(
     tuple(elementary.reduction.items())[[*elementary.reduction].index(elementary.z) :],
     (elementary.sine_near, elementary.cosine_near),
 )
-"""What the kernels' sine and cosine evaluate once the argument is reduced."""
+"""The polynomials of the kernels' sine and cosine, of a reduced argument."""
 OF_RATIO = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
 ARCTANGENT_POLYNOMIAL = Program(
     "arctangent_polynomial",
     (elementary.ratio, elementary.node_correction),
     {symbol: elementary.angle_in_half_turns[symbol] for symbol in OF_RATIO},
 )
-"""What the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
+"""The polynomial of the kernels' atan2pi, once a node is taken off: the arctangent of a small ratio, over π."""
 EXPONENTIAL_POLYNOMIAL = Program(
     "exponential_polynomial",
     (exponential.away, exponential.away_error),
     exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1],
 )
-"""What the kernels' exp evaluates once the doublings are taken off."""
+"""The polynomial of the kernels' exp, once the doublings are taken off."""
 OF_QUOTIENT = (exponential.quotient_squared, exponential.log_tail)
 LOGARITHM_POLYNOMIAL = Program(
     "logarithm_polynomial",
     (exponential.quotient,),
     {symbol: exponential.logarithm_in_three[symbol] for symbol in OF_QUOTIENT},
 )
-"""What the kernels' log adds to a quotient q twice: 2 artanh q − 2q."""
+"""The polynomial that the kernels' log adds to twice a quotient q: 2 artanh q − 2q."""
 
 
 def programs() -> dict[str, Program]:

@@ -1,4 +1,4 @@
-"""What is drawn: a bumped sphere A, a small sphere B, a floor, in float64, by kernels printed from `proofs/`.
+"""The renderer: a bumped sphere A, a small sphere B and a floor, drawn in float64 by kernels printed from `proofs/`.
 
 A name is imported when it is first asked for, so that `renderer.generate` runs while kernels.py does not fit the rest.
 """

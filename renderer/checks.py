@@ -1,4 +1,4 @@
-"""Checks of what is given: an error names the argument, its value and what is allowed."""
+"""Checks of arguments: an error names the argument, its value and what is allowed."""
 
 import math
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Set

@@ -1,4 +1,4 @@
-"""What a kernel may call: on NumPy's arrays and numbers at once, on a traced value (`renderer.machines`) instructions.
+"""Functions that a kernel may call: they compute on NumPy's arrays and numbers, and emit code on traced values.
 
 `abs` and the operators are Python's own. Nothing is from libm.
 """
@@ -30,7 +30,7 @@ class Constant(float):
         return Constant(-float(self), self.error)
 
     def __mul__(self, other):
-        """With a literal or another constant: their product; with anything else, what that makes of a float."""
+        """Return the product with a literal or another constant, its error added; else that with a float."""
         if type(other) not in (float, Constant):
             return NotImplemented if hasattr(other, "machine") else float(self) * other
         product, off = Constant(float(self) * float(other)), getattr(other, "error", 0.0)

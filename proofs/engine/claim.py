@@ -1,4 +1,4 @@
-"""What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
+"""Claims of a theorem, before translation: SymPy relations over the lines of a straight-line program."""
 
 from dataclasses import dataclass, fields, replace
 from typing import Any, Self
@@ -55,7 +55,7 @@ class Parts:
 class CitedLemma(Parts):
     """A relation that is taken from a source, a key of the bibliography, and not proved here.
 
-    What is proved with it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
+    A theorem that cites it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
     cites it has to prove each, and samples test the relation under them alone.
     """
 
@@ -71,7 +71,7 @@ class CitedLemma(Parts):
 
 @dataclass(frozen=True)
 class Claim(Parts):
-    """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
+    """A claim: for all real values of the inputs, if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
@@ -118,7 +118,7 @@ class Claim(Parts):
 
 @dataclass(frozen=True)
 class Separation(Parts):
-    """In the program `lines`, none of `outputs` depends on any of `avoid`."""
+    """A claim of independence: in the program `lines`, none of `outputs` depends on any of `avoid`."""
 
     name: str
     lines: Program
@@ -128,7 +128,7 @@ class Separation(Parts):
 
 @dataclass(frozen=True)
 class Induction(Parts):
-    """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
+    """A claim for every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
     the addition formulas. given: relations over the parameters.
@@ -156,7 +156,7 @@ class Induction(Parts):
 
 @dataclass(frozen=True)
 class Rounded(Parts):
-    """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
+    """A claim of accuracy: if `given` holds, a program in float64 is near its value in real numbers.
 
     program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
     off at most}. given: relations over the inputs, which are finite.
@@ -174,7 +174,7 @@ class Rounded(Parts):
 
 @dataclass(frozen=True)
 class Encloses(Parts):
-    """For all float64 numbers and bounds: if `given` holds, a rule of the enclosing machine bounds what it computes.
+    """A claim of enclosure: if `given` holds, a rule of the enclosing machine bounds the error of its result.
 
     program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations
     over its inputs, as NAME; over the counts of roundings that bound them, NAME_error; and over the exact numbers that

@@ -19,7 +19,7 @@ class Ideal:
     """The ideal of equations g_i = 0 in named variables, the latest name the largest, with cofactors."""
 
     def __init__(self, names: Sequence[str], equations: Mapping[int, Polynomial]):
-        """equations: {index: kernel polynomial}. Beyond MAX_PAIRS and MAX_TERMS the basis stays incomplete."""
+        """Compute the basis of equations, {index: kernel polynomial}: incomplete beyond MAX_PAIRS and MAX_TERMS."""
         self.names = list(reversed(names))
         self.ring, *_ = ring(self.names, QQ, lex)
         equations = {i: g for i, p in equations.items() if (g := self.element(p))}

@@ -1,4 +1,4 @@
-"""What a claim's names may be: plain real symbols, each with a name of its own. This file is trusted."""
+"""The rules for names in a claim: plain real symbols, no two of one name. This file is trusted."""
 
 import re
 from collections.abc import Iterable

@@ -1,4 +1,4 @@
-"""What is found for a certificate beside its proofs: which hypotheses they use, and a point where these hold.
+"""The hypotheses that a certificate's proofs use, and a rational point at which these hold.
 
 Nothing here is trusted: the kernels check the shorter certificate, and the point.
 """

@@ -1,4 +1,4 @@
-"""What an entry in a list of the chapter may be called."""
+"""Names of entries in the chapter's lists (fields, programs, models): the rules for them, and errors that say which."""
 
 from collections.abc import Iterable
 from keyword import iskeyword

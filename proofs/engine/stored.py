@@ -1,4 +1,4 @@
-"""What a theorem says now, and its stored certificates, if they still say so. This file is trusted."""
+"""Stored certificates, accepted only if they prove the statements of today's formulas. This file is trusted."""
 
 from collections.abc import Callable, Iterable
 from pathlib import Path

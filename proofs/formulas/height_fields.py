@@ -110,7 +110,7 @@ class HeightField:
 
     @property
     def depends_on_u(self) -> bool:
-        """Whether h depends on u."""
+        """True if h depends on u."""
         return self.expression.has(u)
 
     @cached_property
@@ -139,7 +139,7 @@ class HeightField:
     def wave_numbers(self) -> tuple[Expr, Expr] | None:
         """(a, b) if h depends on u and v through the sine and cosine of πa u and πb v alone, else None.
 
-        0 where it does not depend on that coordinate. What has them has the algebraic form.
+        0 where it does not depend on that coordinate. A field that has them has the algebraic form.
         """
         waves = self.expression.atoms(sinpi, cospi)
         rates = [{wave.args[0] / c for wave in waves if wave.has(c)} for c in (u, v)]

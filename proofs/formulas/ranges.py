@@ -1,4 +1,4 @@
-"""What a height field is made of, its values, and intervals that enclose it where its symbols lie in intervals."""
+"""Intervals that enclose a height field over a box of its symbols, the operations that it may have, and its values."""
 
 import operator
 from collections.abc import Callable, Iterable, Mapping

@@ -1,7 +1,6 @@
-"""Print what is carried out on float64 numbers as Coq definitions: by kernels, and by a machine that counts roundings.
+"""The float64 operations of kernels, and of the machine that counts roundings, as Coq definitions.
 
-Both run on numbers that write down what is done: whatever is carried out on float64 numbers is carried out on these,
-and the text of a result is what it was made by.
+Both are run on numbers that record each operation as text: the text of a result is the expression that computed it.
 """
 
 import math
@@ -39,7 +38,7 @@ def applied(name: str, *arguments: Any) -> str:
 
 
 class Decision:
-    """What a selection asks: Coq's decision of it, or of its negation."""
+    """The condition of a selection: Coq's decision of it, or of its negation."""
 
     def __init__(self, text: str, negated: bool = False):
         self.text, self.negated = text, negated

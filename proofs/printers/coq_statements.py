@@ -32,7 +32,7 @@ OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 CORNERS = Abs, Max, Min, Piecewise, floor, sign
-"""What may lack a derivative at a point, where Coq has some number for it: of that a second one would be said."""
+"""Functions that may lack a derivative at a point, where Coq's `Derive` is some number all the same."""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
     atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt
     Derive Derive_n ex_derive ex_derive_n"""
@@ -108,7 +108,7 @@ class StatementPrinter(CoqPrinter):
         return radicand + ([] if known or exponent > 0 else [f"{self._print(base)} <> 0"])
 
     def _needs_of_cases(self, cases):
-        """Each case is reached where no earlier condition holds, and needs something there alone."""
+        """Return the needs of cases: each case is reached, and needs something, where no earlier condition holds."""
         found, before = [], []
         for value, condition in cases.args:
             asked = [] if condition == true else self.needs(condition)

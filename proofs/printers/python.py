@@ -1,6 +1,6 @@
 """Print a straight-line program as a Python function, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
-What is printed fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
+The printed text fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
@@ -100,7 +100,7 @@ class KernelPrinter(StrPrinter):
     _print_Min = _print_Max
 
     def _print_sign(self, expr):
-        """The sign of a product is the product of the signs, which does not underflow."""
+        """Return a product's sign as the product of the signs, which does not underflow."""
         text = " * ".join(self._call("sign", [factor]) for factor in Mul.make_args(expr.args[0]))
         return f"({text})" if expr.args[0].is_Mul else text
 

@@ -1,4 +1,4 @@
-"""What theorems are written in, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
+"""The language of theorems, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What is measured and not proved: the float64 programs, the seed's formulas in them, what it says of its pictures.
+"""Statements that are measured and not proved: the float64 programs, the seed's formulas in them, its pictures.
 
 The measurements are in verify/measurements."""
 

@@ -1,4 +1,4 @@
-"""How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
+"""The change of a colour by a gradient's error: one light's share of a channel, normalising, and means of samples."""
 
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share

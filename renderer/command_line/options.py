@@ -1,4 +1,4 @@
-"""What the command line is given: the options of each verb, and the scene, the size and the method that they say."""
+"""The options of each verb of the command line, and the scene, the size and the method that they give."""
 
 import argparse
 import hashlib
@@ -158,7 +158,7 @@ def method_of(options: Namespace) -> GradientMethod:
 
 
 def progress_bar(**options: Any) -> Callable:
-    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second.
+    """Return a function that adds a bar on stderr to an iterable, if that is a terminal and takes more than a second.
 
     Without tqdm the terminal is told alone what is under way.
     """

@@ -1,4 +1,4 @@
-"""What a command does when it is told to stop."""
+"""Signals that stop a command, and its last line and exit status after one."""
 
 import signal
 import sys
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 
 class Terminated(KeyboardInterrupt):
-    """What SIGTERM does: the same as Ctrl-C, by its own name and exit status."""
+    """SIGTERM as an exception: it stops a command as Ctrl-C does, with another word and exit status."""
 
 
 STOPS = {signal.SIGINT: (signal.default_int_handler, KeyboardInterrupt), signal.SIGTERM: (signal.SIG_DFL, Terminated)}

@@ -1,4 +1,4 @@
-"""What a picture's file says of how it was drawn, so that it can be drawn again: JSON, in a PNG or an NPZ."""
+"""The record in a picture's file by which it can be drawn again: JSON, in a PNG or an NPZ."""
 
 import json
 import struct
@@ -22,7 +22,7 @@ NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
 
 
 class Drawing(NamedTuple):
-    """What is drawn and how; read from a file, the version and the machine that drew it too."""
+    """A scene, the gradient method and the raster; read from a file, also the version and the machine that drew it."""
 
     scene: Scene
     method: GradientMethod

@@ -29,7 +29,7 @@ class OwnPrinter(KernelPrinter):
 
     @staticmethod
     def _nearest(constant):
-        """Of an interval around a constant both ends are nearest to one float64, or the error says how far apart."""
+        """Return the text of a constant as the float64 nearest to it, with its error where an enclosure leaves two."""
         usual, iv.dps = iv.dps, 4 * DIGITS
         try:
             low, high = (to_float(end, rnd="n") for end in enclosure(constant, {S.Exp1: iv.e})._mpi_)

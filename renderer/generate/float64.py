@@ -1,4 +1,4 @@
-"""Print for Coq the operations that our machines carry out."""
+"""The text for Coq of the operations that our machines carry out."""
 
 from proofs import coq_files
 

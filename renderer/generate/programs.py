@@ -1,4 +1,4 @@
-"""Which programs of `proofs/` become kernels."""
+"""The programs of `proofs/` that become kernels, by name."""
 
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name

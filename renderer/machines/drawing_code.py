@@ -13,7 +13,7 @@ BEFORE = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "light
 
 
 def arguments(planes: Sequence[str]) -> tuple[str, ...]:
-    """Return what the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+    """Return the names of the code's arguments, addresses and whole numbers in an array of int64, in its order."""
     return (*BEFORE, *planes, "x_bound", "y_bound", "scene_bounds")
 
 

@@ -2,21 +2,20 @@
 
 The machine is `renderer.machines.enclosing_machine`.
 
-What is enclosed is the same formula in real arithmetic, of the exact numbers that are given. The inner machine's values
-are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
-whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
+The bound encloses the value of the same formula in real arithmetic, at the exact numbers that a scene gives. The
+inner machine's values stay as they are, to the last bit. A mask says where a condition holds, and where the bounds
+leave it open; a selection whose mask is open covers both of its sides. The bound of an exact number is the float 0.0,
+and costs nothing.
 
-A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own rounding is then at most its size. These counts
-are rounded too, and an operation makes its own too small by less than 2⁻⁴⁹ of it. What it adds up or multiplies by
-sizes are counts of its operands, which are as much too small as their own operations made them. A pixel has fewer than
-2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
-where a bound is asked for, compared, or multiplied by another bound. The elementary functions ask for bounds, and each
-one makes up for its own roundings by SLACK. So says theorem enclosing_rules, which Coq proves of what sums, products,
-quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi, exp and log do here: `add_half_turns` it leaves
-out.
+A bound is stored as a count of roundings, of 2⁻⁵³ each: the rounding of a result then adds at most its size. The counts
+are computed in float64 too, and each operation may leave its count too small, by a share of less than 2⁻⁴⁹. Along a
+chain of operations these shares add up. A pixel's longest chain has fewer than 2²⁸ operations, so ROUNDING, the unit
+that turns a count into a bound, exceeds 2⁻⁵³ by the share 2⁻²⁰ > 2²⁸ · 2⁻⁴⁹, wherever a bound is read, compared, or
+multiplied by another bound. The elementary functions read bounds, and each makes up for its own roundings by SLACK.
+Theorem enclosing_rules states this, and Coq proves it of sums, products, quotients, roots, floor, rint, selections,
+sinpi, cospi, atan2pi, exp and log as written here, not of `add_half_turns`.
 
-What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
-nothing.
+Underflow loses less than LEAST, as a count less than LEAST_COUNT. A bound that is NaN decides nothing.
 """
 
 import math
@@ -58,14 +57,14 @@ def _least(*factors):
 
 
 class Mask:
-    """For which numbers something holds as computed (`holds`), and for which it is open; None: for none."""
+    """A condition of numbers: where it `holds` as computed, and where the bounds leave it `open` (None: nowhere)."""
 
     def __init__(self, holds: Any, open_: Any = None):
         self.holds, self.open = holds, open_
 
     @property
     def maybe(self) -> Any:
-        """For which it may hold."""
+        """The mask of where it may hold."""
         return self.holds if self.open is None else self.holds | self.open
 
     def __and__(self, other):
@@ -106,17 +105,17 @@ class Enclosed(Bounded):
 
     @property
     def bound(self) -> Any:
-        """The bound itself."""
+        """The bound, from the count."""
         return times(ROUNDING, self.error)
 
     @property
     def size(self) -> Any:
-        """At least the exact number's."""
+        """An upper bound of the exact number's size."""
         return plus(abs(self.value), self.bound)
 
     @property
     def is_zero(self) -> Any:
-        """Where it is an exact 0."""
+        """The mask of where it is an exact 0."""
         return plus(abs(self.value), self.error) == 0.0
 
     @classmethod
@@ -231,7 +230,7 @@ def where(mask: Mask, value: Any, otherwise: Any) -> Enclosed:
 
 
 def sqrt(number: Enclosed) -> Enclosed:
-    """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
+    """Return √a: |√a − √b| ≤ |a − b|/√a, and where |a − b| exceeds a, also ≤ √|a − b|, which is less."""
     root, moved = operations.sqrt(number.value), 0.0
     if not is_zero(number.error):
         near_zero = ~(number.error < number.value * (1.0 / UNIT))
@@ -249,13 +248,13 @@ def _whole(number, found, away):
 
 
 def floor(number: Enclosed) -> Enclosed:
-    """A whole number within the bound of the number may be either one's."""
+    """Return ⌊a⌋; a whole number within the bound of `a` may be on either side of it."""
     away = abs(number.value - operations.rint(number.value))
     return _whole(number, operations.floor(number.value), away)
 
 
 def rint(number: Enclosed) -> Enclosed:
-    """The same of halves."""
+    """Return the whole number nearest to a; a half within the bound of `a` may be on either side of it."""
     nearest = operations.rint(number.value)
     return _whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
@@ -296,7 +295,7 @@ cospi = partial(_of_half_turns, kernels.cospi)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
-    """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
+    """Return atan2(y, x)/π. The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below 1/4 within 1.02 s.
 
     Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
     exact.

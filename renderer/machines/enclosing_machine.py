@@ -70,7 +70,7 @@ class Enclosing:
         return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
-        """As the inner machine."""
+        """Run the steps of repeated squaring, as the inner machine does."""
         self.inner.by_squaring(exponent.value, first, square, multiply)
 
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:

@@ -48,7 +48,7 @@ class Rows:
         return result_of(alternatives[int(index)])
 
     def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None:
-        """As `renderer.machines.traced.Tracer.by_squaring`."""
+        """Run the steps of repeated squaring, as `renderer.machines.traced.Tracer.by_squaring` does."""
         remaining = int(exponent)
         if not remaining:
             return

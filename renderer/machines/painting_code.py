@@ -15,10 +15,10 @@ from renderer.operations import maximum, minimum, rint
 
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
             "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
-"""What the code is given, one array of int64: as `drawing_code.arguments` are. level_at: uint8, threshold: float64,
-palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
+"""The names of the code's arguments, in an array of int64 as `drawing_code.arguments` are. level_at: uint8, threshold:
+float64, palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
 NUMBERS = ("gain", "largest", "squares")
-"""The gain is given; what is found is the largest difference of a channel, and the sum of their squares."""
+"""The gain is read; the largest difference of a channel, and the sum of their squares, are written."""
 SRGB_CELLS = 2**12  # equal parts of [0, 1]
 SIZE_BITS = 16  # of a float64's upper ones: a cell is a sixteenth of an octave
 PIXEL = ir.IntType(32)
@@ -72,31 +72,31 @@ class Pixel:
 
 
 def colors(pixel: Pixel) -> ir.Value:
-    """The colours, as sRGB."""
+    """Return the colours as sRGB."""
     channels = map(pixel.load, COLORS)
     return pixel.packed(pixel.level(linear, pixel.tracer.whole(linear * SRGB_CELLS)) for linear in channels)
 
 
 def difference_logarithmic(pixel: Pixel) -> ir.Value:
-    """The largest difference of a channel, in the palette's colours by level; 0 is black."""
+    """Return the largest difference of a channel, in the palette's colours by level; 0 is black."""
     (_, largest), builder = pixel.apart(), pixel.builder
     cell = builder.lshr(builder.bitcast(largest.vector, WHOLE), WHOLE(64 - SIZE_BITS))
     return builder.select((largest > 0.0).vector, pixel.whole("palette", pixel.level(largest, cell)), OPAQUE)
 
 
 def difference_linear(pixel: Pixel) -> ir.Value:
-    """The differences of the channels times the gain."""
+    """Return the differences of the channels times the gain."""
     sizes, _ = pixel.apart()
     return pixel.packed(pixel.scaled(size, 1.0) for size in sizes)
 
 
 def levels(pixel: Pixel) -> ir.Value:
-    """A plane times the gain as a level, at most 255, in the palette's colours."""
+    """Return a plane times the gain as a level, at most 255, in the palette's colours."""
     return pixel.whole("palette", pixel.scaled(pixel.load("plane"), 255.0))
 
 
 def flags(pixel: Pixel) -> ir.Value:
-    """What is there, dimmed to a third; white where the plane is 1."""
+    """Return the pixel that is there, dimmed to a third; white where the plane is 1."""
     builder, there = pixel.builder, pixel.whole("pixels", pixel.at)
     bytes_there = (builder.and_(builder.lshr(there, WHOLE(8 * channel)), WHOLE(255)) for channel in range(3))
     dimmed = pixel.packed(builder.udiv(level, WHOLE(3)) for level in bytes_there)

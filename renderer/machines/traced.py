@@ -25,7 +25,7 @@ def constant(vector: ir.VectorType, digits: str) -> ir.Constant:
 
 
 class _Traced:
-    """What every pixel of a group has, as a vector of LLVM's."""
+    """A value of every pixel of a group, as a vector of LLVM's."""
 
     def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None):
         self.machine, self.vector, self.literal = machine, vector, literal
@@ -37,7 +37,7 @@ class _Traced:
 
 
 class Mask(_Traced):
-    """For which pixels of a group something holds."""
+    """A condition of every pixel of a group."""
 
     def __and__(self, other):
         return self._emit("and_", self, other)
@@ -212,13 +212,13 @@ class Tracer:
     rint = partialmethod(call, "rint")
 
     def bits(self, number: Value, operation: str, other: int) -> Value:
-        """As `renderer.operations.bits`."""
+        """Return what `renderer.operations.bits` does."""
         builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
         changed = getattr(builder, operation)(builder.bitcast(number.vector, whole), whole([other] * self.lanes))
         return Value(self, builder.bitcast(changed, self.vector))
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        """As `renderer.operations.where`."""
+        """Return what `renderer.operations.where` does."""
         return Value(self, self.builder.select(*(self.value(part).vector for part in (mask, value, otherwise))))
 
     def variable(self, value: Value | float) -> Variable:

@@ -1,4 +1,4 @@
-"""Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
+"""`render`, the way from a scene to a picture: everything from nothing, or sphere A alone on a stage."""
 
 import numpy as np
 

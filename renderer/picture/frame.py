@@ -1,4 +1,4 @@
-"""A rendered picture, with what is known of its pixels; views are made when they are first asked for."""
+"""A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -41,12 +41,12 @@ class Frame:
 
     @property
     def raster(self) -> Raster:
-        """The stage's."""
+        """The raster of the stage."""
         return self.stage.raster
 
     @cached_property
     def work(self) -> dict[str, Any]:
-        """What was computed for this frame, without a given stage's: a dict of counts, and what `machine` drew.
+        """The work of this frame, without that of a given stage: a dict of counts, and which `machine` drew.
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
@@ -130,7 +130,7 @@ class Frame:
 
     @property
     def bounded(self) -> bool:
-        """Whether it was drawn with `bounds=True`."""
+        """True if it was drawn with `bounds=True`."""
         return self._enclosure is not None
 
     def _enclosed(self, name, part):
@@ -178,7 +178,7 @@ class Frame:
     @cached_property
     @np.errstate(all="ignore")
     def data_on_a(self) -> dict[str, np.ndarray]:
-        """What is known of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
+        """The data of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
         scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
@@ -208,7 +208,7 @@ class Frame:
 
     @cached_property
     def surface_data(self) -> dict[str, np.ndarray]:
-        """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
+        """The data of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
         are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.

@@ -1,4 +1,4 @@
-"""Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
+"""A record of one pixel: the shader once more, on NumPy, with its geometry and each light's share."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ SURFACES = ("none", "A", "B", "floor")
 
 @dataclass(frozen=True)
 class LightRecord:
-    """What one light does at a pixel: `occluded` by another body, μ = N'·ω, base^p, and the RGB that it adds."""
+    """The part of one light in a pixel: `occluded` by another body, μ = N'·ω, base^p, and the RGB that it adds."""
 
     number: int
     occluded: bool

@@ -1,4 +1,4 @@
-"""Where on the image plane a sphere or a shadow can be: boxes that spare the per-pixel tests outside them.
+"""Boxes on the image plane around a sphere or a shadow, which spare the per-pixel tests outside them.
 
 A box is (left, right, low, high) in image points, generous by a share of its own coordinates, so that rounding cannot
 leave a pixel out; where a bound does not exist the box is the whole plane.

@@ -1,4 +1,4 @@
-"""What is drawn: the scene and its lights, checked when they are made."""
+"""The scene and its lights, checked when they are made."""
 
 import math
 from dataclasses import asdict, dataclass, field, fields
@@ -162,7 +162,7 @@ class Scene:
 
 
 class Geometry(NamedTuple):
-    """What the chambers depend on, beside the raster: lengths, and the lights' positions, None for one that is off."""
+    """The part of a scene on which chambers depend: lengths, and the lights' positions, None for one that is off."""
 
     eye: float
     radius: float

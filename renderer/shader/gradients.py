@@ -1,4 +1,4 @@
-"""Which form the exact gradient takes, and the gradient and height of a field at points of the chart."""
+"""The gradient and the height of a field at points of the chart, and the form of its exact gradient."""
 
 import numpy as np
 from numpy.typing import ArrayLike

@@ -1,4 +1,4 @@
-"""The numbers that the shader is given: of the scene, of each light, and where on the image each thing can be."""
+"""The numbers that the shader reads: of the scene, of each light, and boxes of the image in which each thing lies."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -56,7 +56,7 @@ def style_of(scene: Scene) -> tuple[Any, str]:
 
 
 class Want(NamedTuple):
-    """What is drawn: it chooses the code, where the scene's numbers are given to it.
+    """The choice of the code that draws: the scene's numbers are its arguments.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
@@ -78,12 +78,12 @@ class Want(NamedTuple):
 
     @property
     def shader(self) -> Shader:
-        """What draws it."""
+        """The shader that draws it."""
         return SHADER
 
     @property
     def is_long(self) -> bool:
-        """Whether a difference's heights or a power make a long chain of operations, each of which awaits another."""
+        """True if a difference's heights or a power make a long chain of operations, each of which awaits another."""
         return not self.whole or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 

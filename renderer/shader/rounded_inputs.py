@@ -1,4 +1,4 @@
-"""What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
+"""Bounds of the errors of the shader's inputs that are rounded: image points, A's reach, some colours."""
 
 from functools import lru_cache
 from types import SimpleNamespace

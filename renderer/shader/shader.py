@@ -8,7 +8,7 @@ gives values for many pixels at once, and masks that say for which of them somet
     choose(alternatives, index, result_of)          result_of(alternatives[index]), two numbers
     by_squaring(exponent, first, square, multiply)  the steps that raise something to a whole power
     each_light(body)                                body(light) for each light that is on
-    count(kind, mask)                               so many pixels more, of a kind of WORK
+    count(kind, mask)                               adds the pixels of the mask to a count of WORK
 """
 
 from collections.abc import Callable, Iterable
@@ -84,7 +84,7 @@ class Group:
         return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
 
     def draw_a(self, mask: Mask) -> None:
-        """§2 and §3: angles, gradient, bumped normal."""
+        """Light sphere A: angles, gradient, bumped normal (§2 and §3)."""
         s, want = self.scene, self.want
         angles = self.loaded(ANGLES) if want.charted else k.angles_on_a(self.x, self.y, s.eye, s.radius)
         gradient = self.gradient(angles, mask) if want.colors or want.stored else (0.0, 0.0)
@@ -104,13 +104,13 @@ class Group:
         return self.loaded(CHART) if self.want.charted else k.chart(*angles)
 
     def draw_b(self, mask: Mask) -> None:
-        """A plain sphere."""
+        """Light sphere B, which has no bump."""
         s = self.scene
         place = k.normal_of_b(self.x, self.y, s.eye, *s.ball)
         self.light_up(mask, place, s.albedo_b, lambda light: [(self.sphere_a, light.a_on_b)])
 
     def draw_floor(self, mask: Mask) -> None:
-        """The floor and its squares."""
+        """Light the floor and its squares."""
         s = self.scene
         place = k.normal_of_floor(self.x, self.y)
         if self.want.chambers_known:
