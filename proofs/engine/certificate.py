@@ -59,7 +59,16 @@ from proofs.engine.theorem import Theorem, Theorems, all_theorems
 
 
 def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
-    """Return what proves a claim, found anew; raises NotFound."""
+    """Return what proves a claim, found anew; raises NotFound.
+
+    >>> from proofs.engine import kernel
+    >>> from proofs.engine.certificate import prove
+    >>> from proofs.theorems.language import Claim, at_least, real
+    >>> x, y = real("x y")
+    >>> ((statement, certificate, _),) = prove(Claim("means", at_least(x**2 + y**2, 2 * x * y)), {})
+    >>> statement["steps"][0]["of"], kernel.check(statement, certificate)
+    ({'x y': '-2', 'x^2': '1', 'y^2': '1'}, None)
+    """
     example = {str(s).replace(" ", ""): Fraction(str(value)) for s, value in claim.example}
     return [_proved(s, claim.squares, effort, example) for s in statements(claim, theorems)]
 

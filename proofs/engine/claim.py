@@ -10,23 +10,44 @@ from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left = right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left = right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import equation, real
+    >>> x = real("x")
+    >>> equation((x + 1) ** 2, x**2 + 2 * x + 1)
+    Eq((x + 1)**2, x**2 + 2*x + 1)
+    """
     return Eq(left, right, evaluate=False)
 
 
 def greater(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left > right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import greater
+    >>> greater(2, 1)
+    2 > 1
+    """
     return StrictGreaterThan(left, right, evaluate=False)
 
 
 def at_least(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import at_least, real
+    >>> at_least(real("x") ** 2, 0)
+    x**2 >= 0
+    """
     return GreaterThan(left, right, evaluate=False)
 
 
 @evaluated
 def number(value: Basic | int | str) -> Basic:
-    """Return an exact number for a range or a point: arithmetic, of which no claim is made."""
+    """Return an exact number for a range or a point: arithmetic, of which no claim is made.
+
+    >>> from proofs.theorems.language import number
+    >>> number("0.1"), number(3)
+    (1/10, 3)
+    """
     return Rational(value) if isinstance(value, str) else sympify(value, strict=True).doit()
 
 
@@ -57,6 +78,11 @@ class CitedLemma(Parts):
 
     A theorem that cites it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
     cites it has to prove each, and samples test the relation under them alone.
+
+    >>> from proofs.theorems.language import CitedLemma, at_least, real, sin
+    >>> x = real("x")
+    >>> CitedLemma(at_least(x, sin(x)), "NIST:DLMF", x >= 0).given
+    (x >= 0,)
     """
 
     relation: Basic
@@ -79,6 +105,14 @@ class Claim(Parts):
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
     ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
     as far as the search for one needs to be told. Once made it has both as pairs.
+
+    >>> from proofs.theorems.language import Claim, at_least, real
+    >>> x, y = real("x y")
+    >>> means = Claim("means", at_least(x**2 + y**2, 2 * x * y), ranges={(x, y): (-1, 1)})
+    >>> means.shows, means.ranges
+    ((x**2 + y**2 >= 2*x*y,), ((x, (-1, 1)), (y, (-1, 1))))
+    >>> means.but(given=x > 0).given
+    (x > 0,)
     """
 
     name: str
@@ -118,7 +152,13 @@ class Claim(Parts):
 
 @dataclass(frozen=True)
 class Separation(Parts):
-    """A claim of independence: in the program `lines`, none of `outputs` depends on any of `avoid`."""
+    """A claim of independence: in the program `lines`, none of `outputs` depends on any of `avoid`.
+
+    >>> from proofs.theorems.language import Program, Separation, real
+    >>> x, y, s, t = real("x y s t")
+    >>> Separation("s_without_y", Program("sums", (x, y), {s: 2 * x, t: s + y}), s, y).outputs
+    (s,)
+    """
 
     name: str
     lines: Program
@@ -132,6 +172,12 @@ class Induction(Parts):
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
     the addition formulas. given: relations over the parameters.
+
+    >>> from proofs.theorems.language import Induction, Symbol, equation, real
+    >>> n, total = Symbol("n", integer=True, nonnegative=True), real("total")
+    >>> odd = Induction("odd_numbers", n, equation(total, n**2), ((total, 0, total + 2 * n + 1),))
+    >>> odd.of(2).lines.expand(odd.of(2).shows[0].lhs)
+    4
     """
 
     name: str
@@ -160,6 +206,11 @@ class Rounded(Parts):
 
     program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
     off at most}. given: relations over the inputs, which are finite.
+
+    >>> from proofs.theorems.language import Program, Rational, Rounded, real
+    >>> x, y, s = real("x y s")
+    >>> Rounded("sum", Program("sum", (x, y), {s: x + y}), {s: Rational(1, 2**53) * abs(x + y)}).bounds
+    ((s, Abs(x + y)/9007199254740992),)
     """
 
     name: str
@@ -179,6 +230,11 @@ class Encloses(Parts):
     program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations
     over its inputs, as NAME; over the counts of roundings that bound them, NAME_error; and over the exact numbers that
     they stand for, NAME_exact.
+
+    >>> from proofs.theorems.language import Encloses, real
+    >>> from proofs.formulas.enclosed import RULES
+    >>> Encloses("root", RULES["enclosed_root"], real("x_exact") >= 0).given
+    (x_exact >= 0,)
     """
 
     name: str

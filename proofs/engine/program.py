@@ -13,7 +13,16 @@ from sympy import Expr, Symbol, evaluate
 
 
 def evaluated(make: Callable) -> Callable:
-    """Let a function make the same formulas in a theorem, where SymPy evaluates nothing, as for a kernel."""
+    """Let a function make the same formulas in a theorem, where SymPy evaluates nothing, as for a kernel.
+
+    >>> from sympy import evaluate
+    >>> from proofs.theorems.language import evaluated, real
+    >>> def twice(x):
+    ...     return x + x
+    >>> with evaluate(False):
+    ...     print(twice(real("x")), evaluated(twice)(real("x")))
+    x + x 2*x
+    """
 
     @wraps(make)
     def making(*arguments, **named):
@@ -27,7 +36,12 @@ Some = Annotated[Any, "or several"]  # one thing, or several in tuples, lists an
 
 
 def flat(part: Some) -> tuple:
-    """Return one thing, or several, however they stand in one another, as one tuple."""
+    """Return one thing, or several, however they stand in one another, as one tuple.
+
+    >>> from proofs.theorems.language import flat
+    >>> flat(1), flat((1, [2, (3,)]))
+    ((1,), (1, 2, 3))
+    """
     several = isinstance(part, tuple | list | Iterator)
     return tuple(thing for each in part for thing in flat(each)) if several else (part,)
 
@@ -45,6 +59,15 @@ class Program:
     A vector may be an input, or defined at once: {symbols: expressions}. Without `outputs`, the last line's are.
     Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
     defined twice, or where an output is not defined.
+
+    >>> from proofs.theorems.language import Program, real, sqrt
+    >>> x, square, root = real("x square root")
+    >>> program = Program("length", x, {square: x**2 + 1, root: sqrt(square)})
+    >>> program.outputs, program.expand(root), program.keep(square).outputs
+    ((root,), sqrt(x**2 + 1), (square,))
+    >>> Program("length", x, {root: sqrt(square)})
+    Traceback (most recent call last):
+    ValueError: length: root uses ['square'] before any definition
     """
 
     name: str
@@ -115,6 +138,12 @@ def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program
 
     Between them may stand lines alone, {symbol or vector: expression or expressions}. A line that an earlier program
     already has, letter for letter, is not repeated.
+
+    >>> from proofs.theorems.language import Program, chain, real
+    >>> x, square, inverse = real("x square inverse")
+    >>> both = chain("inverse_square", Program("square", x, {square: x**2}), {inverse: 1 / square})
+    >>> both.inputs, both.expand(inverse)
+    ((x,), x**(-2))
     """
     lines: dict[Symbol, Expr] = {}
     inputs: dict[Symbol, None] = {}

@@ -45,6 +45,10 @@ class SideCondition(Parts):
 
     holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
     {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
+
+    >>> from proofs.theorems.language import SideCondition, real
+    >>> SideCondition("x > 0", "root_is_positive", fails={real("x"): 0}).edges
+    [(((x, 0),), 'fails')]
     """
 
     text: str
@@ -78,7 +82,14 @@ class Mutant:
 
 
 def variant(text: str, claim: AnyClaim, *shows: Some, at: Any = (), **changes: Any) -> Mutant:
-    """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
+    """Return the mutant of a claim with other conclusions, if any are given, and other changes.
+
+    >>> from proofs.theorems.language import Claim, equation, real, variant
+    >>> x = real("x")
+    >>> square = Claim("square", equation((x + 1) ** 2, x**2 + 2 * x + 1))
+    >>> variant("without the product", square, equation((x + 1) ** 2, x**2 + 1), at={x: 1}).claim.shows
+    (Eq((x + 1)**2, x**2 + 1),)
+    """
     return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 
 
@@ -97,6 +108,21 @@ class Theorem(Parts):
     verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
     float64's own operations.
+
+    >>> from proofs.theorems.language import Claim, Theorem, equation, real, variant
+    >>> x = real("x")
+    >>> square = Claim("square", equation((x + 1) ** 2, x**2 + 2 * x + 1))
+    >>> theorem = Theorem(
+    ...     "binomial",
+    ...     "The square of a sum",
+    ...     {"$(x + 1)^2 = x^2 + 2x + 1$ for every real $x$.": square},
+    ...     mutants=(
+    ...         variant("without 2x", square, equation((x + 1) ** 2, x**2 + 1)),
+    ...         variant("without 1", square, equation((x + 1) ** 2, x**2 + 2 * x)),
+    ...     ),
+    ... )
+    >>> theorem.expected, theorem.claims == (square,)
+    ('proved', True)
     """
 
     id: str

@@ -56,6 +56,14 @@ class HeightField:
 
     name: identifier. expression: h in u, v, k_u, k_v. seam: whether h may differ at u = 0 and u = 1 where k_u is even
     and k_v whole. Raises ValueError where the name or the expression is not allowed, or the creases are not known.
+
+    >>> from proofs.formulas.height_fields import HeightField, k_u, sinpi, u
+    >>> waves = HeightField("waves", abs(sinpi(k_u * u)))
+    >>> waves.creases, waves.depends_on_u
+    ((sinpi(k_u*u),), True)
+    >>> HeightField("slope", u)
+    Traceback (most recent call last):
+    ValueError: expression = u is not allowed: it is 0 at u = 0 and 1 at u = 1, ...
     """
 
     name: str

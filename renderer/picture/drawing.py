@@ -16,6 +16,12 @@ def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, th
     """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again.
 
     Raises ValueError that names what is not allowed.
+
+    >>> from renderer import Scene, render, stage_of
+    >>> stage = stage_of(Scene(), 16, 16)
+    >>> flat, bumped = (render(Scene(beta=beta), 16, 16, stage=stage) for beta in (0.0, 0.35))
+    >>> bool((flat.rgb == bumped.rgb)[~stage.on_a].all()), int(stage.on_a.sum())
+    (True, 115)
     """
     stage = Stage(scene, Raster(width, height, crop))
     stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
@@ -41,6 +47,13 @@ def render(
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
     earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
     drawn whole. Raises ValueError that names what is not allowed.
+
+    >>> from renderer import Scene, central, render
+    >>> symbolic, numeric = (render(Scene(), 16, 16, method) for method in (None, central(1e-3)))
+    >>> symbolic.rgb.shape, symbolic.chambers.dtype
+    ((16, 16, 3), dtype('uint8'))
+    >>> bool((symbolic.chambers == numeric.chambers).all()), bool((symbolic.rgb == numeric.rgb).all())
+    (True, False)
     """
     method = checked_method("gradient", gradient if gradient is not None else exact())
     check_kind("scene", scene, Scene)

@@ -30,6 +30,13 @@ class Frame:
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
     planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.picture.stage.Stage`.
     scene, raster, method, stage: what made it.
+
+    >>> from renderer import Scene, render
+    >>> frame = render(Scene(), 16, 16, bounds=True)
+    >>> bool((frame.bounds[frame.stage.on_a & ~frame.open] < 1e-11).all()), frame.rgb.shape
+    (True, (16, 16, 3))
+    >>> frame.work["pixels_a"], sorted(frame.surface_data)
+    (115, ['h', 'h_u', 'h_v', 'kink', 'slope', 'u', 'v'])
     """
 
     scene: Scene

@@ -58,6 +58,11 @@ def pixel(
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
     `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+
+    >>> from renderer import Scene, pixel
+    >>> record = pixel(Scene(), 16, 16, 8, 9)
+    >>> record.surface, [light.occluded for light in record.lights], round(record.u, 4)
+    ('A', [False, False], 0.2791)
     """
     raster = Raster(width, height)
     column = check_whole("column", column, raster.width - 1, low=0)

@@ -27,7 +27,12 @@ MAX_WAVE_NUMBER = 2.0**20
 
 @dataclass(frozen=True)
 class Light:
-    """A point light: position (world units), linear RGB colour (channels in [0, 1e6]); None is a light that is off."""
+    """A point light: position (world units), linear RGB colour (channels in [0, 1e6]); None is a light that is off.
+
+    >>> from renderer import Light
+    >>> Light((0, 0, 5))
+    Light(position=(0.0, 0.0, 5.0), color=(1.0, 1.0, 1.0))
+    """
 
     position: tuple
     color: tuple | None = (1.0, 1.0, 1.0)
@@ -70,6 +75,13 @@ class Scene:
     name or a HeightField, the model of light a name. Raises ValueError that names the field, its value and
     what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
     one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+
+    >>> from renderer import Scene
+    >>> Scene(field="sine", beta=0.1, ball=False)
+    Scene(ball=False, field='sine', beta=0.1)
+    >>> Scene(eye=0.5)
+    Traceback (most recent call last):
+    ValueError: eye = 0.5 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1
     """
 
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
