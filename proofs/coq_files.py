@@ -80,12 +80,12 @@ LOGARITHM_POLYNOMIAL = Program(
 
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
-    found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += [*image_derivative.base_derivatives.values()]
-    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
+    printed = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
+    printed += [*image_derivative.base_derivatives.values()]
+    printed += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
     programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
-    found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
-    return by_name(found)
+    printed += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
+    return by_name(printed)
 
 
 def formulas_source() -> str:

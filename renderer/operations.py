@@ -49,9 +49,9 @@ def elementary(kernel: Callable) -> Any:
     @wraps(kernel)
     def asked(*arguments):
         for argument in arguments:
-            own = getattr(getattr(argument, "machine", None), kernel.__name__, None)
-            if own:
-                return own(*arguments)
+            method = getattr(getattr(argument, "machine", None), kernel.__name__, None)
+            if method:
+                return method(*arguments)
         return kernel(*arguments)
 
     asked.kernel = kernel  # type: ignore[attr-defined]
@@ -67,13 +67,13 @@ sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where
 @elementary
 def bits(number: Number, operation: str, other: int) -> Number:
     """Return what an operation, as LLVM names it, makes of a float64's bits and a whole number."""
-    whole = np.asarray(number, np.float64).view(np.uint64)
-    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
+    integer = np.asarray(number, np.float64).view(np.uint64)
+    return BIT_OPERATIONS[operation](integer, np.uint64(other)).view(np.float64)
 
 
-def power_of_two(whole: Number) -> Number:
+def power_of_two(n: Number) -> Number:
     """Return 2ⁿ for a whole n from −1022 to 1023."""
-    return bits(whole + BIASED, "shl", 52)
+    return bits(n + BIASED, "shl", 52)
 
 
 def binary_exponent(number: Number) -> Number:

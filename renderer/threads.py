@@ -65,7 +65,7 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
         at_work = [helper for helper in helpers if not helper.cancel()]
         wait(at_work)
         helpers.clear()
-        found = results.copy()
+        answers = results.copy()
         for shared in (todo, results):  # what is cancelled keeps them until a thread of the pool is free
             shared.clear()
     try:
@@ -73,4 +73,4 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
             at_work.pop().result()
     finally:
         at_work.clear()  # lest errors keep this frame, and the picture's memory with it
-    return found
+    return answers

@@ -139,11 +139,11 @@ def whole_file(path: str | Path, mode: int | None = None) -> Iterator[str]:
     mode: who may read and write it, as the user's mask lets them; by default those who may already, or everybody.
     Raises OSError where `path` is neither absent nor a file that may be written.
     """
-    place, kept = _place(path)
+    place, old_mode = _place(path)
     remove_abandoned(place.parent)
-    with _unfinished(place, mode or kept or 0o666) as file:
-        if kept and not mode:
-            os.chmod(file.name, kept)
+    with _unfinished(place, mode or old_mode or 0o666) as file:
+        if old_mode and not mode:
+            os.chmod(file.name, old_mode)
         yield str(file.name)
         if not fcntl:
             file.close()

@@ -88,18 +88,18 @@ def _proved(statement, squares, effort, example):
     return statement, certificate, point
 
 
-def text(theorem: Theorem, found: Found) -> str:
+def text(theorem: Theorem, proofs: Found) -> str:
     """Return the file's text for [(claim, what proves or refutes it)]."""
     claims = []
-    for claim, cases in found:
+    for claim, cases in proofs:
         listed = [{"sha256": digest(s), "statement": s, "certificate": c, "point": point} for s, c, point in cases]
         claims.append({"claim": claim.name, "statements": listed})
     return canonical({"version": VERSION, "theorem": theorem.id, "claims": claims})
 
 
-def wrong_with(found: Found) -> list[str]:
+def wrong_with(proofs: Found) -> list[str]:
     """Return what the kernel has against [(claim, what proves or refutes it)]."""
-    return [f"{claim.name}: {why}" for claim, cases in found for why in reasons(cases) if why]
+    return [f"{claim.name}: {why}" for claim, cases in proofs for why in reasons(cases) if why]
 
 
 def _is_stale(theorem, theorems):
@@ -125,8 +125,8 @@ def main(arguments: list[str] | None = None) -> int:
         if not options.all and not _is_stale(theorem, theorems):
             continue
         try:
-            found = evidence(theorem, theorems, prove)
-            wrong = wrong_with(found)
+            proofs = evidence(theorem, theorems, prove)
+            wrong = wrong_with(proofs)
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
@@ -134,9 +134,9 @@ def main(arguments: list[str] | None = None) -> int:
             failed = True
             continue
         unfinished = path_of(theorem).with_suffix(".unfinished")
-        unfinished.write_text(text(theorem, found), encoding="utf-8")
+        unfinished.write_text(text(theorem, proofs), encoding="utf-8")
         unfinished.replace(path_of(theorem))
-        print(f"{id}: {sum(len(cases) for _, cases in found)} statements", flush=True)
+        print(f"{id}: {sum(len(cases) for _, cases in proofs)} statements", flush=True)
     return int(failed)
 
 

@@ -53,8 +53,8 @@ def number(value: Basic | int | str) -> Basic:
 
 def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
     """Return ((symbol, exact number), …) of {symbol, or several: value of each, or values}, or of such pairs."""
-    given = [(flat(symbols), value) for symbols, value in dict(values).items()]
-    each = {symbols: value if isinstance(value, tuple | list) else [value] * len(symbols) for symbols, value in given}
+    items = [(flat(symbols), value) for symbols, value in dict(values).items()]
+    each = {symbols: value if isinstance(value, tuple | list) else [value] * len(symbols) for symbols, value in items}
     return tuple((symbol, number(value)) for symbol, value in pairs(each))
 
 

@@ -41,9 +41,10 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
             continue
         refuted = statement | {"kind": "refutation"}
         new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
-        found = {"point": {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}}
-        if kernel.check(refuted, found) is None:
-            return refuted, found
+        names = new.union(statement["variables"])
+        certificate = {"point": {n: str(v) for n, v in sorted(values.items()) if n in names}}
+        if kernel.check(refuted, certificate) is None:
+            return refuted, certificate
     return None
 
 

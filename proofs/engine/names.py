@@ -14,7 +14,7 @@ NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 
 def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
     """Raise Untranslatable unless every symbol is real, or of such a kind, no more, and has a name of its own."""
-    seen = set()
+    taken = set()
     for symbol in sorted(symbols, key=str):
         if not NAME.fullmatch(symbol.name):
             raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
@@ -22,9 +22,9 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
             raise Untranslatable(
                 f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
             )
-        if symbol.name in seen:
+        if symbol.name in taken:
             raise Untranslatable(f"two symbols are called {symbol}")
-        seen.add(symbol.name)
+        taken.add(symbol.name)
 
 
 @cache

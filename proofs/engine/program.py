@@ -46,9 +46,9 @@ def flat(part: Some) -> tuple:
     return tuple(thing for each in part for thing in flat(each)) if several else (part,)
 
 
-def pairs(given: Any) -> tuple[tuple, ...]:
+def pairs(lines: Any) -> tuple[tuple, ...]:
     """Return ((symbol, value), …) of {symbol or vector: value or values}, or of such pairs."""
-    items = given.items() if isinstance(given, Mapping) else given
+    items = lines.items() if isinstance(lines, Mapping) else lines
     return tuple(pair for names, values in items for pair in zip(flat(names), flat(values), strict=True))
 
 
@@ -78,15 +78,15 @@ class Program:
     def __post_init__(self):
         outputs = [*dict(self.definitions)][-1] if self.outputs is None else self.outputs
         vars(self).update(inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
-        known = set(self.inputs)
+        defined = set(self.inputs)
         for symbol, expression in self.definitions:
-            unknown = expression.free_symbols - known
+            unknown = expression.free_symbols - defined
             if unknown:
                 raise ValueError(f"{self.name}: {symbol} uses {sorted(map(str, unknown))} before any definition")
-            if symbol in known:
+            if symbol in defined:
                 raise ValueError(f"{self.name}: {symbol} is defined twice")
-            known.add(symbol)
-        missing = set(self.outputs) - known
+            defined.add(symbol)
+        missing = set(self.outputs) - defined
         if missing:
             raise ValueError(f"{self.name}: outputs {sorted(map(str, missing))} are not defined")
 

@@ -144,8 +144,8 @@ class Theorem(Parts):
         vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
         super().__post_init__()
         if not isinstance(self.statement, str):
-            said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
-            vars(self).update(claims=tuple(said))
+            claims = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
+            vars(self).update(claims=tuple(claims))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
             vars(self).update(refuted_at=point(self.refuted_at))
@@ -201,13 +201,13 @@ def _line(text):
     return " ".join(text.split())
 
 
-def _clauses(said):
+def _clauses(statement):
     """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
-    if isinstance(said, str):
-        return _line(said)
-    if not isinstance(said, Mapping):
-        return said
-    parts = [(_line(text), by) for text, by in said.items()]
+    if isinstance(statement, str):
+        return _line(statement)
+    if not isinstance(statement, Mapping):
+        return statement
+    parts = [(_line(text), by) for text, by in statement.items()]
     return tuple(Clause(text, argued=_line(by)) if isinstance(by, str) else Clause(text, by) for text, by in parts)
 
 
@@ -215,7 +215,7 @@ def _steps(taken):
     """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
     if not isinstance(taken, Mapping):
         return taken
-    return tuple(Step(_line(what), _line(why), uses) for what, given in taken.items() for why, *uses in [flat(given)])
+    return tuple(Step(_line(what), _line(why), uses) for what, reason in taken.items() for why, *uses in [flat(reason)])
 
 
 Theorems = dict[str, Theorem]
@@ -264,12 +264,12 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     return claim.but(given=claim.given + added) if added else claim
 
 
-def _supplies(other, claim, given):
+def _supplies(other, claim, hypotheses):
     """Return whether a claim may take another's conclusions, given some relations: its names mean the same there."""
     mine = dict(claim.lines.definitions) if claim.lines else {}
-    _, kept = other.names()
-    needed = dict(kept.definitions) if kept else {}
-    return set(other.given) <= given and needed.items() <= mine.items()
+    _, program = other.names()
+    needed = dict(program.definitions) if program else {}
+    return set(other.given) <= hypotheses and needed.items() <= mine.items()
 
 
 def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:

@@ -128,19 +128,19 @@ class HeightField:
 
         Raises ValueError where one may jump elsewhere.
         """
-        whole = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
-        found = []
-        for choice in ordered(whole.atoms(Piecewise)):
+        piecewise = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
+        jumping = []
+        for choice in ordered(piecewise.atoms(Piecewise)):
             zeros = {relation.lhs - relation.rhs for relation in choice.atoms(Relational)}
             factors = {part.as_base_exp()[0] for zero in zeros for part in Mul.make_args(zero)}
             for (one, _), (other, _) in combinations(choice.args, 2):
-                apart = whole.xreplace({choice: one}) - whole.xreplace({choice: other})
+                apart = piecewise.xreplace({choice: one}) - piecewise.xreplace({choice: other})
                 jumps = [f for f in ordered(factors) if denom(cancel(apart / f**2)).has(u, v)]  # elsewhere slopes agree
                 if jumps and (len(zeros) > 1 or apart.has(Piecewise) or not all(map(_is_straight, jumps))):
-                    known = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
-                    raise self._refused(f"{known}; one may be where {jumps[0]} = 0")
-                found += jumps
-        return tuple(dict.fromkeys(found))
+                    allowed = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
+                    raise self._refused(f"{allowed}; one may be where {jumps[0]} = 0")
+                jumping += jumps
+        return tuple(dict.fromkeys(jumping))
 
     @cached_property
     @evaluated
@@ -153,8 +153,8 @@ class HeightField:
         rates = [{wave.args[0] / c for wave in waves if wave.has(c)} for c in (u, v)]
         if self.expression.xreplace({wave: Dummy() for wave in waves}).has(u, v) or max(map(len, rates)) > 1:
             return None
-        found = tuple(rate.pop() if rate else S.Zero for rate in rates)
-        return None if any(rate.has(u, v) for rate in found) else found
+        numbers = tuple(rate.pop() if rate else S.Zero for rate in rates)
+        return None if any(rate.has(u, v) for rate in numbers) else numbers
 
 
 class AnyField(HeightField):

@@ -60,7 +60,7 @@ def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
     parts = [enclosure(part, box) for part in expression.args]
     if kind is Pow and not expression.exp.is_Integer and not parts[0].a >= 0:
         raise ValueError(f"on the chart {shown(expression)} is not shown to be real")
-    found = ENCLOSURES[kind](*parts)
-    if not abs(found).b < LARGEST:
+    interval = ENCLOSURES[kind](*parts)
+    if not abs(interval).b < LARGEST:
         raise ValueError(f"on the chart {shown(expression)} is not shown to be finite")
-    return found
+    return interval

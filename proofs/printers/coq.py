@@ -125,6 +125,6 @@ def module_of(program: Program) -> str:
 def in_module(name: str, inside: Iterable[str]) -> str:
     """Return definitions as a Coq module, with a tactic that puts them in their place, the last one first."""
     lines = [*inside]
-    given = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
-    unfolded = f"Ltac lines := unfold {given}."
+    defined = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
+    unfolded = f"Ltac lines := unfold {defined}."
     return "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])

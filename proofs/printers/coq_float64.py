@@ -120,12 +120,12 @@ def rule(program: Program, names: Mapping[str, Any], counted: Callable) -> list[
     """
     inputs = [symbol.name for symbol in program.inputs]
     ((output, _),) = program.definitions
-    found = function_of(program, names)(*(counted(Term(name), Term(f"{name}_error")) for name in inputs))
+    result = function_of(program, names)(*(counted(Term(name), Term(f"{name}_error")) for name in inputs))
     variables = " ".join(f"{name} {name}_error" for name in inputs)
     return [
         f"Variables {variables} : R.",
-        f"Definition {output.name} := {found.value.text}.",
-        f"Definition {output.name}_error := {found.error.text}.",
+        f"Definition {output.name} := {result.value.text}.",
+        f"Definition {output.name}_error := {result.error.text}.",
     ]
 
 

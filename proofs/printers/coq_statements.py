@@ -51,7 +51,7 @@ class StatementPrinter(CoqPrinter):
         names = {s: f"{s.name}_" if s.name in TAKEN else s.name for s in symbols}
         if len(set(names.values())) < len(names):
             raise ValueError(f"two of {', '.join(sorted(names.values()))} have one name in Coq")
-        self.own = names
+        self.coq_names = names
         self.spelled = names | (spelled or {})
 
     def _print_Symbol(self, symbol):
@@ -63,13 +63,13 @@ class StatementPrinter(CoqPrinter):
     def _print_Derivative(self, expr):
         return f"({self._of_derivative('Derive', expr)})"
 
-    def _of_derivative(self, said, expr):
+    def _of_derivative(self, function, expr):
         """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
         (x, count), *others = expr.variable_count
         if others or (count > 1 and expr.expr.has(*CORNERS)):
             raise ValueError(f"no proposition for a derivative by several symbols, or a second one of corners: {expr}")
         name, times = self.spelled[x], "" if count == 1 else f" {count}"
-        return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
+        return f"{function}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
 
     def relation(self, relation: Basic) -> str:
         """Return a relation, or several, as a proposition."""
@@ -92,31 +92,32 @@ class StatementPrinter(CoqPrinter):
         """
         if isinstance(expression, Piecewise):
             return self._needs_of_cases(expression)
-        found = [need for argument in expression.args for need in self.needs(argument)]
+        conditions = [need for argument in expression.args for need in self.needs(argument)]
         if isinstance(expression, Pow):
-            found += self._needs_of_power(expression.base, expression.exp)
+            conditions += self._needs_of_power(expression.base, expression.exp)
         elif isinstance(expression, Derivative):
             roots = sorted((p.base for p in expression.atoms(Pow) if not p.exp.is_Integer), key=str)
-            found += [*(f"{self._print(base)} > 0" for base in roots), self._of_derivative("ex_derive", expression)]
-        return found
+            conditions += [f"{self._print(base)} > 0" for base in roots]
+            conditions.append(self._of_derivative("ex_derive", expression))
+        return conditions
 
     def _needs_of_power(self, base, exponent):
         if not (exponent.is_Rational and (2 * exponent).is_Integer):
             raise ValueError(f"what {base} to the power {exponent} needs is not known")
-        known = base.is_number and base.is_positive
-        radicand = [] if known or exponent.is_Integer else [f"{self._print(base)} >= 0"]
-        return radicand + ([] if known or exponent > 0 else [f"{self._print(base)} <> 0"])
+        positive = base.is_number and base.is_positive
+        radicand = [] if positive or exponent.is_Integer else [f"{self._print(base)} >= 0"]
+        return radicand + ([] if positive or exponent > 0 else [f"{self._print(base)} <> 0"])
 
     def _needs_of_cases(self, cases):
         """Return the needs of cases: each case is reached, and needs something, where no earlier condition holds."""
-        found, before = [], []
+        conditions, before = [], []
         for value, condition in cases.args:
             asked = [] if condition == true else self.needs(condition)
-            found += [_implied(before, need) for need in asked]
+            conditions += [_implied(before, need) for need in asked]
             here = before if condition == true else [*before, self.relation(condition)]
-            found += [_implied(here, need) for need in self.needs(value)]
+            conditions += [_implied(here, need) for need in self.needs(value)]
             before = [*before, f"~ ({self.relation(condition)})"] if condition != true else before
-        return found
+        return conditions
 
 
 def _implied(conditions, need):
@@ -146,8 +147,8 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
     inputs = [s for s in symbols if s not in defined]
-    opening = [_forall([printer.own[s] for s in inputs], "R")]
-    opening += [f"let {printer.own[s]} := {printer.doprint(e)} in" for s, e in lines]
+    opening = [_forall([printer.coq_names[s] for s in inputs], "R")]
+    opening += [f"let {printer.coq_names[s]} := {printer.doprint(e)} in" for s, e in lines]
     needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
     hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
@@ -162,14 +163,14 @@ def induction_proposition(claim: Induction) -> str:
     expressions = (*claim.given, *claim.shows, *(e for state in states for e in state))
     symbols = _symbols([*expressions, claim.n])
     plain = StatementPrinter(symbols)
-    n = plain.own[claim.n]
-    at = {claim.n: f"INR {n}"} | {state: f"{plain.own[state]} {n}" for state, *_ in states}
+    n = plain.coq_names[claim.n]
+    at = {claim.n: f"INR {n}"} | {state: f"{plain.coq_names[state]} {n}" for state, *_ in states}
     printer = StatementPrinter(symbols, at)
-    opening = [_forall([plain.own[s] for s in symbols if s not in at], "R")]
-    opening += [_forall([plain.own[state] for state, *_ in states], "nat -> R")]
+    opening = [_forall([plain.coq_names[s] for s in symbols if s not in at], "R")]
+    opening += [_forall([plain.coq_names[state] for state, *_ in states], "nat -> R")]
     given = [plain.relation(relation) for relation in claim.given]
     for state, start, following in states:
-        name = plain.own[state]
+        name = plain.coq_names[state]
         given.append(f"{name} 0%nat = {plain.doprint(start)}")
         given.append(f"(forall {n} : nat, {name} (S {n}) = {printer.doprint(following)})")
     if any(map(printer.needs, expressions)):
@@ -183,11 +184,11 @@ def rounded_proposition(claim: Rounded) -> str:
     program = claim.program
     inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
     printer = StatementPrinter(inputs)
-    names = [printer.own[s] for s in inputs]
+    names = [printer.coq_names[s] for s in inputs]
     given = [*(f"float64 {name}" for name in names), *map(printer.relation, claim.given)]
     shown = []
     for output, bound in claim.bounds:
-        arguments = " ".join(printer.own[s] for s in inputs if s in program.reaches(output))
+        arguments = " ".join(printer.coq_names[s] for s in inputs if s in program.reaches(output))
         computed, exact = (f"{program.name}{kind}.{output.name} {arguments}" for kind in ("_float64", ""))
         shown.append(f"Rabs ({computed} - {exact}) <= {printer.doprint(bound)}")
     return _implication([_forall(names, "R")], given, shown)

@@ -179,8 +179,8 @@ def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
     return scope[program.name]
 
 
-def refuse_unknown_calls(known: dict[str, Any]) -> None:
+def refuse_unknown_calls(scope: dict[str, Any]) -> None:
     """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
-    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
-        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
+    for kernel in (f for f in scope.values() if isfunction(f) and f.__globals__ is scope):
+        if unknown := {*kernel.__code__.co_names} - scope.keys() - {*dir(builtins)}:
             raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

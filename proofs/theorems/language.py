@@ -75,6 +75,6 @@ def without(factor: Expr, product: Expr) -> Expr:
     def factors(e):
         return [f for part in e.args for f in factors(part)] if e.is_Mul else [e]
 
-    found = factors(product)
-    found.remove(factor)
-    return Mul(*found)
+    rest = factors(product)
+    rest.remove(factor)
+    return Mul(*rest)

@@ -72,15 +72,15 @@ def draw_image(options: Namespace) -> None:
 def _drawn_again(options):
     """Return the scene, the method and the raster of a picture's file; say where what drew it is not what draws now."""
     of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
-    given = vars(options).keys() & of_scene
-    given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
-    if given:
-        raise not_allowed("again", options.again, f"no --{min(given).replace('_', '-')} beside it")
-    said = record.read(options.again)
-    for what, then, now in (("version", said.version, renderer.__version__), ("machine", said.machine, machine().NAME)):
+    beside = vars(options).keys() & of_scene
+    beside |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
+    if beside:
+        raise not_allowed("again", options.again, f"no --{min(beside).replace('_', '-')} beside it")
+    old = record.read(options.again)
+    for name, then, now in (("version", old.version, renderer.__version__), ("machine", old.machine, machine().NAME)):
         if then != now:
-            print(f"{options.again} was drawn by {what} {then}; this is {now}", file=sys.stderr)
-    return said[:3]
+            print(f"{options.again} was drawn by {name} {then}; this is {now}", file=sys.stderr)
+    return old[:3]
 
 
 def _checked_out(out):
@@ -135,8 +135,8 @@ def diagnose(options: Namespace) -> None:
     """Say what draws here: machine, lanes, threads, versions, and where compiled code is kept."""
     from renderer.command_line import doctor
 
-    for what, found in doctor.found():
-        print(f"{what + ' ':.<24} {found}")
+    for name, value in doctor.report():
+        print(f"{name + ' ':.<24} {value}")
 
 
 VERBS: dict[str, tuple] = {
@@ -153,10 +153,10 @@ def _parser(prog, arguments):
     version = f"%(prog)s {renderer.__version__}"
     parser.add_argument("--version", action="version", version=version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
-    for name, (run, own) in VERBS.items():
+    for name, (run, verb_options) in VERBS.items():
         verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)
-        if own and name in arguments:
-            for option, of_argparse in own.items():
+        if verb_options and name in arguments:
+            for option, of_argparse in verb_options.items():
                 verb.add_argument(option, **of_argparse)
             add_scene(verb, lists=run is print_sweep)
     return parser

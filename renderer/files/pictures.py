@@ -38,19 +38,19 @@ def _filter(image, start, lines):
     farther from the third, or the third itself where it lies well between them.
     """
     rows, channels, width = len(lines), image.shape[2], image.shape[1] * image.shape[2]
-    seen = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
-    known = image[max(0, start - 1) : start + rows].reshape(-1)
-    seen[-known.size :] = known
-    left, up, corner = seen[width:-channels], seen[channels:-width], seen[: -width - channels]
+    padded = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
+    image_rows = image[max(0, start - 1) : start + rows].reshape(-1)
+    padded[-image_rows.size :] = image_rows
+    left, up, corner = padded[width:-channels], padded[channels:-width], padded[: -width - channels]
     high, low = np.maximum(left, up), np.minimum(left, up)
     guess = np.minimum(np.maximum(corner, low), high)
     rise, fall = np.subtract(high, guess, out=high), np.subtract(guess, low, out=low)
     to_high, to_low = (rise >> 1 >= fall).view(np.uint8), (fall >> 1 >= rise).view(np.uint8)
-    rest = np.subtract(seen[channels + width :], guess, out=guess)
+    rest = np.subtract(padded[channels + width :], guess, out=guess)
     rest -= np.multiply(rise, to_high, out=to_high)
     rest += np.multiply(fall, to_low, out=to_low)
     lines[:, 0], lines[:, 1:] = PAETH, rest.reshape(rows, width)
-    of_first = seen[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
+    of_first = padded[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
     np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
 
 

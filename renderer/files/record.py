@@ -65,7 +65,7 @@ def read(path: str | Path) -> Drawing:
         if check_kind("gradient", record["gradient"], dict).keys() != {"name", "eps", "form"}:
             raise ValueError("other names than a gradient has")
         made_by = [record[name] for name in ("version", "machine")]
-        if not all(isinstance(said, str) and len(said) < 100 and said.isprintable() for said in made_by):
+        if not all(isinstance(name, str) and len(name) < 100 and name.isprintable() for name in made_by):
             raise ValueError("no version and machine")
         raster = Raster(record["width"], record["height"], record["crop"])
         return Drawing(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster, *made_by)
@@ -73,7 +73,7 @@ def read(path: str | Path) -> Drawing:
 
 def _of_png(path):
     """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged or too long."""
-    found, at, kind, begins = [], len(SIGNATURE), b"", b"tEXt" + KEYWORD + b"\0"
+    texts, at, kind, begins = [], len(SIGNATURE), b"", b"tEXt" + KEYWORD + b"\0"
     with open(path, "rb") as file:
         size = file.seek(0, SEEK_END)
         file.seek(0)
@@ -89,8 +89,8 @@ def _of_png(path):
             if chunk.startswith(begins):
                 if len(chunk) == 4 + length and zlib.crc32(chunk) != int.from_bytes(file.read(4)):
                     raise ValueError("a damaged text")
-                found.append(chunk.removeprefix(begins))
-    return found
+                texts.append(chunk.removeprefix(begins))
+    return texts
 
 
 def _of_npz(path):

@@ -71,11 +71,11 @@ KERNELS = (
 
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
-    found: dict[str, Program] = {}
+    by_method: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
         program = difference(height_fields.ANY_FIELD)
-        found |= {method: program, f"{method}_in_v": program.keep(h_v)}
-    return found
+        by_method |= {method: program, f"{method}_in_v": program.keep(h_v)}
+    return by_method
 
 
 def difference_of(method: str, field: HeightField) -> str:

@@ -131,8 +131,8 @@ class Enclosed(Bounded):
     @classmethod
     def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
         """Return a result that is moved so far; lost: by its own rounding, and whether it stays exact."""
-        own, stays_exact = lost
-        return cls.counted(value, plus(moved, own), stays_exact)
+        rounding, stays_exact = lost
+        return cls.counted(value, plus(moved, rounding), stays_exact)
 
     def lost_in_sum(self, other: "Enclosed", total: Any) -> tuple[Any, bool]:
         """Return what rounding takes from a sum: where it may be none, a number that two more sums find (Knuth)."""
@@ -238,35 +238,35 @@ def sqrt(number: Enclosed) -> Enclosed:
     return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
 
-def _whole(number, found, away):
+def _integer(number, integer, away):
     """Return a whole number that is found, which may be the next one where what changes it is in reach."""
     if is_zero(number.error):
-        return Enclosed(found, stays_exact=True)
+        return Enclosed(integer, stays_exact=True)
     reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
     further = operations.floor(number.bound)
-    return Enclosed(found, inner_where(reaches, 1.0 + further, further), True)
+    return Enclosed(integer, inner_where(reaches, 1.0 + further, further), True)
 
 
 def floor(number: Enclosed) -> Enclosed:
     """Return ⌊a⌋; a whole number within the bound of `a` may be on either side of it."""
     away = abs(number.value - operations.rint(number.value))
-    return _whole(number, operations.floor(number.value), away)
+    return _integer(number, operations.floor(number.value), away)
 
 
 def rint(number: Enclosed) -> Enclosed:
     """Return the whole number nearest to a; a half within the bound of `a` may be on either side of it."""
     nearest = operations.rint(number.value)
-    return _whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
+    return _integer(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
 
 def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     """Return a product in two parts, for sinpi and cospi: they lose nothing of it, unless it vanishes."""
     a, b = enclosed(a), enclosed(b)
-    whole, rest = kernels.two_product(a.value, b.value)
+    product, rest = kernels.two_product(a.value, b.value)
     stays_exact, lost = a.stays_exact or b.stays_exact, 0.0
     if stays_exact:
-        lost = inner_where((abs(whole) < KEPT) & (operations.minimum(a.size, b.size) > 0.0), LEAST_COUNT, 0.0)
-    return Enclosed.counted(whole, a.product_moves(b), stays_exact), Enclosed.counted(rest, lost, True)
+        lost = inner_where((abs(product) < KEPT) & (operations.minimum(a.size, b.size) > 0.0), LEAST_COUNT, 0.0)
+    return Enclosed.counted(product, a.product_moves(b), stays_exact), Enclosed.counted(rest, lost, True)
 
 
 def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
@@ -276,18 +276,18 @@ def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     return Enclosed.counted(total, plus(a.error, b.error), a.stays_exact and b.stays_exact), Enclosed(lost, 0.0, True)
 
 
-def _of_half_turns(kernel: Any, whole: Any, rest: Any = 0.0) -> Enclosed:
+def _of_half_turns(kernel: Any, turns: Any, rest: Any = 0.0) -> Enclosed:
     """Return sin πx or cos πx of a number in two parts: its slope is at most π, and it moves by 2 at most."""
-    whole, rest = enclosed(whole), enclosed(rest)
-    moved = times(ROUNDING, plus(whole.error, rest.error))
-    found = kernel(whole.value, rest.value)
-    own = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(found) + LEAST
-    if whole.stays_exact:  # what the parts lose is counted: 0 is no smaller number
-        own = inner_where(found == 0.0, 0.0, own)
+    turns, rest = enclosed(turns), enclosed(rest)
+    moved = times(ROUNDING, plus(turns.error, rest.error))
+    result = kernel(turns.value, rest.value)
+    rounding = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(result) + LEAST
+    if turns.stays_exact:  # what the parts lose is counted: 0 is no smaller number
+        rounding = inner_where(result == 0.0, 0.0, rounding)
     if is_zero(moved):
-        return Enclosed(found, own * SLACK)
+        return Enclosed(result, rounding * SLACK)
     turned = math.pi * SLACK * moved
-    return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
+    return Enclosed(result, (inner_where(turned < 2.0, turned, 2.0) + rounding) * SLACK)
 
 
 sinpi = partial(_of_half_turns, kernels.sinpi)
@@ -301,48 +301,48 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     exact.
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
-    found = kernels.atan2pi(y.value, x.value)
-    own = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(found) + LEAST
+    angle = kernels.atan2pi(y.value, x.value)
+    rounding = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(angle) + LEAST
     moved = plus(y.bound, x.bound)
     if is_zero(moved):
-        return Enclosed(found, own * SLACK)
+        return Enclosed(angle, rounding * SLACK)
     radius = operations.sqrt(x.value * x.value + y.value * y.value)
     across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
     sine = across / (radius * (radius - moved))
     near = (moved < 0.5 * radius) & (sine < 0.249)
-    bound = inner_where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
+    bound = inner_where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + rounding
     over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
     bound = inner_where(over_the_cut, 2.0, bound) * SLACK
     if not (x.stays_exact and y.stays_exact):
-        return Enclosed(found, bound)
+        return Enclosed(angle, bound)
     on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
-    return Enclosed(found, inner_where(on_axis, 0.0, bound), True)
+    return Enclosed(angle, inner_where(on_axis, 0.0, bound), True)
 
 
-def _monotone(kernel, roundings, found, arguments, vanishing=0.0):
+def _monotone(kernel, roundings, result, arguments, vanishing=0.0):
     """Return `found`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
 
     The roundings are charged at that end, and for `found` again: with SLACK an end may be off by as many more, up to 8.
     """
 
-    def own(result):
-        return roundings(result) * UNIT * abs(result) + vanishing
+    def rounding_of(value):
+        return roundings(value) * UNIT * abs(value) + vanishing
 
     moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
     if is_zero(moved):
-        return Enclosed(found, 2.0 * own(found) * SLACK)
+        return Enclosed(result, 2.0 * rounding_of(result) * SLACK)
     for ends in product(*map(_ends, arguments)):
         end = kernel(*ends)
-        away = abs(end - found) + own(end)
+        away = abs(end - result) + rounding_of(end)
         furthest = inner_where(away > furthest, away, furthest)
-    return Enclosed(found, (inner_where(moved < math.inf, furthest, math.inf) + own(found)) * SLACK)
+    return Enclosed(result, (inner_where(moved < math.inf, furthest, math.inf) + rounding_of(result)) * SLACK)
 
 
 def exp(product: Any, factor: Any = 1.0) -> Enclosed:
     """Return exp ab."""
     a, b = enclosed(product), enclosed(factor)
-    found = kernels.exp(*kernels.two_product(a.value, b.value))
-    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], found, [a * b], VANISHING)
+    result = kernels.exp(*kernels.two_product(a.value, b.value))
+    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], result, [a * b], VANISHING)
 
 
 def log(number: Enclosed) -> Enclosed:
@@ -361,9 +361,9 @@ def power(number: Any, exponent: Any) -> Enclosed:
     def roundings(result):
         return inner_where(result < kernels.SMALL_POWER, kernels.ROUNDINGS["small_power"], kernels.ROUNDINGS["power"])
 
-    found = kernels.power(number.value, exponent.value)
+    result = kernels.power(number.value, exponent.value)
     vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-    return _monotone(kernels.power, roundings, found, [number, exponent], vanishing)
+    return _monotone(kernels.power, roundings, result, [number, exponent], vanishing)
 
 
 def sign(number: Any) -> Enclosed:

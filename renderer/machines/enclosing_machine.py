@@ -82,9 +82,9 @@ def enclosed_numbers(
     numbers: SimpleNamespace, bounds: SimpleNamespace | None = None, rounded: Iterable[str] = ()
 ) -> SimpleNamespace:
     """Return numbers of a form as Enclosed; those that are `rounded` have `bounds`."""
-    own = of_form(numbers, repeat(0.0))
-    vars(own).update({name: getattr(bounds, name) for name in rounded})
-    return of_form(numbers, map(Enclosed, flat(numbers), flat(own)))
+    errors = of_form(numbers, repeat(0.0))
+    vars(errors).update({name: getattr(bounds, name) for name in rounded})
+    return of_form(numbers, map(Enclosed, flat(numbers), flat(errors)))
 
 
 class Pixels:

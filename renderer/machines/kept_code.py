@@ -26,8 +26,8 @@ def folder() -> Path | None:
         return None if named in OFF else Path(named)
     from platformdirs import user_cache_path
 
-    found = user_cache_path("symbolic-rendering", appauthor=False) / "compiled"
-    return found if found.is_absolute() else None  # not, where the user has no home
+    cache = user_cache_path("symbolic-rendering", appauthor=False) / "compiled"
+    return cache if cache.is_absolute() else None  # not, where the user has no home
 
 
 def trusted(path: Path) -> bool:
@@ -81,13 +81,13 @@ def _digest(key, code):
 
 def _make_room(kept_in):
     """Remove the files that were not used for longest; another process may do the same."""
-    found = []
+    files = []
     for path in kept_in.glob("*.o"):
         with suppress(OSError):
             status = path.lstat()
-            found.append((status.st_mtime, status.st_size, path))
+            files.append((status.st_mtime, status.st_size, path))
     total = 0
-    for _, size, path in sorted(found, reverse=True):
+    for _, size, path in sorted(files, reverse=True):
         total += size
         if total > LARGEST:
             with suppress(OSError):

@@ -73,11 +73,11 @@ def _object_code(text, target):
     return code
 
 
-def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
     """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
-    emit_into(module, name, *what)
+    emit_into(module, name, *arguments)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
@@ -100,10 +100,10 @@ def drawer(
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    given = {name: array.ctypes.data for name, array in job.items()}
-    given |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
+    addresses = {name: array.ctypes.data for name, array in job.items()}
+    addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
     names, kinds = arguments(want.shader.planes), len(want.shader.counted)
-    shared = [given.get(name, 0) for name in names]
+    shared = [addresses.get(name, 0) for name in names]
     first, last, counts = (names.index(name) for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):

@@ -120,7 +120,7 @@ class Tracer:
     """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
     The function's one parameter is the address of an array of int64, its arguments: addresses of arrays, and numbers.
-    given: those that have names, by them. shader: what is traced, where that is one.
+    arguments: those that have names, by them. shader: what is traced, where that is one.
     """
 
     def __init__(
@@ -133,10 +133,10 @@ class Tracer:
         shader: Any = None,
     ):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-        (self._arguments,), self.lanes, self.module = function.args, lanes, module
+        (self._address,), self.lanes, self.module = function.args, lanes, module
         self.number, self.builder = number, ir.IRBuilder(function.append_basic_block())
         self.vector = self._all(number)
-        self.given = {argument: self.argument(place) for place, argument in enumerate(names)}
+        self.arguments = {argument: self.argument(place) for place, argument in enumerate(names)}
         self.shader = shader
         self.counts = {kind: self.reserve(WHOLE) for kind in (shader.counted if shader else ())}
         for place in self.counts.values():
@@ -148,7 +148,7 @@ class Tracer:
 
     def argument(self, number: int) -> ir.Value:
         """Return one of the function's arguments."""
-        return self.builder.load(self.builder.gep(self._arguments, [WHOLE(number)]))
+        return self.builder.load(self.builder.gep(self._address, [WHOLE(number)]))
 
     def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
@@ -196,7 +196,7 @@ class Tracer:
         first = self.builder.mul(row, WHOLE(len(flat(form))))
         return of_form(form, (self.everywhere(array, self.builder.add(first, WHOLE(n))) for n in count()))
 
-    def whole(self, value: Value) -> ir.Value:
+    def integer(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
         first = self.builder.extract_element(value.vector, WHOLE(0)) if self.lanes > 1 else value.vector
         return self.builder.fptosi(first, WHOLE)
@@ -213,8 +213,8 @@ class Tracer:
 
     def bits(self, number: Value, operation: str, other: int) -> Value:
         """Return what `renderer.operations.bits` does."""
-        builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
-        changed = getattr(builder, operation)(builder.bitcast(number.vector, whole), whole([other] * self.lanes))
+        builder, integer = self.builder, ir.VectorType(WHOLE, self.lanes)
+        changed = getattr(builder, operation)(builder.bitcast(number.vector, integer), integer([other] * self.lanes))
         return Value(self, builder.bitcast(changed, self.vector))
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
@@ -243,12 +243,12 @@ class Tracer:
         """Return `result_of` the alternative of an index that is the same everywhere."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        chosen, results = self.whole(index), Variables(self, ())
+        chosen, results = self.integer(index), Variables(self, ())
         for number, alternative in enumerate(alternatives):
             with self.builder.if_then(self.builder.icmp_signed("==", chosen, WHOLE(number))):
-                found = result_of(alternative)
-                results = results if number else Variables(self, found)
-                results.set(found)
+                values = result_of(alternative)
+                results = results if number else Variables(self, values)
+                results.set(values)
         return results.value
 
     @contextmanager
@@ -271,10 +271,10 @@ class Tracer:
     @contextmanager
     def rows(self) -> Iterator[tuple[ir.Value, ir.Value, ir.Value]]:
         """Emit a loop over rows; the block is its body and is given the row, and where its columns begin and end."""
-        builder, given = self.builder, self.given
-        with self.loop(given["first_row"], given["last_row"]) as row:
+        builder, arguments = self.builder, self.arguments
+        with self.loop(arguments["first_row"], arguments["last_row"]) as row:
             ends = builder.mul(row, WHOLE(2))
-            places = (self.place(given["columns"], builder.add(ends, WHOLE(n)), WHOLE) for n in (0, 1))
+            places = (self.place(arguments["columns"], builder.add(ends, WHOLE(n)), WHOLE) for n in (0, 1))
             yield row, *map(builder.load, places)
 
     def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
@@ -283,7 +283,7 @@ class Tracer:
         `square` as often as the exponent's lowest bit says, `first`; then for each higher bit `square`, and `multiply`
         where it is set.
         """
-        builder, exponent = self.builder, self.whole(exponent)
+        builder, exponent = self.builder, self.integer(exponent)
         with builder.if_then(builder.icmp_signed(">", exponent, WHOLE(0))):
             zeros = builder.cttz(exponent, BIT(0))
             with self.loop(WHOLE(0), zeros):
@@ -298,5 +298,5 @@ class Tracer:
 
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
-        with self.loop(WHOLE(0), self.given["light_count"]) as number:
-            body(self.numbers(self.given["lights"], self.shader.light, number))
+        with self.loop(WHOLE(0), self.arguments["light_count"]) as number:
+            body(self.numbers(self.arguments["lights"], self.shader.light, number))

@@ -64,14 +64,14 @@ def render(
     fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
-    whole = bounds or stage is None
+    complete = bounds or stage is None
     stage = Stage(scene, raster) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
     named, enclosure = dict(zip(COLORS, planes, strict=True)), None
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    if whole:
+    if complete:
         counts = stage.draw(scene, method, threads, named, bounds=bounds)
     else:
         counts = _draw_on(stage, scene, method, threads, named, None if into else planes)

@@ -14,8 +14,8 @@ from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
-from renderer.scene.own import field_kernels
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import read_only, way_of
@@ -59,7 +59,7 @@ class Frame:
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
         specular_powers, light_terms.
         """
-        codes, pixels = (found.tolist() for found in np.unique(self.chambers, return_counts=True))
+        codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
         _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
         field, way = way_of(self.scene, self.method)
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
@@ -189,11 +189,11 @@ class Frame:
         scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
-        found = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
-        found["kink"] = field["kink"](self.planes_on_a[3], *here)
+        data = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
+        data["kink"] = field["kink"](self.planes_on_a[3], *here)
         if self.method.eps:
-            found["straddling"] = field["straddling"](*here, self.method.eps)
-        return {name: np.broadcast_to(values, u.shape) for name, values in found.items()}
+            data["straddling"] = field["straddling"](*here, self.method.eps)
+        return {name: np.broadcast_to(values, u.shape) for name, values in data.items()}
 
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.

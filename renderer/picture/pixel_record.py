@@ -70,8 +70,8 @@ def pixel(
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
     surface = SURFACES[code & SURFACE_BITS]
-    found = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
-    return PixelRecord(column, row, surface, code, **found, rgb=tuple(frame.rgb[0, 0].tolist()))
+    data = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
+    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()))
 
 
 class _WrittenDown(Group):
@@ -87,7 +87,7 @@ class _WrittenDown(Group):
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
             adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
             lights.append(LightRecord(number, occluded, *_floats((mu, specular)), adds))
-        self.found = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
+        self.record = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
 
 
 def _floats(numbers):
@@ -103,7 +103,7 @@ def _lit(frame):
     machine, numbers = Rows(want.shader, job["lights"]), of_form(want.shader.scene, job["scene"])
     group = _WrittenDown(machine, numbers, want, Block(job, slice(1)))
     group.draw()
-    return group.found
+    return group.record
 
 
 def _on_a(frame):

@@ -105,8 +105,8 @@ class Stage:
     def job(self, scene: Scene, method: GradientMethod, planes: Job, of_a: bool = False) -> Job:
         """Return what is drawn on (`renderer.machines`): all columns, or those of each row that A may be in."""
         numbers, lights = numbers_of(scene, method)
-        own = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
-        return own | {"scene": numbers, "lights": lights, "code": self._codes} | planes
+        raster_data = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
+        return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
         self,

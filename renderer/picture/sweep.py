@@ -115,9 +115,9 @@ def table(results: Results) -> str:
 
     Only digits that are certain: where none is, it says what the number does not exceed.
     """
-    found = [_with_certain_digits(r, DIGITS, lambda upper: f"<= {rounded_up(upper)}") for r in records(results)]
-    lines = [[HEADINGS.get(name, name) for name in _shown(record)] for record in found[:1]]
-    lines += [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in _shown(record).values()] for record in found]
+    texts = [_with_certain_digits(r, DIGITS, lambda upper: f"<= {rounded_up(upper)}") for r in records(results)]
+    lines = [[HEADINGS.get(name, name) for name in _shown(record)] for record in texts[:1]]
+    lines += [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in _shown(record).values()] for record in texts]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.rjust, line, widths)) for line in lines)
 
@@ -133,5 +133,5 @@ def write_csv(path: str | Path, results: Results) -> None:
     Of what is enclosed, the digits that are certain, nothing where none is; the ends, as they are, in columns of their
     own.
     """
-    found = records(results)
-    whole_files.write_csv(path, [_with_certain_digits(record, EVERY_DIGIT, lambda upper: "") for record in found])
+    rows = records(results)
+    whole_files.write_csv(path, [_with_certain_digits(record, EVERY_DIGIT, lambda upper: "") for record in rows])

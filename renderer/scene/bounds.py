@@ -27,7 +27,7 @@ def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: S
     """
     if min(apex[2], eye) <= max(levels) or apex[2] - center[2] <= radius * (1 + GUARD):
         return EVERYWHERE * 2
-    found: Any = ()
+    sides: Any = ()
     for axis in (0, 1):
         ends = [
             coordinate / (1.0 - level / eye)
@@ -35,8 +35,8 @@ def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: S
             for coordinate in tangent_interval(apex[axis], apex[2], center[axis], center[2], radius, level)
         ]
         room = GUARD * (max(map(abs, ends)) + abs(center[axis]) + abs(apex[axis]) + radius)
-        found += (min(ends) - room, max(ends) + room) if all(map(math.isfinite, ends)) else EVERYWHERE
-    return found
+        sides += (min(ends) - room, max(ends) + room) if all(map(math.isfinite, ends)) else EVERYWHERE
+    return sides
 
 
 def _casts(light, body, ball):

@@ -34,11 +34,11 @@ class Raster:
             return (0, 0, width, height)
         allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
         try:
-            left, top, wide, high = whole = tuple(
+            left, top, wide, high = crop = tuple(
                 check_whole("crop", number, MAX_SIDE, low=0) for number in check_items("crop", self.crop, allowed)
             )
             if left < left + wide <= width and top < top + high <= height:
-                return whole
+                return crop
         except (TypeError, ValueError):
             pass
         raise not_allowed("crop", self.crop, allowed)

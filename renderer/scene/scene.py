@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.scene.own import check_field, check_size, field_from_record, field_record
+from renderer.scene.fields import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
@@ -115,8 +115,8 @@ class Scene:
         self._check_lengths()
 
     def __repr__(self) -> str:
-        given = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
-        return f"Scene({', '.join(given)})"
+        changed = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
+        return f"Scene({', '.join(changed)})"
 
     def as_record(self) -> dict[str, Any]:
         """Return the scene as JSON can say it, by the names of its fields: numbers, sequences, dicts and None.
@@ -132,14 +132,14 @@ class Scene:
         Nothing that a record says is run. Raises ValueError that names what is not allowed.
         """
         names = [each.name for each in fields(cls)]
-        given = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
-        for name, value in given.items():
+        values = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
+        for name, value in values.items():
             check_choice("scene", name, names)
-            given[name] = field_from_record(value) if name == "field" else value
-        if "lights" in given:
-            check_kind("lights", given["lights"], list, "a list of records")
-            given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]
-        return cls(**given)
+            values[name] = field_from_record(value) if name == "field" else value
+        if "lights" in values:
+            check_kind("lights", values["lights"], list, "a list of records")
+            values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
+        return cls(**values)
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""

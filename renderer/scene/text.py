@@ -24,10 +24,10 @@ def distrusted(name: str, path: object) -> Iterator[None]:
 
 def _once(pairs):
     """Return a dict of pairs. Raises ValueError where a key is said twice."""
-    found = dict(pairs)
-    if len(found) < len(pairs):
+    record = dict(pairs)
+    if len(record) < len(pairs):
         raise ValueError("a key is said twice")
-    return found
+    return record
 
 
 def _no_number(text):

@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 
 from renderer.checks import check_kind, not_allowed
 from renderer.kernels import MAX_ALGEBRAIC
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method
-from renderer.scene.own import field_kernels
 from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 

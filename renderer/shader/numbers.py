@@ -60,7 +60,7 @@ class Want(NamedTuple):
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
+    highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
     each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
@@ -68,7 +68,7 @@ class Want(NamedTuple):
 
     ways: tuple
     lights: tuple
-    whole: bool = True
+    integer_power: bool = True
     chambers_known: bool = False
     surfaces: str = "all"
     colors: bool = True
@@ -84,7 +84,7 @@ class Want(NamedTuple):
     @property
     def is_long(self) -> bool:
         """True if a difference's heights or a power make a long chain of operations, each of which awaits another."""
-        return not self.whole or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
+        return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
 def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
@@ -151,6 +151,6 @@ def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.nda
         for number, light in enumerate(scene.lights)
         if light.color is not None
     ]
-    found = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
-    read_only(*found)
-    return found
+    numbers = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
+    read_only(*numbers)
+    return numbers

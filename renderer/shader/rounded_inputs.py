@@ -63,6 +63,6 @@ def input_bounds(scene: Scene, raster: Raster, wide: int) -> Job:
     """Return the bounds of a job: that of x with 0 beyond the raster, `wide` in all."""
     of_x, of_y = of_image_points(scene, raster)
     of_numbers = np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
-    found = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
-    read_only(*found.values())
-    return found
+    bounds = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
+    read_only(*bounds.values())
+    return bounds

@@ -19,7 +19,7 @@ from typing import Any
 from renderer import kernels as k
 from renderer.machines.forms import COLORS, Numbers, Variables
 from renderer.operations import Mask, Number, floor, where
-from renderer.scene.own import field_kernels
+from renderer.scene.fields import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
@@ -206,12 +206,12 @@ class Group:
         def by(choice):
             name, style = choice
             base, squared = k.LIGHT_MODELS[name]
-            seen = (*point, *light.position, *normal, *view)
-            mu, specular = map(self.value, (squared if style == "squared" else base)(*seen))
+            inputs = (*point, *light.position, *normal, *view)
+            mu, specular = map(self.value, (squared if style == "squared" else base)(*inputs))
             if style == "diffuse":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
-            if not self.want.whole:  # for no group that is unlit, or without a highlight
+            if not self.want.integer_power:  # for no group that is unlit, or without a highlight
                 highlight = self.machine.variable(0.0)
                 self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
                 return mu, highlight.value
@@ -250,8 +250,8 @@ def difference(field: dict[str, Callable], method: str, *arguments: Number) -> N
 
     arguments: u, v, k_u, k_v, ε.
     """
-    found = field[method](field["height"], *arguments)
-    return found if isinstance(found, tuple) else (0.0, found)
+    slopes = field[method](field["height"], *arguments)
+    return slopes if isinstance(slopes, tuple) else (0.0, slopes)
 
 
 def within(box: Numbers, x: Number, y: Number) -> Mask:
