@@ -1,12 +1,12 @@
 """Claims of a theorem, before translation: SymPy relations over the lines of a straight-line program."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from sympy import Basic, Integer, Rational, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
-from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs
+from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs, put
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
@@ -58,14 +58,21 @@ def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
     return tuple((symbol, number(value)) for symbol, value in pairs(each))
 
 
+SEVERAL = {
+    *("shows", "given", "squares", "cited", "outputs", "avoid"),  # of claims
+    *("uses", "claims", "holds", "fails", "undefined", "mutants", "steps", "hypotheses", "side_conditions", "rounded"),
+}
+"""The fields that may be given as one thing or several (Some)."""
+
+
 @dataclass(frozen=True)
 class Parts:
-    """What has fields that are given as one thing or several (Some): once made, each is a tuple."""
+    """The base of claims, theorems and their parts: each field of SEVERAL is a tuple once it is made."""
 
     borrowed = cited = squares = example = ()  # what a Claim may have
 
     def __post_init__(self):
-        vars(self).update({each.name: flat(getattr(self, each.name)) for each in fields(self) if each.type is Some})
+        put(self, **{name: flat(value) for name, value in vars(self).items() if name in SEVERAL})
 
     def but(self, **changes: Any) -> Self:
         """Return the same with some fields changed: how a mutant is made."""
@@ -127,7 +134,8 @@ class Claim(Parts):
 
     def __post_init__(self):
         super().__post_init__()
-        vars(self).update(
+        put(
+            self,
             shows=tuple(sympify(relation, strict=True) for relation in self.shows),
             given=tuple(sympify(relation, strict=True) for relation in self.given),
             ranges=tuple(
@@ -220,7 +228,7 @@ class Rounded(Parts):
 
     def __post_init__(self):
         super().__post_init__()
-        vars(self).update(bounds=pairs(self.bounds))
+        put(self, bounds=pairs(self.bounds))
 
 
 @dataclass(frozen=True)

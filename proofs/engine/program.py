@@ -7,7 +7,7 @@ they need.
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import wraps
-from typing import Annotated, Any
+from typing import Any
 
 from sympy import Expr, Symbol, evaluate
 
@@ -32,7 +32,7 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-Some = Annotated[Any, "or several"]  # one thing, or several in tuples, lists and iterators, one in another
+Some = Any  # one thing, or several in tuples, lists and iterators, one in another
 
 
 def flat(part: Some) -> tuple:
@@ -50,6 +50,12 @@ def pairs(lines: Any) -> tuple[tuple, ...]:
     """Return ((symbol, value), …) of {symbol or vector: value or values}, or of such pairs."""
     items = lines.items() if isinstance(lines, Mapping) else lines
     return tuple(pair for names, values in items for pair in zip(flat(names), flat(values), strict=True))
+
+
+def put(record: Any, **values: Any) -> None:
+    """Set fields of a frozen dataclass, while it is made."""
+    for name, value in values.items():
+        object.__setattr__(record, name, value)
 
 
 @dataclass(frozen=True)
@@ -77,7 +83,7 @@ class Program:
 
     def __post_init__(self):
         outputs = [*dict(self.definitions)][-1] if self.outputs is None else self.outputs
-        vars(self).update(inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
+        put(self, inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
         defined = set(self.inputs)
         for symbol, expression in self.definitions:
             unknown = expression.free_symbols - defined

@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Symbol
 
 from proofs.engine.claim import AnyClaim, Claim, Parts, point
-from proofs.engine.program import Some, flat
+from proofs.engine.program import Some, flat, put
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -78,7 +78,7 @@ class Mutant:
     at: Any = ()
 
     def __post_init__(self):
-        vars(self).update(at=point(self.at))
+        put(self, at=point(self.at))
 
 
 def variant(text: str, claim: AnyClaim, *shows: Some, at: Any = (), **changes: Any) -> Mutant:
@@ -141,16 +141,16 @@ class Theorem(Parts):
 
     def __post_init__(self):
         hypotheses = tuple(map(_line, flat(self.hypotheses)))
-        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
+        put(self, statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
         super().__post_init__()
         if not isinstance(self.statement, str):
             claims = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
-            vars(self).update(claims=tuple(claims))
+            put(self, claims=tuple(claims))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
-            vars(self).update(refuted_at=point(self.refuted_at))
+            put(self, refuted_at=point(self.refuted_at))
             shown = "refuted"
-        vars(self).update(uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
+        put(self, uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS

@@ -5,7 +5,6 @@ Both are run on numbers that record each operation as text: the text of a result
 
 import math
 from collections.abc import Callable, Mapping
-from functools import partialmethod
 from typing import Any
 
 from proofs.engine.functions import FUNCTIONS
@@ -58,6 +57,30 @@ class Decision:
         return ~(~self | ~other) if self.negated else self._joined("both", other)
 
 
+def _operation(sign):
+    """Return the methods of an operation of Terms, and of it with the operands in the other order."""
+
+    def operation(self, other):
+        return type(self)(f"rounded ({self.operand(self)} {sign} {self.operand(other)})")
+
+    def reflected(self, other):
+        return type(self)(f"rounded ({self.operand(other)} {sign} {self.operand(self)})")
+
+    return operation, reflected
+
+
+def _comparison(decision):
+    """Return the methods of a comparison of Terms, and of it with the operands in the other order."""
+
+    def compare(*sides):
+        if any(side is math.inf for side in sides):  # which is no real number
+            extended = ("p_infty" if side is math.inf else f"(Finite {argument(side)})" for side in sides)
+            return Decision(" ".join([f"Rbar_{decision[1:]}", *extended]))
+        return Decision(applied(decision, *sides))
+
+    return compare, lambda *sides: compare(*sides[::-1])
+
+
 class Term:
     """A float64 number, as the text of what it was made by: each operation is rounded.
 
@@ -86,14 +109,10 @@ class Term:
         """Return a root, rounded."""
         return type(self)(f"rounded ({applied('sqrt', self)})")
 
-    def _operation(sign):
-        def operation(self, other, swap=False):
-            left, right = map(self.operand, (other, self) if swap else (self, other))
-            return type(self)(f"rounded ({left} {sign} {right})")
-
-        return operation, partialmethod(operation, swap=True)
-
-    (__add__, __radd__), (__sub__, __rsub__), (__mul__, __rmul__), (__truediv__, __rtruediv__) = map(_operation, "+-*/")  # type: ignore[arg-type]
+    __add__, __radd__ = _operation("+")
+    __sub__, __rsub__ = _operation("-")
+    __mul__, __rmul__ = _operation("*")
+    __truediv__, __rtruediv__ = _operation("/")
 
     def __abs__(self):
         return type(self)(applied("Rabs", self))
@@ -101,16 +120,9 @@ class Term:
     def __neg__(self):
         return type(self)(f"- {self.operand(self)}")
 
-    def _compare(decision):
-        def compare(*sides):
-            if any(side is math.inf for side in sides):  # which is no real number
-                extended = ("p_infty" if side is math.inf else f"(Finite {argument(side)})" for side in sides)
-                return Decision(" ".join([f"Rbar_{decision[1:]}", *extended]))
-            return Decision(applied(decision, *sides))
-
-        return compare, lambda *sides: compare(*sides[::-1])
-
-    (__lt__, __gt__), (__le__, __ge__), (__eq__, _) = map(_compare, ("Rlt_dec", "Rle_dec", "Req_EM_T"))  # type: ignore[arg-type]
+    __lt__, __gt__ = _comparison("Rlt_dec")
+    __le__, __ge__ = _comparison("Rle_dec")
+    __eq__, _ = _comparison("Req_EM_T")
 
 
 def rule(program: Program, names: Mapping[str, Any], counted: Callable) -> list[str]:

@@ -85,6 +85,23 @@ def _either(one, other):
     return other if one is None else one if other is None else one | other
 
 
+def _comparison(compare):
+    """Return the method by which two Enclosed are compared: a Mask, open where their bounds overlap."""
+
+    def compared(self, other):
+        if self is other:  # x = x, which asks for NaN
+            return Mask(compare(self.value, self.value))
+        other = enclosed(other)
+        roundings = plus(self.error, other.error)
+        holds = compare(self.value, other.value)
+        if is_zero(roundings):
+            return Mask(holds)
+        apart = abs(self.value - other.value) > roundings * ROUNDING
+        return Mask(holds, ~apart & ~(roundings == 0.0))
+
+    return compared
+
+
 class Enclosed(Bounded):
     """A number of the inner machine, and a bound on its distance from the exact one.
 
@@ -174,24 +191,12 @@ class Enclosed(Bounded):
     def __abs__(self):
         return Enclosed.counted(abs(self.value), self.error, self.stays_exact)
 
-    def _compare(compare):
-        def compared(self, other):
-            if self is other:  # x = x, which asks for NaN
-                return Mask(compare(self.value, self.value))
-            other = enclosed(other)
-            roundings = plus(self.error, other.error)
-            holds = compare(self.value, other.value)
-            if is_zero(roundings):
-                return Mask(holds)
-            apart = abs(self.value - other.value) > roundings * ROUNDING
-            return Mask(holds, ~apart & ~(roundings == 0.0))
-
-        return compared
-
-    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(  # type: ignore[assignment]
-        _compare,  # type: ignore[arg-type]
-        (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne),
-    )
+    __lt__ = _comparison(operator.lt)
+    __le__ = _comparison(operator.le)
+    __gt__ = _comparison(operator.gt)
+    __ge__ = _comparison(operator.ge)
+    __eq__ = _comparison(operator.eq)
+    __ne__ = _comparison(operator.ne)
 
 
 enclosed = Enclosed.of

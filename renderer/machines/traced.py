@@ -49,6 +49,17 @@ class Mask(_Traced):
         return self._emit("not_", self)
 
 
+def _comparison(operator):
+    """Return the method by which two Values are compared: a Mask."""
+
+    def compared(self, other):
+        machine = self.machine
+        compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
+        return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
+
+    return compared
+
+
 class Value(_Traced):
     """A float64 of every pixel of a group; `literal` is its number where it is one."""
 
@@ -85,16 +96,13 @@ class Value(_Traced):
     def __abs__(self):
         return self.machine.call("fabs", self)
 
-    def _compare(operator):
-        def compare(self, other):
-            machine = self.machine
-            compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
-            return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
-
-        return compare
-
     __radd__, __rmul__ = __add__, __mul__
-    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))  # type: ignore[arg-type]
+    __lt__ = _comparison("<")
+    __le__ = _comparison("<=")
+    __gt__ = _comparison(">")
+    __ge__ = _comparison(">=")
+    __eq__ = _comparison("==")
+    __ne__ = _comparison("!=")
     __hash__ = None  # type: ignore[assignment]
 
 

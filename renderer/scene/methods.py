@@ -51,7 +51,7 @@ class GradientMethod:
                 raise not_allowed("eps", self.eps, "none beside the exact gradient, which takes no step")
         else:
             check_choice("form", self.form, ("auto",))  # the others are the exact gradient's
-            vars(self).update(eps=check_number("eps", self.eps, SMALLEST_STEP, 0.5))
+            object.__setattr__(self, "eps", check_number("eps", self.eps, SMALLEST_STEP, 0.5))
 
 
 def checked_method(name: str, method: GradientMethod) -> GradientMethod:

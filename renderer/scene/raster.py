@@ -27,7 +27,9 @@ class Raster:
     def __post_init__(self):
         width = check_whole("width", self.width, MAX_SIDE)
         height = check_whole("height", self.height, MAX_SIDE)
-        vars(self).update(width=width, height=height, crop=self._checked_crop(width, height))
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "height", height)
+        object.__setattr__(self, "crop", self._checked_crop(width, height))
 
     def _checked_crop(self, width, height):
         if self.crop is None:

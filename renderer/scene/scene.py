@@ -38,9 +38,9 @@ class Light:
     color: tuple | None = (1.0, 1.0, 1.0)
 
     def __post_init__(self):
-        vars(self).update(position=check_triple("light.position", self.position))
+        object.__setattr__(self, "position", check_triple("light.position", self.position))
         if self.color is not None:
-            vars(self).update(color=check_triple("light.color", self.color, 0.0, 1e6))
+            object.__setattr__(self, "color", check_triple("light.color", self.color, 0.0, 1e6))
 
 
 DEFAULT_LIGHTS = (Light((5.0, 5.0, 10.0)), Light((-6.0, 2.0, 8.0), (0.9, 0.65, 0.25)))
@@ -110,7 +110,7 @@ class Scene:
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
-            vars(self)[each.name] = checked if each.type is Any else each.type(checked)
+            object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
         check_size(self.field, self.ku, self.kv, self.beta)
         self._check_lengths()
 
