@@ -1,6 +1,7 @@
 """The figures: what one may return, what is kept of it, by what key, and what is drawn again and why."""
 
 import json
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +10,9 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from book.assembly import stamps
-from book.drawing import draw, registry, save
+from book.drawing import draw, registry, save, style
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
-from book.drawing.style import colour_of, plot
+from book.drawing.style import plot
 from book.figures import eps_sweep
 from renderer import Scene, central, exact, render
 from renderer.intervals import Interval
@@ -38,9 +39,8 @@ def curve():
     """A falling curve."""
     fig, ax = plot(height=2)
     steps = np.array([1e-6, 1e-3, 1.0])
-    ax.plot(steps, steps**2, color=colour_of("numeric"))
-    numbers = {"count": np.int64(3), "least": np.float32(0.5)}
-    return Drawing(fig, numbers=numbers, data={"step": steps, "error": steps**2})
+    style.curve(ax, steps, steps**2, "numeric", label="error")
+    return Drawing(fig, numbers={"count": np.int64(3), "least": np.float32(0.5)})
 
 
 def saved(folder, id, function):
@@ -170,25 +170,35 @@ def test_a_picture_whose_error_is_above_what_its_slopes_allow_is_not_drawn(monke
         eps_sweep.image_error()
 
 
-def line(heights):
+def line(heights, label):
     fig = Figure()
-    fig.subplots().plot(range(len(heights)), heights)
+    fig.subplots().plot(range(len(heights)), heights, label=label)
     return fig
 
 
-def test_columns_of_one_length_are_a_table_and_read_back_to_the_last_bit():
-    third = np.array([1 / 3, 2e-308, np.nan, -0.0])
-    content = save.data_file("f", Drawing(line(third), data={"third": third, "word": list("abcd")}))
-    back = save.read_data("f.csv", content[".csv"])
-    assert back["third"].tobytes() == third.tobytes() and back["word"].tolist() == list("abcd")
+def test_curves_are_a_table_that_reads_back_to_the_last_bit_and_arrays_have_them_beside_them():
+    third = np.array([1 / 3, 2e-308, np.nan, -0.0, 1.0])
+    content = save.data_file("f", Drawing(line(third, "a\nthird")))[".csv"].decode()
+    assert content.splitlines()[:2] == ["curve,x,y", "a third,0.0,0.3333333333333333"]
+    assert b"curve 1,4.0,1.0" in save.data_file("f", Drawing(line(third, None)))[".csv"]
+    back = np.array([float(row.split(",")[-1]) for row in content.splitlines()[1:]])
+    assert np.array_equal(back.view(np.int64), third.view(np.int64))
+    with np.load(
+        BytesIO(save.data_file("f", Drawing(line(third, "b"), data={"word": list("abcd")}))[".npz"])
+    ) as arrays:
+        assert arrays["b"][1, :2].tolist() == [1 / 3, 2e-308] and arrays["word"].tolist() == list("abcd")
 
 
 def test_data_that_are_missing_or_odd_are_refused_by_the_figures_name():
-    for data, message in (
-        ({}, "needs data="),
-        ({"a": np.arange(5)}, "draws a curve that is not in its data: 0.5"),
-        ({"a": [None]}, "'a' is object"),
-        ({"a": np.random.default_rng(0).random(save.MOST_BYTES // 8)}, "at most"),
+    for drawing, message in (
+        (Drawing(line([1.0], "_")), "needs data="),
+        (Drawing(line([1.0], "a"), data={"a": [None]}), "'a' is object"),
+        (Drawing(line([1.0], "a"), data={"b": 1.0}), r"'b' is float64 of shape \(\)"),
+        (Drawing(line(np.random.default_rng(0).random(save.MOST_BYTES // 8), "a")), "at most"),
     ):
         with pytest.raises(ValueError, match=rf"figure 'f'.*{message}"):
-            save.data_file("f", Drawing(line(np.arange(5.0) + 0.5 if "curve" in message else [1.0]), data=data))
+            save.data_file("f", drawing)
+    twice = line(np.arange(5.0), "a")
+    twice.axes[0].plot(range(5), range(5), label="a")
+    with pytest.raises(ValueError, match="figure 'f': two curves are called 'a'"):
+        save.data_file("f", Drawing(twice))

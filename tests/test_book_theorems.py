@@ -71,11 +71,16 @@ def test_findings_list_every_theorem_with_its_evidence_and_every_clause_without_
         assert len(re.findall(rf'#theorem-{id}">[^<]*</a>: <span class="argued">', page)) == len(THEOREMS[id].argued)
 
 
-def test_every_theorem_is_a_node_of_the_graph_below_what_it_rests_on(html_of):
-    drawn = re.search(r'<div class="graph">.*?</svg>', html_of("dependencies"), re.DOTALL)[0]
-    order = re.findall(r'<g id="node-(\w+)"', drawn)
+def test_every_theorem_is_listed_below_what_it_rests_on_with_links_to_the_cards(html_of):
+    listed = parsed(html_of("dependencies")).select(".claim-list > li")
+    aims = {
+        row["id"].removeprefix("node-"): [link["href"].partition("#theorem-")[2] for link in row.select("a")]
+        for row in listed
+    }
+    order = [*aims]
     assert sorted(order) == sorted(THEOREMS)
     assert all(order.index(other) < order.index(id) for id in order for other in THEOREMS[id].uses)
+    assert all(first == id and {*others} == {*THEOREMS[id].uses} for id, (first, *others) in aims.items())
 
 
 def test_certificates_are_downloads_and_scripts_run_with_nothing_but_python(site, tmp_path):

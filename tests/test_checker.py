@@ -83,6 +83,7 @@ def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(vis
     for key in ("Tab", "Tab", "Space"):  # the second term's sign
         press(key)
     assert "at line 15: the two sides differ" in rejected.inner_text() and changed.count() == 1
+    assert place.locator(".check-residual :is(sup, msub)").count() > 0
     press("Space")  # and back: the focus has stayed
     place.get_by_text("as it was").wait_for()
     assert changed.count() == 0

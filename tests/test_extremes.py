@@ -80,7 +80,7 @@ def test_a_measured_theorem_says_so_too():
 
 
 @pytest.mark.parametrize("sentence", [
-    "The worst error of $g$ is {number}`stability_pole.pole_worst|.1e`.",
+    "The worst error of $g$ is {number}`pole.far_worst|.1e`.",
     "The error never exceeds\n{number}`a.b|.2g` roundings.",
     "- It is {number}`accuracy_chart.ours_median|.1f`, at most {number}`accuracy_chart.b|.1f`.",
     "Its value is {number}`three_pictures.largest|.3g`.",

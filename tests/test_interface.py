@@ -34,7 +34,7 @@ def test_everything_public_has_an_entry_made_of_plain_text(site, html_of):
     assert public | OTHERS <= entries.keys()
     assert {entry[2].partition("#")[0] for entry in entries.values()} == PLACES
     page = html_of("api-renderer")
-    assert "<strong>crop</strong>: (left, top, width, height)" in page
+    assert "<p>Return |∇h| on sphere A" in page and "crop: (left, top, width, height)" in page
 
 
 @pytest.mark.parametrize("public", PUBLIC, ids=lambda public: public.__name__)

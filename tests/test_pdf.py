@@ -11,7 +11,7 @@ import pytest
 from book.editions import chromium
 from book.editions.files import printed
 
-PAGES = ("index", "s1", "s2", "s4", "dependencies")  # formulas, tables, figures, cards, the simulator, the graph
+PAGES = ("index", "s1", "s2", "s4")  # formulas, tables, figures, cards, the simulator
 BESIDE_THE_PAGE = """() => [...document.querySelectorAll('body *')].filter(e => {
     const box = e.getBoundingClientRect();
     return box.width && box.height && (box.right > innerWidth + 1 || box.left < -1);

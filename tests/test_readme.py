@@ -1,8 +1,6 @@
-"""The README's picture is what the renderer draws today, and a package index shows it."""
+"""The README's picture is what the renderer draws today, and its four lines end with a file."""
 
-import sys
 import textwrap
-from types import SimpleNamespace
 
 import numpy as np
 from PIL import Image
@@ -30,16 +28,3 @@ def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
     assert shows(written, render(Scene(), 256, 256))
-
-
-def test_an_index_shows_links_that_lead_somewhere(monkeypatch):
-    """What the hook derives from is no part of this environment."""
-    hatchling = SimpleNamespace(MetadataHookInterface=object)
-    monkeypatch.setitem(sys.modules, "hatchling.metadata.plugin.interface", hatchling)
-    from book.releases.metadata import shown
-
-    text = "![A sphere](book/a.png)\n[how](HOW.md), [a page](https://example.org/x) and [here](#part)"
-    kept = "[a page](https://example.org/x) and [here](#part)"
-    url = "https://github.com/a/b"
-    assert shown(text, url) == f"![A sphere]({url}/raw/HEAD/book/a.png)\n[how]({url}/blob/HEAD/HOW.md), {kept}"
-    assert shown(text, "") == f"\nhow, {kept}"

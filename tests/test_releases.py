@@ -33,9 +33,9 @@ def draw_into(folder, rms=0.0121, pixels=PIXELS, heights=STEPS**2):
     def plot():
         """A curve."""
         fig = Figure(figsize=(3, 2))
-        fig.subplots().plot(STEPS, heights)
+        fig.subplots().plot(STEPS, heights, label="rms")
         numbers = {"rms_1e-3": rms, "rms_1e-3_at": 1e-3, "flips": 0, "date": "2026-01-01"}
-        return Drawing(fig, numbers=numbers, data={"step": STEPS, "pixels": heights})
+        return Drawing(fig, numbers=numbers)
 
     def render():
         """Pixels."""

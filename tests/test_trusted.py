@@ -34,11 +34,18 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
         tests = {path for path in code if is_test(Path(path))}
         assert {"verify/test_theorems.py"} <= tests if name == "edited_formulas" else not tests
-    assert "book/static/simulator/module.js" in code_of("simulator")
+    assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= set(code_of("simulator"))
+    by_command_line = {name for name in RECORDS if "renderer/command_line/options.py" in code_of(name)}
+    assert by_command_line == {"frames"}  # a help text makes no campaign stale
 
 
-def test_a_program_among_the_theorems_is_never_run(monkeypatch, tmp_path, pytestconfig):
-    (tmp_path / "evil.py").write_text("raise SystemExit")
+EVIL = {"evil.py": "line 1: names SystemExit", "evil/__init__.py": "stands in a folder"}
+
+
+@pytest.mark.parametrize("name, why", EVIL.items())
+def test_a_program_among_the_theorems_is_never_run(name, why, monkeypatch, tmp_path, pytestconfig):
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("raise SystemExit")
     monkeypatch.setattr(theorem_files, "FOLDER", tmp_path)
-    with pytest.raises(pytest.UsageError, match=r"data: evil.py, line 1: names SystemExit"):
+    with pytest.raises(pytest.UsageError, match=f"data: {name}, {why}"):
         conftest.pytest_configure(pytestconfig)

@@ -7,13 +7,12 @@ import pytest
 
 from renderer import render
 from renderer.machines import native, numpy_rows
-from renderer.machines.drawing_code import ARGUMENTS
+from renderer.machines.drawing_code import arguments
 from renderer.machines.webassembly import compiled_module
-from renderer.shader.shader import WORK
 from tests.test_machines import SCENES, SIZE, drawn_by
 
 WORD = 8
-# Draws by a module on a memory that begins with `drawing_code.ARGUMENTS`: what it is afterwards, as text.
+# Draws by a module on a memory that begins with `drawing_code.arguments`: what it is afterwards, as text.
 DRAW = """async ([module, given]) => {
     const decoded = text => Uint8Array.from(atob(text), c => c.charCodeAt(0)), bytes = decoded(given);
     const memory = new WebAssembly.Memory({ initial: Math.ceil(bytes.length / 65536) });
@@ -32,14 +31,15 @@ def drawer_in(tab):
 
     def drawer(want, job):
         module, _ = compiled_module({"draw": want}, {}, {})
+        names = arguments(want.shader.planes)
 
         def draw(rows):
-            arrays = job | {"counts": np.zeros(len(WORK), np.int64)}
-            sizes = [WORD * len(ARGUMENTS), *(-(-array.nbytes // WORD) * WORD for array in arrays.values())]
+            arrays = job | {"counts": np.zeros(len(want.shader.counted), np.int64)}
+            sizes = [WORD * len(names), *(-(-array.nbytes // WORD) * WORD for array in arrays.values())]
             places = dict(zip(arrays, np.cumsum(sizes).tolist(), strict=False))
             given = places | {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job["x"])}
             given["light_count"] = len(job["lights"])
-            parts = [np.array([given.get(name, 0) for name in ARGUMENTS]), *arrays.values()]
+            parts = [np.array([given.get(name, 0) for name in names]), *arrays.values()]
             block = b"".join(p.tobytes().ljust(size, b"\0") for p, size in zip(parts, sizes, strict=True))
             memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(part).decode() for part in (module, block)]))
             for name, array in arrays.items():

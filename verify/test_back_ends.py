@@ -76,9 +76,3 @@ def test_mpmath_agrees(name):
         for symbol, output in zip(program.outputs, found, strict=True):
             expected = float(truth[symbol.name])
             assert output[point] == pytest.approx(expected, rel=1e-11, abs=1e-11, nan_ok=True), symbol
-
-
-def test_another_order_of_additions_is_told_apart():
-    numbers = np.random.default_rng(4).normal(size=(3, POINTS))
-    (compiled,) = loop_of(lambda a, b, c: a + (b + c), 1)(*numbers)
-    assert (compiled == numbers[0] + (numbers[1] + numbers[2])).all() and (compiled != sum(numbers)).any()

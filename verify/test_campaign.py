@@ -12,17 +12,12 @@ import subprocess
 import sys
 import time
 from contextlib import contextmanager
-from dataclasses import replace
 from functools import cache
 
 import pytest
-from sympy import Eq, Number
 
-from proofs.engine.half_turns import ordinary
-from proofs.engine.theorem import all_theorems
 from verify.records import Run
 from verify.sources import ROOT
-from verify.stale import why_stale
 
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -154,37 +149,3 @@ def test_no_number_of_a_formula_survives(copy, pytestconfig):
     fifth = (*of_bounds[[node.value for node in values].index(6)], -1)
     assert survivors(copy, [*few, fifth], OF_NUMBERS) == []
     assert survivors(copy, [fifth], [("proofs.check", "unit_length")]) == [fifth]
-
-
-def relations():
-    """Return [(theorem, claim, relation, side, number)]: every number in what a claim shows, read from the claims."""
-    return [
-        (theorem, claim, relation, side, number)
-        for theorem in all_theorems().values()
-        for claim in theorem.claims
-        for relation in getattr(claim, "shows", ())
-        for side, part in enumerate(relation.args)
-        for number in sorted(part.atoms(Number), key=str)
-    ]
-
-
-def exchanged(items, old, new):
-    """Return a tuple with one item in the place of another."""
-    return tuple(new if item is old else item for item in items)
-
-
-def test_no_number_of_a_claim_is_said_otherwise(pytestconfig):
-    """What is stored of a theorem proves what it shows, and nothing that has another number in it.
-
-    Of what it assumes the stored proof may need less: another number there may be one that it does not need.
-    """
-    theorems = all_theorems()
-    for theorem, claim, relation, side, number in draw(relations(), FEW_RELATIONS, pytestconfig):
-        part = relation.args[side]
-        sides = exchanged(relation.args, part, part.xreplace({number: number + 1}))
-        changed = relation.func(*sides, evaluate=False)
-        claims = exchanged(theorem.claims, claim, replace(claim, shows=exchanged(claim.shows, relation, changed)))
-        other = replace(theorem, statement="", claims=claims)  # its words may name the claims that it had
-        # or it is an equation whatever its names stand for
-        holds = isinstance(changed, Eq) and ordinary(changed.lhs - changed.rhs).equals(0)
-        assert holds or why_stale(other, theorems), (theorem.id, relation, number)

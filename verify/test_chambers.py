@@ -3,8 +3,6 @@
 That chambers and colours are the true ones, `test_bounds` holds to 256-bit balls.
 """
 
-from itertools import product
-
 import numpy as np
 import pytest
 
@@ -43,21 +41,16 @@ def test_random_scenes():
     assert {0, 1, 2, 3, 5, 6, 7, 131, 135} <= codes
 
 
-TOUCHING = {
-    "B touches the floor": {"ball_center": (1.5, 0.0, 0.25), "ball_radius": 0.25},
-    "B touches A from outside": {"ball_center": (0.0, 0.0, 1.5), "ball_radius": 0.5},
-    "B equal to A": {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.0},
-    "B level with the eye": {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},
-    "a light level with A's top": {"lights": (Light((3.0, 0.0, 1.0)),)},
-}
-"""Bodies that touch, or are level with one another: random scenes have none."""
-
-
-@pytest.mark.parametrize("case", TOUCHING)
-@pytest.mark.parametrize("size", [(61, 64), (64, 61), (1, 33), (33, 1)])
-def test_degenerate_scenes(case, size):
-    scene = Scene(**TOUCHING[case])
-    np.testing.assert_array_equal(chambers(scene, *size), everywhere_tested(scene, *size))
+@pytest.mark.parametrize("changes", [
+    {"ball_center": (1.5, 0.0, 0.25), "ball_radius": 0.25},  # B touches the floor
+    {"ball_center": (0.0, 0.0, 1.5), "ball_radius": 0.5},  # A from outside
+    {"ball_center": (0.0, 0.0, 0.0), "ball_radius": 1.0},  # is A
+    {"ball_center": (2.0, 0.0, 4.0), "ball_radius": 1.0},  # is level with the eye
+    {"lights": (Light((3.0, 0.0, 1.0)),)},  # level with A's top
+])  # fmt: skip
+def test_bodies_that_touch_or_are_level(changes):
+    scene = Scene(**changes)
+    np.testing.assert_array_equal(chambers(scene, 61, 64), everywhere_tested(scene, 61, 64))
 
 
 @pytest.mark.parametrize("name, value, light", [
@@ -74,11 +67,7 @@ def test_boxes_that_leave_pixels_out_are_noticed(name, value, light, monkeypatch
 
 DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))
 RANDOM = np.random.default_rng(21)
-RATIOS = 10.0 ** RANDOM.uniform(-6, -1e-9, 300)
-LENSES = [
-    *product((1e-60, 0.37, 1.0, 1e60), (1e-6, 0.01, 0.25, 0.9, 1 - 1e-9)),
-    *zip(10 ** RANDOM.uniform(-60, 60, 300), RATIOS, strict=True),
-]
+LENSES = list(zip(10 ** RANDOM.uniform(-60, 60, 400), 10 ** RANDOM.uniform(-6, -1e-9, 400), strict=True))
 """(radius, its share of the eye's height): scales and ratios up to the ends of what a scene accepts."""
 
 
@@ -100,9 +89,7 @@ def misjudged(radius, ratio, towards=None):
 
 
 def test_the_reach_of_a_has_the_sign_of_its_discriminant():
+    """And one that is off by one unit has not."""
     assert not any(misjudged(*lens) for lens in LENSES)
-
-
-def test_a_reach_that_is_off_by_one_unit_is_noticed():
     for towards in (0.0, np.inf):
         assert any(misjudged(*lens, towards) for lens in LENSES)

@@ -80,12 +80,11 @@ def climb(theorem, examples):
     return max(reached)
 
 
-@pytest.mark.parametrize("examples", [40, pytest.param(2000, marks=pytest.mark.long)])
 @pytest.mark.parametrize("theorem", CLIMBS)
-def test_no_climber_gets_above_the_bound(theorem, examples):
+def test_no_climber_gets_above_the_bound(theorem, pytestconfig):
     """And it finds what is there: the least would be no bound, which a few steps show."""
     _, bound, least, _ = CLIMBS[theorem]
-    assert least < climb(theorem, examples) <= bound
+    assert least < climb(theorem, 2000 if pytestconfig.getoption("long") else 40) <= bound
 
 
 def test_each_measured_bound_has_a_climber():

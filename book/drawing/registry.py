@@ -4,11 +4,11 @@
     def eps_sweep() -> Drawing:
         \"\"\"RMS of the difference on A against the step.\"\"\"
         ...
-        return Drawing(fig, numbers={"rms_1e-3": 0.0121}, data={"step": steps, "rms": curve})
+        return Drawing(fig, numbers={"rms_1e-3": 0.0121})
 
 A picture is a Matplotlib figure (in the colours of `book.drawing.palette`, which the dark page has its own of), or a
 uint8 array (height, width, 3 or 4), or None where only the numbers are wanted.
-`data` is what the picture shows, by name: every curve that is drawn has to be in it (`book/drawing/save.py`).
+`data` are the arrays that the picture shows, by name; its curves are kept by themselves (`book/drawing/save.py`).
 Both may be nested: {"sine": {"rms": 0.1}} is the number sine_rms. A number that is an `Interval` is kept with its ends,
 rms_lower and rms_upper, and a page prints what is certain of it. `shown` are the frames with bounds whose colours one
 sees: the line of provenance says what is certain of them.

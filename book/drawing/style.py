@@ -77,18 +77,19 @@ def bound_style() -> dict[str, object]:
 
 def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
           **look: Any) -> None:  # fmt: skip
-    """Draw y against x in a role's colour, a "bound" dashed; `look` goes to Line2D.
+    """Draw y against x in a role's colour, a "bound" dashed; `look` goes to Line2D, whose label is `text`.
 
     `text` stands to a side of its last point, or of the one where x is nearest to `at` by ratio.
     """
-    ax.plot(x, y, **(bound_style() if role == "bound" else {"color": colour_of(role)}) | look)
+    line = {"label": "bound"} | bound_style() if role == "bound" else {"label": "_", "color": colour_of(role)}
+    ax.plot(x, y, **line | ({"label": text} if text else {}) | look)
     if text:
         label_curve(ax, x, y, x[-1] if at is None else at, text, role, side)
 
 
-def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o") -> None:
-    """Draw points without a line between them."""
-    ax.plot(x, y, color=colour_of(role), linewidth=0, marker=marker, markersize=size, rasterized=True)
+def dots(ax: Axes, x: Any, y: Any, role: str, size: float, marker: str = "o", name: str = "points") -> None:
+    """Draw points without a line between them; `name` is their label."""
+    curve(ax, x, y, role, label=name, linewidth=0, marker=marker, markersize=size, rasterized=True)
 
 
 def label(ax: Axes, at: tuple[float, float], text: str, role: str, aside: tuple[float, float], **look: Any) -> None:

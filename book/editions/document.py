@@ -7,7 +7,7 @@ from bs4 import BeautifulSoup, Tag
 from bs4.dammit import EntitySubstitution
 from bs4.formatter import HTMLFormatter
 
-from book.editions.inlined import base64_gzip, data_address, inlined_script, inlined_styles, packed_address
+from book.editions.inlined import data_address, inlined_script, inlined_styles, packed_address
 from book.editions.names import Names, ids_of, relink, rename
 from book.editions.pages import SHELL, Page, make_small, parsed, read_pages, target
 from book.editions.pictures import inline_pictures
@@ -23,7 +23,6 @@ POLICY = (
 )
 
 
-SCRIPTS, KERNEL, PLACE = "_downloads/theorems/", b"# 1. The kernel", b"\0"  # where a shared part belongs
 LARGEST_DATA = 12_000
 """Bytes of a figure's packed numbers: larger ones are not mailed. The figure is, and the command beside makes them."""
 
@@ -73,30 +72,11 @@ class Chapter:
             link.string = f"data: {file.name}, by the command"
             return
         link["data-packed"] = file.name
-        if path.startswith(SCRIPTS) and file.suffix == ".py":
-            return self.pack_script(link, content, file.with_suffix(".json").read_bytes())
         if content in self.packed:  # the first link to it holds it
             link["href"] = f"#{self.packed[content]}"
             return
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
         link["href"], link["download"] = address, f"{file.name}.gz"
-
-    def pack_script(self, link: Tag, content: bytes, certificate: bytes) -> None:
-        """Make a link to a theorem's script carry its own lines: kernel and certificate are in the file already."""
-        begin, middle = content.index(KERNEL), content.index(certificate.strip())
-        end = middle + len(certificate.strip())
-        shared = [content[begin:middle], certificate]
-        link["data-within"] = " ".join(f"#{self.hold(part)}" for part in shared)
-        link["data-own"] = base64_gzip(PLACE.join((content[:begin], b"", content[end:])))
-        link["href"] = link["data-within"].split()[-1]
-
-    def hold(self, content: bytes) -> str:
-        """The id of the link that holds a content, a new one that nobody sees if there is none."""
-        if content not in self.packed:
-            self.packed[content] = f"file-{len(self.packed) + 1}"
-            held = {"id": self.packed[content], "href": packed_address(content), "hidden": ""}
-            self.pages[0].article.append(Tag(name="a", attrs=held))
-        return self.packed[content]
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
         """What pages load as <link> or <script>, each once: its file and its element.

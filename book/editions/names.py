@@ -1,6 +1,5 @@
 """Every id once: those that several pages use get their page's name, and whatever refers to them follows."""
 
-import re
 from collections import Counter
 from collections.abc import Callable, Iterable
 
@@ -47,9 +46,6 @@ def rename(page: Page, names: Names) -> None:
         for attribute in REFERRING:
             if tag.get(attribute):
                 tag[attribute] = " ".join(table.get(word, word) for word in tag[attribute].split())
-    escaped = {id: re.sub(r"([^\w-])", r"\\\1", new) for id, new in table.items() if id != new}
-    for style in page.article.find_all("style"):
-        style.string = re.sub(r"#([\w-]+)", lambda match: "#" + escaped.get(match[1], match[1]), style.string or "")
 
 
 def relink(part: Tag, page: str, names: Names, file_link: Callable[[Tag, str], None]) -> None:

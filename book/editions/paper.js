@@ -20,7 +20,6 @@ async function put_on_paper(names) {
     find_element(section, ":scope > :is(h1, h2, h3)").id = id;
   }
   list_contents();
-  for (const graph of /** @type {SVGSVGElement[]} */ (find_all(document, ".graph > svg"))) cut_graph(graph);
   for (const link of find_all(document, "a, .not-mailed")) if (!leads_on(link)) drop_link(link);
   await fit_to_page();
 
@@ -34,25 +33,6 @@ async function put_on_paper(names) {
     const list = make_element("ol", {}, ...entries);
     const contents = make_element("nav", { class: "paper-contents" }, make_element("h2", {}, "Contents"), list);
     find_element(document, "article").after(contents);
-  }
-
-  /** The graph is taller than a page: it is cut between its rows. A row keeps its id. @param {SVGSVGElement} graph */
-  function cut_graph(graph) {
-    const several = 6; // rows in a piece: what is left of a page is filled to within its height
-    const room = 150; // CSS pixels to the right, for a line of text in a wider font
-    const { width, height } = graph.viewBox.baseVal;
-    const rows = [...graph.querySelectorAll("circle.reach")].map((circle) => Number(circle.getAttribute("cy")));
-    const edges = rows.map((row, index) => (index ? (rows[index - 1] + row) / 2 : 0)).concat(height);
-    for (let first = 0; first < rows.length; first += several) {
-      const last = Math.min(first + several, rows.length);
-      const size = { width: width + room, height: edges[last] - edges[first] };
-      const piece = /** @type {SVGSVGElement} */ (graph.cloneNode(true));
-      set_attributes(piece, { ...size, viewBox: [0, edges[first], size.width, size.height].join(" ") });
-      const nodes = [...piece.querySelectorAll(".node")];
-      for (const node of [...nodes.slice(0, first), ...nodes.slice(last)]) node.remove();
-      graph.before(piece);
-    }
-    graph.remove();
   }
 
   /** @param {Element} link */

@@ -81,19 +81,9 @@
 
   /** @param {HTMLAnchorElement} link */
   async function unpack(link) {
-    /** What a link holds, itself or by another's name. @param {string} hash */
-    const held = (hash) => {
-      /** @type {HTMLAnchorElement} */
-      const holder = hash ? find_element(document, hash) : link;
-      return unpacked(holder.href.split(",")[1]);
-    };
-    const { own, within } = link.dataset;
-    let blob = own ? new Blob() : await held(link.hash).blob();
-    if (own) {
-      // a script, with places for the parts that it shares
-      const parts = await Promise.all((within ?? "").split(" ").map((hash) => held(hash).text()));
-      blob = new Blob([(await unpacked(own).text()).replace(/\0/g, () => (parts.shift() ?? "").trimEnd())]);
-    }
+    /** @type {HTMLAnchorElement} */
+    const holder = link.hash ? find_element(document, link.hash) : link; // of files that are alike the first link holds one
+    const blob = await unpacked(holder.href.split(",")[1]).blob();
     const href = URL.createObjectURL(blob);
     download(link.dataset.packed ?? "", href);
     setTimeout(() => URL.revokeObjectURL(href), 1000);

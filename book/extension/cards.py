@@ -8,6 +8,8 @@ Words that stand for the statement, which is then folded away with its proof. Wi
 
 :::{all-theorems}     every theorem, by section
 :::
+:::{dependencies}     what each rests on, below all that it rests on
+:::
 :::{grades}           the legend of the badges, with the number of theorems that have each; `:asked:` adds who was asked
 :::
 :::{argued-clauses}   the words that no claim says, each with its reason
@@ -35,6 +37,7 @@ from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
+from proofs.engine.project import HOME, PROJECT
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -108,6 +111,11 @@ def argued_clauses(here: SphinxDirective) -> Nodes:
     return [filled("argued_clauses", book=book, found=found)]
 
 
+@directive("dependencies")
+def dependencies(here: SphinxDirective) -> Nodes:
+    return [filled("dependencies", book=Here(here.env))]
+
+
 @directive("all-theorems")
 def all_theorems(here: SphinxDirective) -> Nodes:
     book, source, parts = Here(here.env), Path(here.env.srcdir), []
@@ -124,9 +132,11 @@ def all_theorems(here: SphinxDirective) -> Nodes:
 TEMPLATES.globals.update(
     {each.__name__: each for each in (axioms, beside, certificate, coq, count, evidence_line, killed, kind)},
     BEFORE=BEFORE,
+    CHECK="pytest verify" if PROJECT.root == HOME else "pytest -p verify.conftest --noconftest --pyargs verify",
     DOWNLOADS=DOWNLOADS,
     GRADES=GRADES,
     OPEN=OPEN,
+    PAGES=PROJECT.page,
     PARTLY=formal.PARTLY,
     point=point,
     rows=rows,

@@ -2,17 +2,14 @@
 
 import json
 import re
-from itertools import groupby
-from operator import itemgetter
 from pathlib import Path
 
 from docutils import nodes
-from sympy import Symbol, latex
-from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
-from book.extension.printed_claims import TEX
+from book.extension.mathematics import typeset
+from book.extension.printed_claims import PRINTER
 from book.extension.theorems import Here, Proofs, certificate, kind
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
@@ -21,9 +18,7 @@ WITHOUT = {
     "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
     "cited": "No certificate to check here: this is taken from the literature.",
 }
-HAT = re.compile(r"\\hat\s*\{?(\w)\}?")
-COMMAND = re.compile(r"\\([A-Za-z]+)")
-TEX_PART = re.compile(r"(\\[A-Za-z]+)\s?|_\{([^}]*)\}|_(\w|\\[A-Za-z]+)|([^\\_]+)")
+NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 def check_here(book: Here, id: str) -> Filled | str:
@@ -85,24 +80,10 @@ def names_of(claims: list[dict]) -> set[str]:
     return names
 
 
-def spelling(name: str) -> list[list[str]]:
-    """How a name is set: [[text, "i" italic, "r" upright or "s" subscript], …], from its TeX."""
-    parts = []
-    for text in re.findall(r"[A-Za-z_]\w*|.", name):  # of sin(pi*k_u*u) as of k_u
-        if text in ("sin", "cos") or not text.isidentifier():
-            parts.append(["\N{THIN SPACE}" if text == "*" else text, "r"])
-            continue
-        tex = HAT.sub("\\1\N{COMBINING CIRCUMFLEX ACCENT}", TEX.get(text) or latex(Symbol(text)))
-        for command, long, short, plain in TEX_PART.findall(tex):
-            letter = COMMAND.sub(_greek, command or long or short or plain).replace("'", "′")
-            parts.append([letter, "s" if long or short else "r" if letter.endswith("\N{THIN SPACE}") else "i"])
-    groups = groupby(parts, key=itemgetter(1))
-    return [["".join(text for text, _ in group), style] for style, group in groups]
-
-
-def _greek(command: re.Match) -> str:
-    """The letter that a TeX command stands for; of another, such as cos, its name."""
-    return greek_unicode.get(command[1].removeprefix("var"), f"{command[1]}\N{THIN SPACE}")
+def spelling(name: str) -> str:
+    """A name as MathML, sin(pi*k_u*u) as k_u."""
+    tex = NAME.sub(lambda part: rf"\{part[0]}" if part[0] in ("sin", "cos") else PRINTER.name(part[0]), name)
+    return typeset(tex.replace("*", r"\,"))
 
 
 @on_page

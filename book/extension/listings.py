@@ -4,18 +4,15 @@
 {trusted-lines}`claims`                      how many lines a grade passes through; `float64`: with its printers
 {source-link}`proofs/engine/kernel.py`       a link to its page
 
-:::{docstring} proofs/engine/certificate.py
-:::
-
 :::{printed-lines} bumped_normal
-:lines: m_x m_length          the lines of a function of renderer/kernels.py that define these names
+:lines: m_x m_length          the lines of a function of the printed kernels that define these names
 :::
 """
 
-import ast
 import inspect
 import re
 import shutil
+from importlib import import_module
 from pathlib import Path
 
 from docutils import nodes
@@ -28,11 +25,11 @@ from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, module_and_line, proofs_of
+from proofs.engine.project import PROJECT
 from proofs.engine.standalone import standalone_script
-from renderer import kernels
 from verify import grade_path
 
-DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
+DOWNLOADS, KERNELS = "_downloads/theorems", f"{PROJECT.kernels.replace('.', '/')}.py"
 LINKED = re.compile(r"\{source-link\}`([^`]+)`")
 
 
@@ -117,17 +114,12 @@ def source_link(here: SphinxRole) -> Nodes:
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
 
 
-@directive("docstring", arguments=1)
-def docstring(here: SphinxDirective) -> Nodes:
-    text = ast.get_docstring(ast.parse(source_file(here.arguments[0]).read_text(encoding="utf-8")))
-    return [nodes.literal_block(text, text, language="none", classes=["docstring"])]
-
-
 def printed(name: str, wanted: list[str]) -> str:
     """Return the lines of a function of the printed kernels that define the wanted names, in their order.
 
     Raises ValueError on a function or a name that is not there.
     """
+    kernels = import_module(PROJECT.kernels)
     if name not in vars(kernels):
         raise ValueError(f"{KERNELS} has no function {name!r}")
     body = [line.strip() for line in inspect.getsource(getattr(kernels, name)).splitlines()]

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import patheffects
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import GAP, TITLE, canvas, pixel_picture, pixel_text
+from book.drawing.style import GAP, TITLE, canvas, curve, pixel_picture, pixel_text
 from book.figures.chapter_scene import SCENE, SIZE, numeric, place
 from renderer import Scene, render
 from renderer.picture.views import image_view
@@ -26,15 +26,12 @@ NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h
     1e-18: {"$h_u = 0$: $^1\\!/_{64}$ < u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ < v": (0.77, 0.24)},
 }
 HALO = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
-LINE = {"color": "white", "linewidth": 0.8, "linestyle": (0, (2, 3))}
 
 
-def shares(step: float) -> dict[str, dict[str, float]]:
-    """Return the shares of A where h_u, h_v and both are 0: by theorem binades, and as the frame counts them."""
-    frame = numeric("sine", SIZE, step)
-    u, v, h_u, h_v = (frame.data_on_a[name] for name in ("u", "v", "h_u", "h_v"))
-    found = {"theorem": (dies(u, step), dies(v, step)), "count": (h_u == 0, h_v == 0)}
-    return {by: {"u": u.mean(), "v": v.mean(), "both": (u & v).mean()} for by, (u, v) in found.items()}
+def lost(step: float) -> dict[str, float]:
+    """Return the shares of A where h_u, and where both slopes are 0."""
+    h_u, h_v = (numeric("sine", SIZE, step).data_on_a[name] == 0 for name in ("h_u", "h_v"))
+    return {"u": h_u.mean(), "both": (h_u & h_v).mean()}
 
 
 def _edges(frame, step):
@@ -44,26 +41,25 @@ def _edges(frame, step):
     ends, round_a = lost[-1:] if lost.size else powers[:3], np.linspace(0, 1, 65)
     lines = [(np.full(2, u), np.array([0.001, 0.999 * RIM])) for u in (*ends, 0.0)]  # straight: A is seen from above
     lines += [(round_a, np.full(65, v)) for v in ends[ends < RIM]]
-    return {n: dict(zip("xy", place(frame, *line), strict=True)) for n, line in enumerate(lines)}
+    return [place(frame, *line) for line in lines]
 
 
 @figure
 def binades() -> Drawing:
     """Sphere A with sine at six steps from 1e-16 to 1e-18, where binade after binade of u and v loses its slope."""
-    side, frames, edges, found = CROP[2], [], {}, {}
+    side, frames, found = CROP[2], [], {}
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
         x, y = left * (side + GAP), top * (TITLE + side + GAP)
         frame = render(Scene(field="sine"), RASTER, RASTER, difference("central", step), crop=CROP, bounds=True)
         digits, power = (name := f"{step:.0e}").split("e-")
         ax = pixel_picture(fig, x, y + TITLE, image_view(frame))
-        edges[name] = _edges(frame, step)
-        for line in edges[name].values():
-            ax.plot(line["x"], line["y"], **LINE)
+        for number, line in enumerate(_edges(frame, step)):
+            curve(ax, *line, "white", label=f"edge {number}", linewidth=0.8, linestyle=(0, (2, 3)))
         for words, at in NAMES[step].items():
             (column,), (row,) = place(frame, *np.array(at)[:, None])
             ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
         frames.append(frame)
-        found[name] = shares(step)
-    return Drawing(fig, {"side": SIZE} | found, edges, frames)
+        found[name] = lost(step)
+    return Drawing(fig, found, shown=frames)

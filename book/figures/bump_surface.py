@@ -4,11 +4,13 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, canvas, pixel_picture, pixel_text
-from book.figures.chapter_scene import FINE, SCENE, averaged
+from book.figures.chapter_scene import FINE, SCENE, averaged, symbolic
 from book.idea_kernels import angles, surfaces
 from renderer.picture.views import to_bytes
+from verify.accuracy.frontiers import fiction
 
 TITLES = ("the chapter's normal", "its sign mended", "and its scale", "and its metric", "really displaced")
+NAMES = ("chapter", "sign", "scale", "metric")  # of the numbers; the last angle is 0
 SIDE, HIGH, UNIT, MIDDLE = 176, 170, 52, (106, 72)  # a still's pixels, those of the radius, where the centre is
 TURN, TIP = -0.5, 0.45  # where the eye stands around and above, in radians
 FLOOR, DISC = -1.4, (-0.6, -0.6, 2.2)  # the floor's height; its middle and radius
@@ -68,4 +70,8 @@ def bump_surface() -> Drawing:
         pixel_text(fig, left + 2, 15, title)
         pixel_text(fig, left + 2, 32, f"{angle:.{int(angle < 20)}f}° off" if angle else "0°: its own normal", "muted")
         pixel_picture(fig, left, 44, still)
-    return Drawing(fig, {"beta": SCENE.beta}, {"angle": angles()})
+    chapter, turned, _, blinn, _ = fiction.normals(SCENE, symbolic().data_on_a).values()
+    off_blinn = {name: np.median(fiction.degrees(n, blinn)) for name, n in (("chapter", chapter), ("sign", turned))}
+    return Drawing(
+        fig, {"beta": SCENE.beta, "blinn": off_blinn} | dict(zip(NAMES, angles(), strict=False)), {"angle": angles()}
+    )

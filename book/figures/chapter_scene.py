@@ -1,13 +1,10 @@
 """What the figures share: the chapter's scene, its rasters, and renders that several figures look at."""
 
-from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from book.drawing.style import panels
 from renderer import Scene, exact, render
 from renderer.intervals import rounded_up
 from renderer.picture.frame import Frame
@@ -19,7 +16,6 @@ SCENE = Scene()
 SIZE = 256  # the raster of every number on the default scene
 TELLING_EPS = 1e-2  # a step at which the creases are plainly wrong to the eye
 FIELD_NAMES = ("sine", "ridges", "rings")
-MARKED = 300  # the side of a panel with marks
 FINE = 3  # samples to a side of a pixel where a picture is for the eye; what is counted has one
 
 
@@ -71,18 +67,3 @@ def smooth(frame: Frame) -> np.ndarray:
 def enlarged(picture: np.ndarray, times: int) -> np.ndarray:
     """Return a picture whose every pixel is a square of `times` pixels."""
     return picture.repeat(times, axis=0).repeat(times, axis=1)
-
-
-def marked_by_light(marks: Sequence) -> Figure:
-    """Return panels of the picture, and of it dimmed with each light's marks: [(flags, colour)], the last on top.
-
-    The flags are those of a raster of FINE times the panels' side.
-    """
-    picture = image_view(symbolic(size=MARKED * FINE))
-    pictures = [picture]
-    for of_light in marks:
-        dimmed = picture // 3
-        for flags, colour in of_light:
-            dimmed[flags] = colour
-        pictures.append(dimmed)
-    return panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))

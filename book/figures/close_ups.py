@@ -64,12 +64,6 @@ def sweep_of_sine() -> Drawing:
 
 
 @figure
-def pole_of_rings() -> Drawing:
-    """The pole of rings, enlarged."""
-    return three_of(Scene(field="rings"), (268, 223, 64, 64))
-
-
-@figure
 def flattening() -> Drawing:
     """Ridges for four amplitudes, down to none."""
     frames = [render(Scene(beta=beta), 2 * SMALL, 2 * SMALL, exact(), bounds=True) for beta in BETAS]
@@ -111,7 +105,7 @@ def pitfall_table() -> Drawing:
     grey = [np.repeat(np.uint8(np.clip(127 + 5 * each, 0, 255))[..., None], 3, axis=2) for each in (right, found)]
     pictures = [*grey, difference_logarithmic(found - right, -2, 2)]
     fig = panels(pictures, ("the formula's slope", f"from {TEXELS}² heights", "difference"))
-    return Drawing(fig, {"texels": TEXELS}, {"formula": right, "table": found})
+    return Drawing(fig, {"texels": TEXELS})
 
 
 @figure
@@ -124,11 +118,3 @@ def light_backwards() -> Drawing:
     as_colour = np.where(frame.stage.on_a[..., None], np.rint(127.5 * (normals + 1)), 0).astype(np.uint8)
     pictures = [averaged(each) for each in (image_view(frame), as_colour, slope_view(frame))]
     return Drawing(panels(pictures, ("colour", "normal", "slope")), {"steepest": frame.slope.max()}, shown=(frame,))
-
-
-@figure
-def chart_on_a() -> Drawing:
-    """The coordinates u and v on sphere A, from above, in grey."""
-    frame = render(Scene(ball=False), SMALL, SMALL, exact(), bounds=True)
-    greys = [np.nan_to_num(255 * frame.surface_data[name]).astype(np.uint8)[..., None] for name in "uv"]
-    return Drawing(panels([grey.repeat(3, axis=2) for grey in greys], ("$u$", "$v$")), shown=(frame,))

@@ -5,18 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    DASHED,
-    DOTTED,
-    SHORT,
-    SOLID,
-    curve,
-    decades,
-    label_curve,
-    label_line_end,
-    plot,
-    slope_triangle,
-)
+from book.drawing.style import DASHED, DOTTED, SHORT, SOLID, curve, decades, label_curve, plot, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
@@ -57,7 +46,7 @@ def eps_sweep() -> Drawing:
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
     slope_triangle(ax, 2e-4, 1e-8, 2)
     slope_triangle(ax, 3e-5, 6e-4, 0.5)
-    return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]}, {"step": steps, **shown})
+    return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]})
 
 
 @np.errstate(all="ignore")  # a selection computes both of its sides
@@ -75,30 +64,31 @@ def _allowed(field):
 def image_error() -> Drawing:
     """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
     fig, axes = plot("page", 3.4, ncols=3, sharey=True)
-    data = {field: {name: _values(each) for name, each in _curves(field).items()} for field in FIELD_NAMES}
-    for ax, (field, errors) in zip(axes, data.items(), strict=True):
-        errors["allowed"] = _allowed(field)
-        if any(each.upper > most for each, most in zip(_curves(field)["largest"], errors["allowed"], strict=True)):
+    slack, drawn = {}, {}
+    for ax, field in zip(axes, FIELD_NAMES, strict=True):
+        allowed, intervals = _allowed(field), _curves(field)["largest"]
+        if any(each.upper > most for each, most in zip(intervals, allowed, strict=True)):
             raise ValueError(f"{field}: a picture's difference is above what its gradients' errors allow")
-        curve(ax, STEPS, errors["allowed"], "bound")
-        curve(ax, STEPS, errors["largest"], "difference", linewidth=1.5)
-        curve(ax, STEPS, errors["rms"], "difference", linewidth=1.2, linestyle=SHORT)
+        largest, rms = drawn[field] = [_values(each) for each in _curves(field).values()]
+        curve(ax, STEPS, allowed, "bound")
+        curve(ax, STEPS, largest, "difference", label="largest", linewidth=1.5)
+        curve(ax, STEPS, rms, "difference", label="RMS", linewidth=1.2, linestyle=SHORT)
         decades(ax, 4, 4, ylim=(1e-14, 1e3), title=field, xlabel="step ε")
         if not HEIGHT_FIELDS[field].creases:
             slope_triangle(ax, 3e-4, 1e-8, 2)
+        slack[field] = np.median(allowed / largest)
     axes[0].set_ylabel("error on A")
-    sine = data["sine"]
-    label_line_end(axes[0], STEPS[32], sine["allowed"][32] * 20, "of β, k, ε", "bound")
-    label_curve(axes[1], STEPS, data["ridges"]["largest"], 1e-3, "largest", "difference", "above")
-    label_curve(axes[1], STEPS, data["ridges"]["rms"] / 6, 3e-3, "RMS", "difference", "below")
+    label_curve(axes[0], STEPS, 20 * _allowed("sine"), STEPS[32], "of β, k, ε", "bound")
+    largest, rms = drawn["ridges"]
+    label_curve(axes[1], STEPS, largest, 1e-3, "largest", "difference", "above")
+    label_curve(axes[1], STEPS, rms / 6, 3e-3, "RMS", "difference", "below")
     # Between which numbers the least over all steps lies, and the step where it was computed.
     found = _curves("sine")["largest"]
     lower, upper = Interval(
         *(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))
     ).outward()
-    floor = {"from": lower, "to": upper, "eps": STEPS[sine["largest"].argmin()]}
-    slack = {field: np.median(errors["allowed"] / errors["largest"]) for field, errors in data.items()}
-    return Drawing(fig, {"sine_largest": floor, "slack": slack}, {"step": STEPS} | data)
+    floor = {"from": lower, "to": upper, "eps": STEPS[drawn["sine"][0].argmin()]}
+    return Drawing(fig, {"sine_largest": floor, "slack": slack})
 
 
 def _interval(row, what):
@@ -136,4 +126,4 @@ def eps_table() -> Drawing:
         "pixels_a": symbolic().stage.on_a.sum(),
         "black_times_100": distance_on_a(numeric(eps=1e-8), symbolic())[0].times(100),
     }
-    return Drawing(numbers=numbers, data={name: [row[name] for row in rows] for name in rows[0]})
+    return Drawing(numbers=numbers)

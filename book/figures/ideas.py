@@ -17,9 +17,9 @@ from book.drawing.style import (
     pixel_text,
     plot,
 )
-from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, place, symbolic
 from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
+from book.worked import COLUMN, ROW
 from renderer import Scene, exact, render
 from renderer.picture.views import image_view, to_bytes
 
@@ -52,7 +52,7 @@ def slope_is_texture() -> Drawing:
     fig, u = canvas(928, 308), np.linspace(0, 1, 513)
     h, (at_h, slope, *_) = along_circle(u)[0], along_circle(POINT)
     top = pixel_axes(fig, 0, 26, 590, 84, xlim=(-0.01, 1.01), ylim=(-0.1, 1.12))
-    curve(top, u, h, "ink", linewidth=1.2)
+    curve(top, u, h, "ink", label="height", linewidth=1.2)
     ends = np.array([-0.035, 0.035])
     curve(top, POINT + ends, at_h + ends * slope, "symbolic", linewidth=2)
     curve(top, POINT, at_h, "symbolic", linestyle="", marker="o", markersize=7)
@@ -62,20 +62,18 @@ def slope_is_texture() -> Drawing:
     _draw_normals(middle, beside, 24, "muted", 1)
     _draw_normals(middle, POINT, 42, "symbolic", 3)
     between = (u[1:] + u[:-1]) / 2
-    light = along_circle(between)[-1]
-    for at, high, mu in ((220, 20, along_circle(between, 0.0)[-1]), (264, 32, light)):
-        shown = to_bytes(np.repeat(mu[None, :, None], 3, axis=2))
+    for at, high, beta in ((220, 20, 0.0), (264, 32, SCENE.beta)):
+        shown = to_bytes(np.repeat(along_circle(between, beta)[-1][None, :, None], 3, axis=2))
         pixel_axes(fig, 6, at, 578, high).imshow(shown, aspect="auto", interpolation="nearest")
     frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300), bounds=True)
     right = pixel_picture(fig, 628, 8, image_view(frame))
     x, y = place(frame, np.append(u, POINT), PARALLEL)
-    curve(right, x[:-1], y[:-1], "white", linewidth=1, linestyle=(0, (3, 4)))
+    curve(right, x[:-1], y[:-1], "white", label="circle", linewidth=1, linestyle=(0, (3, 4)))
     curve(right, x[-1], y[-1], "symbolic", linestyle="", marker="o", markeredgecolor="white", markersize=8)
     for below, words in WORDS.items():
         pixel_text(fig, 6, below, words, "muted")
     steepest = {"steepest": np.pi * SCENE.ku, "steepest_angle": along_circle(1e-9)[3], "beta": SCENE.beta}
-    data = {"u": u, "height": h, "between": between, "light": light, "circle_x": x, "circle_y": y}
-    return Drawing(fig, steepest, data, (frame,))
+    return Drawing(fig, steepest, shown=(frame,))
 
 
 @figure
@@ -131,8 +129,8 @@ def two_slope_lines() -> Drawing:
     heights, (before, here, after, numeric, slope, _) = slopes(u, eps)[1], slopes(point, eps)
     low, _, high, small, *_ = slopes(point, SMALL)
     stairs, *sampled = ((h - here) / SMALL for h in (slopes(point + across * SMALL, SMALL)[1], low, high))
-    curve(left, u, heights, "ink", linewidth=1.3)
-    curve(middle, across, stairs, "ink", linewidth=1.3)
+    curve(left, u, heights, "ink", label="height", linewidth=1.3)
+    curve(middle, across, stairs, "ink", label="stairs", linewidth=1.3)
     for ax, x, y, role, steepness, words, reach in (
         (left, point, here, "symbolic", slope, "the slope", 0.02),
         (left, point, (before + after) / 2, "numeric", numeric, "the difference", 0.04),
@@ -145,16 +143,14 @@ def two_slope_lines() -> Drawing:
     dots(middle, [-1, 1], sampled, "numeric", 6)
     dots(left, [point], [here], "symbolic", 7)
     error = np.abs(slopes(point, steps)[3] - slope)
-    dots(right, steps, error, "numeric", 2)
+    dots(right, steps, error, "numeric", 2, name="error")
     parts = slope_parts(point, PARALLEL, SCENE.ku, SCENE.kv, steps)
-    for part in parts:
-        curve(right, steps, part, "bound", linewidth=0.9)
+    for name, part in zip(("reach", "arguments", "heights"), parts, strict=True):
+        curve(right, steps, part, "bound", label=name, linewidth=0.9)
     left.set(xlabel="$u$", title="$h$", ylim=(-0.12, 1.25))
     middle.set(xlabel="away from $u$, in steps", title=r"$\varepsilon = 6\cdot 10^{-17}$", ylim=(-60, 60))
     decades(right, 4, 4, xlabel="step ε", title="error of $h_u$", ylim=(1e-14, 1e2))
-    bounds = dict(zip(("reach", "arguments", "heights"), parts, strict=True))
-    data = {"u": u, "height": heights, "step": steps, "error": error} | bounds
-    return Drawing(fig, data=data | {"across": across, "stairs": stairs})
+    return Drawing(fig)
 
 
 @figure

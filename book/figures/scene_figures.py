@@ -4,23 +4,13 @@ import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
-from book.figures.chapter_scene import (
-    FIELD_NAMES,
-    FINE,
-    MARKED,
-    SCENE,
-    SIZE,
-    averaged,
-    marked_by_light,
-    on_picture,
-    smooth,
-    symbolic,
-)
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, SIZE, averaged, on_picture, smooth, symbolic
 from proofs.formulas.camera import parallel_radius, silhouette_of_a
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
 from proofs.formulas.symbols import eye, radius, rho_silhouette
 from renderer import Scene, height_at, render
 from renderer.generate.kernels import function_of
+from renderer.picture.views import image_view
 from verify.accuracy.frontiers import fiction
 
 BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both lights arrive)
@@ -63,7 +53,7 @@ def chambers() -> Drawing:
     _chamber_legend(fig, codes, TITLE + side + 28)
     _, on_a, on_b, on_floor = np.bincount(symbolic().chambers.ravel() & 3)
     pixels = {"a": on_a, "b": on_b, "floor": on_floor}
-    return Drawing(fig, {"count": len(codes), "pixels": pixels}, {"chambers": shown}, (fine,))
+    return Drawing(fig, {"count": len(codes), "pixels": pixels}, shown=(fine,))
 
 
 @figure
@@ -107,13 +97,11 @@ def _visible_parallels():
 
 
 def _draw_on_a(ax, frame, distance, angle, **line):
-    """Draw a curve about the axis where the pixels show A; return its pixels, NaN where it is hidden, (2, n)."""
+    """Draw a curve about the axis where the pixels show A."""
     column, row = on_picture(frame, distance * np.cos(angle), distance * np.sin(angle))
     high, wide = frame.raster.shape
     nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
-    shown = np.array([np.where(frame.stage.on_a[nearest], column, np.nan), row])
-    ax.plot(*shown, **line)
-    return shown
+    ax.plot(np.where(frame.stage.on_a[nearest], column, np.nan), row, **line)
 
 
 @figure
@@ -125,32 +113,37 @@ def kink_loci() -> Drawing:
     limits = ax.axis()
     rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
     angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels, data = _visible_parallels(), {"circle": {}, "ray": {}}
+    parallels = _visible_parallels()
     for m, size in parallels.items():
-        data["circle"][m] = _draw_on_a(ax, frame, size, angle, color="#56B4E9", linewidth=1.6)
+        _draw_on_a(ax, frame, size, angle, label=f"circle {m}", color="#56B4E9", linewidth=1.6)
     for m in range(int(SCENE.ku)):
-        theta = 2 * np.pi * m / SCENE.ku - np.pi
-        data["ray"][m] = _draw_on_a(ax, frame, along, theta, color="#F0E442", linewidth=1.4, linestyle=(0, (4, 3)))
+        theta, dashes = 2 * np.pi * m / SCENE.ku - np.pi, (0, (4, 3))
+        _draw_on_a(ax, frame, along, theta, label=f"ray {m}", color="#F0E442", linewidth=1.4, linestyle=dashes)
     for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
         ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
     ax.axis(limits)
     numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
-    return Drawing(fig, numbers, data, (fine,))
+    return Drawing(fig, numbers, shown=(fine,))
 
 
-def turned(size: int) -> list[np.ndarray]:
-    """Return, for each light, the pixels of A that β turns to the light's other side, (height, width) bool."""
-    return [leak | miss for leak, miss in fiction.leaks(SCENE, size)]
+MARKED = 300  # the side of a panel with marks
+PINK = (0xCC, 0x79, 0xA7)
 
 
 @figure
 def attached_shadow() -> Drawing:
     """The pixels of A that the bump turns away from a light, or towards it, for each light."""
-    fig = marked_by_light([[(flags, (0xCC, 0x79, 0xA7))] for flags in turned(MARKED * FINE)])
-    on_a = symbolic().stage.on_a.sum()
-    first, second = turned(SIZE)
-    counts = {"first": first.sum(), "second": second.sum()}
-    shares = {f"{name}_share": count / on_a for name, count in counts.items()}
-    numbers = {"beta": SCENE.beta, "pixels_a": on_a, "either_share": (first | second).sum() / on_a}
-    maps = dict(zip(counts, turned(MARKED), strict=True))
-    return Drawing(fig, numbers | counts | shares, maps, (symbolic(size=MARKED * FINE),))
+    frame = symbolic(size=MARKED * FINE)
+    pictures = [image_view(frame)]
+    for leak, miss in fiction.leaks(SCENE, MARKED * FINE):
+        pictures.append(pictures[0] // 3)
+        pictures[-1][leak | miss] = PINK
+    on_a, turned = symbolic().stage.on_a.sum(), {}
+    numbers = {"beta": SCENE.beta, "pixels_a": on_a}
+    for name, (leak, miss) in zip(("first", "second"), fiction.leaks(SCENE, SIZE), strict=True):
+        turned[name] = leak | miss
+        numbers |= {name: turned[name].sum(), f"{name}_share": turned[name].sum() / on_a}
+        numbers |= {f"{name}_leaks": leak.sum(), f"{name}_missed": miss.sum()}
+    numbers["either_share"] = (turned["first"] | turned["second"]).sum() / on_a
+    fig = panels([averaged(each) for each in pictures], ("the picture", "first light", "second light"))
+    return Drawing(fig, numbers, shown=(frame,))

@@ -1,94 +1,80 @@
 """Stability under stress: each error against what is stressed, with the bound of every measured point."""
 
+import re
+
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
 from proofs.formulas.certified import GENERAL_GRADIENT
+from renderer import Scene, render
 from renderer.operations import UNIT
+from verify.stability import attribution
+from verify.stability.geometry import toward_the_pole
 from verify.stability.rows import SWEEPS, sweep
 
 LOWEST = 1e-18
 
 
-def _draw(ax, name, others=(), at=None, sides=("above", "below")):
-    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)].
-
-    Return its curves by name: the parameter, our error, the bound, the others' errors.
-    """
-    swept = sweep(name)
-    data = {"parameter": swept.parameter, "ours": np.maximum(swept.worst(), LOWEST), "bound": swept.bounds.max(axis=1)}
-    data |= {other: swept.worst(other) for other in swept.others}
+def _draw(ax, swept, others=(), at=None, sides=("above", "below")):
+    """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)]."""
     for other, text, side, there, dash in others:
-        curve(ax, swept.parameter, data[other], "numeric", text, side, there, linewidth=1.5, linestyle=dash)
-    curve(ax, swept.parameter, data["bound"], "bound", "bound", sides[0], at)
-    curve(ax, swept.parameter, data["ours"], "symbolic", "ours", sides[1], at, linewidth=1.6)
-    return data
+        look = {"label": other, "linewidth": 1.5, "linestyle": dash}
+        curve(ax, swept.parameter, swept.worst(other), "numeric", text, side, there, **look)
+    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", sides[0], at)
+    curve(ax, swept.parameter, np.maximum(swept.worst(), LOWEST), "symbolic", "ours", sides[1], at, linewidth=1.6)
 
 
-def _numbers(*names):
-    """Return the numbers of sweeps: points, escapes, sharpness, the largest error of ours and of others."""
+def _numbers(**swept):
+    """Return the numbers of sweeps: points, escapes, the largest error of ours and of others."""
     numbers = {}
-    for name in names:
-        swept = sweep(name)
-        numbers[name] = {what: getattr(swept, what) for what in ("points", "escaped", "sharpness")}
-        numbers[name] |= {"worst": swept.worst().max(), "in_responses": swept.in_responses()}
-        for other in swept.others:
-            numbers[name][other.split(",")[0].replace(" ", "_")] = np.nanmax(swept.worst(other))
+    for name, each in swept.items():
+        largest = {other: np.nanmax(each.worst(other)) for other in each.others}
+        numbers[name] = {"points": each.points, "escaped": each.escaped, "worst": each.worst().max()}
+        numbers[name] |= {other.split(",")[0].replace(" ", "_"): error for other, error in largest.items()}
     return numbers
 
 
 @figure
-def stability_pole() -> Drawing:
-    """The error of the tangent vector g against sin φ, from 0.84 to 1e-149: the seed's forms, ours, and our bound."""
-    fig, ax = plot(height=4.2)
-    swept = sweep("pole")
-    last = swept.parameter[np.isfinite(swept.worst("seed"))][-1]
+def pole() -> Drawing:
+    """The error of the tangent vector g near the pole: the seed's frame, with and without its fallback, and ours."""
+    fig, ax = plot(height=3.8)
+    near, far = toward_the_pole(sines=np.logspace(-0.08, -9, 48)), sweep("pole")
     others = (
-        ("seed", "seed, without: here it divides by zero", "right", last, SOLID),
-        ("seed with fallback", "seed, with its fallback", "above", 1e-60, DASHED),
+        ("seed", "seed's frame", "left", 3e-3, SOLID),
+        ("seed with fallback", "seed, with its fallback", "above", 1e-7, DASHED),
     )
-    data = _draw(ax, "pole", others, 1e-75)
-    decades(ax, 25, 4, xlim=(1, 1e-150), ylim=(LOWEST, 1e4), xlabel="sin φ", ylabel="error of $g$")
-    return Drawing(fig, _numbers("pole", "pole_general"), data)
+    _draw(ax, near, others, 1e-3)
+    decades(ax, 2, 4, xlim=(1, 1e-9), ylim=(LOWEST, 1e4), xlabel="sin φ", ylabel="error of $g$")
+    return Drawing(fig, _numbers(near=near, far=far, far_general=sweep("pole_general")))
 
 
 @figure
 def stability_silhouette() -> Drawing:
     """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
     fig, ax = plot(height=3.6)
-    data = _draw(ax, "silhouette", [("seed", "", "", None, DASHED)], sides=("right", "right"))
+    swept = sweep("silhouette")
+    _draw(ax, swept, [("seed", "", "", None, DASHED)], sides=("right", "right"))
     decades(ax, 2, 2, xlim=(1, 1e-14), ylim=(1e-17, 1e-6), ylabel="error of $N$",
             xlabel=r"$s = 1 - (\rho/\rho_s)^2$")  # fmt: skip
     slope_triangle(ax, 1e-12, 3e-12, -0.5, decades=2)
-    label_line_end(ax, data["parameter"][-1], data["seed"][-1] / 2, "seed", "numeric")
-    scaled = data["ours"] * np.sqrt(data["parameter"]) * 2.0**53
-    return Drawing(fig, _numbers("silhouette") | {"in_roundings": scaled.max()}, data)
-
-
-@figure
-def stability_near_far() -> Drawing:
-    """The error of the normal from the nearest eye to the furthest: ours, the seed's, and our bound."""
-    fig, ax = plot(height=3.6)
-    data = _draw(ax, "near_to_far", [("seed", "seed", "above", 1e-6, DASHED)], 1e-3)
-    decades(ax, 3, 2, ylim=(1e-17, 1e-8), ylabel="error of $N$",
-            xlabel="$e/R - 1$: the eye's height above the sphere, in radii")  # fmt: skip
-    return Drawing(fig, _numbers("near_to_far"), data)
+    label_line_end(ax, swept.parameter[-1], swept.worst("seed")[-1] / 2, "seed", "numeric")
+    scaled = swept.worst() * np.sqrt(swept.parameter) * 2.0**53
+    return Drawing(fig, _numbers(silhouette=swept, near_to_far=sweep("near_to_far")) | {"in_roundings": scaled.max()})
 
 
 @figure
 def stability_wave_numbers() -> Drawing:
     """The error of the gradient over π max(1, |k|) against |k| up to 2^20, with two other ways to take the argument."""
-    naive, rounded = sweep("wave_numbers_sine").others
+    swept = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
+    naive, rounded = (sine := swept["wave_numbers_sine"]).others
     fig, ax = plot(height=3.9)
     others = (naive, "libm, argument rounded", "left", 1e3, SOLID), (rounded, "", "", None, DASHED)
-    data = _draw(ax, "wave_numbers_sine", others, 1e5)
+    _draw(ax, sine, others, 1e5)
     decades(ax, 1, 2, ylim=(1e-17, 1e-8), xlabel="$|k|$", ylabel=r"error / $\pi\,\max(1, |k|)$")
-    label_curve(
-        ax, data["parameter"], 0.1 * data[rounded], 3e4, "reduced, but the\nproduct rounded", "numeric", "below"
-    )
-    names = [name for name in SWEEPS if name.startswith("wave_numbers")]
-    return Drawing(fig, _numbers(*names) | {"allowed": GENERAL_GRADIENT * UNIT}, data)
+    below = "reduced, but the\nproduct rounded", "numeric", "below"
+    label_curve(ax, sine.parameter, 0.1 * sine.worst(rounded), 3e4, *below)
+    return Drawing(fig, _numbers(**swept) | {"allowed": GENERAL_GRADIENT * UNIT})
 
 
 @figure
@@ -100,3 +86,14 @@ def stability_totals() -> Drawing:
     values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
     numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
     return Drawing(numbers=numbers)
+
+
+@figure("attribution")
+def shares_of_terms() -> Drawing:
+    """The shares of sphere A on which each of the error's terms is the largest, at three steps; numbers only."""
+    frame, numbers = render(Scene(), 88, 88), {}
+    for eps in (3e-2, 1e-6, 1e-8):
+        kinds = attribution.over_the_image(frame, eps)
+        shares = attribution.shares(kinds[kinds > -2])
+        numbers |= {f"{re.sub('[ -]', '_', term)}_{eps:.0e}": share for term, share in shares.items()}
+    return Drawing(numbers=numbers | {"pixels": frame.stage.on_a.sum()})

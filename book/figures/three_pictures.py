@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, certified, figure
-from book.drawing.style import GAP, TITLE, canvas, panels, pixel_picture, pixel_text
-from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
+from book.drawing.style import TITLE, canvas, panels, pixel_picture, pixel_text
+from book.figures.chapter_scene import FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
@@ -19,51 +19,16 @@ ENLARGED, CREASE = 4, (690, 270, 272, 216)  # where the creases are that are sho
 TITLES = ("numeric", "symbolic", "difference")
 
 
-def _frames(field, size):
-    """Return the frames of both pipelines, with their bounds."""
-    return numeric(field, size, bounds=True), symbolic(field, size)
-
-
-def _shown(field):
-    """Return the frames that three pictures show: of the first two, and of their difference."""
-    return *_frames(field, SIDE * FINE), *_frames(field, SIDE)
-
-
-def _three(field):
-    *fine, one, other = _shown(field)
-    return *map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
-
-
-def _column(pictures):
-    """Return pictures of one size one above another, with a gap that lets the page through: (…, width, 4)."""
-    column = np.zeros((len(pictures), len(pictures[0]) + GAP, pictures[0].shape[1], 4), np.uint8)
-    column[:, :-GAP] = np.insert(pictures, 3, 255, axis=3)
-    return np.concatenate(column)[:-GAP]
-
-
-def _sizes(field):
-    """Return the largest difference of a field's pictures on A, and the RMS over its channels, were both exact."""
-    return dict(zip(("largest", "rms_channels"), distance_on_a(*_frames(field, SIDE)), strict=True))
-
-
 @figure
 def three_pictures() -> Drawing:
     """Ridges by central differences, exactly, and the difference on a logarithmic scale."""
-    fig, shown = panels(_three("ridges"), TITLES, (LOW, HIGH)), _shown("ridges")
-    one, other = _frames("ridges", SIDE)
-    numbers = {"eps": TELLING_EPS, "side": SIDE} | _sizes("ridges") | certified(shown)
+    (one, other), fine = ([numeric(size=side, bounds=True), symbolic(size=side)] for side in (SIDE, SIDE * FINE))
+    pictures, shown = [*map(smooth, fine), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)], (*fine, one, other)
+    sizes = dict(zip(("largest", "rms_channels"), distance_on_a(one, other), strict=True))
+    fig, numbers = panels(pictures, TITLES, (LOW, HIGH)), {"eps": TELLING_EPS, "side": SIDE} | sizes | certified(shown)
     if numbers["undecided"]:
         raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
-    return Drawing(fig, numbers, {"largest_of_a_channel": np.abs(one.rgb - other.rgb).max(axis=2)}, shown)
-
-
-@figure
-def contact_sheet() -> Drawing:
-    """Sine, ridges and rings, from the top: numeric, symbolic, difference."""
-    rows = [_three(field) for field in FIELD_NAMES]
-    fig = panels([_column(pictures) for pictures in zip(*rows, strict=True)], TITLES, (LOW, HIGH))
-    shown = [frame for field in FIELD_NAMES for frame in _shown(field)]
-    return Drawing(fig, {"eps": TELLING_EPS} | {field: _sizes(field) for field in FIELD_NAMES}, shown=shown)
+    return Drawing(fig, numbers, shown=shown)
 
 
 @figure
@@ -75,9 +40,9 @@ def views() -> Drawing:
     pictures = [averaged(np.dstack([picture] * 3) if picture.ndim == 2 else picture) for picture in pictures]
     fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
     frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
-    data = {"slope": frame.slope, "kink": frame.kink, "straddling": stepped.straddling}
-    shares = {f"{name}_share": data[name].sum() / frame.stage.on_a.sum() for name in ("kink", "straddling")}
-    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, data, (fine,))
+    flags = {"kink": frame.kink, "straddling": stepped.straddling}
+    shares = {f"{name}_share": flag.sum() / frame.stage.on_a.sum() for name, flag in flags.items()}
+    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, shown=(fine,))
 
 
 @cache

@@ -5,17 +5,7 @@ from functools import cache
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    SHORT,
-    bound_style,
-    curve,
-    decades,
-    dots,
-    label_curve,
-    label_line_end,
-    plot,
-    slope_triangle,
-)
+from book.drawing.style import curve, decades, dots, label_curve, label_line_end, plot, slope_triangle
 from proofs.formulas.certified import GENERAL_GRADIENT
 from renderer import Scene
 from renderer.operations import UNIT
@@ -36,12 +26,11 @@ def u_curve() -> Drawing:
     curves = {part: np.abs(values) for part, values in parts(CASE, steps).items()}
     total, truncation = curves["total"], curves["truncation"]
     fig, ax = plot(height=3.9)
-    dots(ax, steps, total, "numeric", 2.6)
-    curve(ax, steps, truncation, "bound")
+    dots(ax, steps, total, "numeric", 2.6, name="error")
+    curve(ax, steps, truncation, "bound", label="truncation")
     decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
     label_line_end(ax, steps[0], total[0], "central\ndifference", "numeric")
-    at_middle = np.interp(-1e-7, -steps, truncation)
-    label_line_end(ax, 1e-7, at_middle, "truncation, in\nexact arithmetic", "bound", "left")
+    label_curve(ax, steps, truncation, 1e-7, "truncation, in\nexact arithmetic", "bound")
     slope_triangle(ax, 3e-4, 1e-7, 2)
     branch = (steps < 3e-2) & (steps > 1e-4)
     best, step = total.argmin(), best_of(SCENE.ku, UNIT).step
@@ -59,12 +48,7 @@ def u_curve() -> Drawing:
         "third_derivative_half": slope_bound(SCENE.ku / 2) ** 3,
         "predicted_eps": step,
     }
-    data = {"step": steps, "error": total, "truncation": truncation}
-    return Drawing(fig, numbers | at, data)
-
-
-PLACES = {"plain": ((50, 4e-7), (2, 6e-8)), "trick": ((2, 1.2e-7), (60, 5e-10))}
-"""{steps: where their labels stand, in both plots}"""
+    return Drawing(fig, numbers | at)
 
 
 def _best(representable):
@@ -79,34 +63,19 @@ def _best(representable):
 def best_step() -> Drawing:
     """The best step of the central difference of sine and the floor it leaves, for k from 1 to 512."""
     fig, axes = plot("page", 3.7, ncols=2)
-    data = {"wave_number": WAVE_NUMBERS, "plain": {}, "trick": {}}
-    for kind, role, marker, text in (
-        ("plain", "numeric", "o", "ε as given"),
-        ("trick", "symbolic", "s", "(u + ε) − u"),
-    ):
-        for ax, what, at, proved, seen in zip(
-            axes, ("step", "floor"), PLACES[kind], *_best(kind == "trick"), strict=True
-        ):
-            curve(ax, WAVE_NUMBERS, proved, "bound")
-            dots(ax, WAVE_NUMBERS, seen, role, 4.5, marker)
-            label_line_end(ax, *at, text, role)
-            data[kind] |= {what: seen, f"{what}_proved": proved}
+    for trick, role, marker, text in ((False, "numeric", "o", "ε as given"), (True, "symbolic", "s", "(u + ε) − u")):
+        for ax, proved, seen in zip(axes, *_best(trick), strict=True):
+            curve(ax, WAVE_NUMBERS, proved, "bound", label=f"{text}, proved")
+            dots(ax, WAVE_NUMBERS, seen, role, 4.5, marker, text)
+            label_line_end(ax, WAVE_NUMBERS[-1], seen[-1], text, role)
     for ax, title in zip(axes, ("best step", "error it leaves"), strict=True):
         decades(ax, xlabel="wave number $k_u$", ylabel=title)
     numbers = {"exact": {512: GENERAL_GRADIENT * UNIT * np.pi * 512}, "gain": {k: gain(k) for k in (8, 512)}}
     numbers |= {"library_gain": {k: gain(k, library=True) for k in (8, 512)}}
-    return Drawing(fig, numbers, data)
+    return Drawing(fig, numbers)
 
 
 STEEP = next(case for case in CASES if case.name == "steep")
-SMALL = {
-    "sine, k = 64": "smooth, $k = 64$",
-    "crease, δ = 0.0001": "$10^{-4}$ from a crease",
-    "sine, pole, v = 1e-05": "$10^{-5}$ from the pole, $h_v$",
-    "seam, k = 8": "$10^{-4}$ from the seam, $k_u = 8$",
-    "seam, k = 7": "the same, $k_u = 7$",
-    "seam, k = 7.3": "the same, $k_u = 7.3$",
-}
 REACH = (1e-16, 0.2)  # of the steps' axis
 ROUNDOFF = 1e-9  # below it rounding rules in every case
 
@@ -121,73 +90,39 @@ def below(case: Case) -> tuple[Curves, Curves]:
     return found, limits
 
 
-def _every_other(ax, values, role, size, marker="o"):
-    """Draw half of the points that are tested, but for zeros."""
-    steps, values = STEPS[::2], np.abs(values[::2])
-    dots(ax, steps[values > 0], values[values > 0], role, size, marker)
-
-
 @figure
 def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
     found, limits = below(STEEP)
     fig, ax = plot(height=4.6)
-    data = {"step": STEPS}
     for part, role, marker, text, side, at, times in (
         ("truncation", "reference", ".", "truncation", "right", 1e-10, 1),
         ("argument rounding", "difference", "x", "rounded $u ± ε$", "right", 1e-12, 30),
         ("roundoff", "symbolic", "+", "rounded evaluation", "below", 1e-13, 1e-5),
     ):
-        error, bound = found[part], limits[part]
-        data |= {part: np.abs(error), f"{part}_bound": bound}
-        _every_other(ax, error, role, 2.4, marker)
-        curve(ax, STEPS, bound, "bound", linewidth=0.9)
+        error, bound = np.abs(found[part][::2]), limits[part]  # half of the points that are tested, but for zeros
+        dots(ax, STEPS[::2][error > 0], error[error > 0], role, 2.4, marker, part)
+        curve(ax, STEPS, bound, "bound", label=f"{part}, proved", linewidth=0.9)
         label_curve(ax, STEPS, times * bound, at, text, role, side)
     decades(ax, 2, 2, xlim=REACH, ylim=(1e-20, 1e3), xlabel="step ε", ylabel="error of $h_u$")
     best = predicted(STEEP.k_u)
     curve(ax, best.step, best.floor, "ink", marker="v", markersize=6)
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", "ink", "above")
     branch = (STEPS < 1e-3) & (STEPS > 1e-7)
-    slope, least = fitted_slope(STEPS[branch], data["truncation"][branch]), np.abs(found["total"]).min()
+    slope, least = fitted_slope(STEPS[branch], np.abs(found["truncation"])[branch]), np.abs(found["total"]).min()
     numbers = {"slope": slope, "least": least, "floor": best.floor, "best_eps": best.step, "u": STEEP.u, "v": STEEP.v}
-    return Drawing(fig, numbers, data)
-
-
-@figure
-def u_curve_places() -> Drawing:
-    """The error of the difference at six places, smooth and not, below its proved bound."""
-    fig, axes = plot("page", 5.4, nrows=2, ncols=3, sharex=True, sharey=True)
-    data = {}
-    for ax, (name, title) in zip(axes.ravel(), SMALL.items(), strict=True):
-        found, limits = below(next(case for case in CASES if case.name == name))
-        error, bound = found["total"], limits["total"]
-        data |= {f"step, {name}": STEPS, f"error, {name}": np.abs(error), f"bound, {name}": bound}
-        _every_other(ax, error, "numeric", 1.4)
-        curve(ax, STEPS, bound, "bound")
-        decades(ax, 4, 4, title=title, xlim=REACH, ylim=(1e-13, 1e4))
-        ax.set(xlabel="step ε", ylabel="error")
-        ax.label_outer()
-    return Drawing(fig, data=data)
+    return Drawing(fig, numbers)
 
 
 @figure
 def u_curve_margins() -> Drawing:
-    """The measured error over its proved bound, at every step: the largest and the median of all places."""
+    """The measured error over its proved bound, at every step and in all places; numbers only."""
     shares = np.array([np.abs(found["total"]) / limits["total"] for found, limits in map(below, CASES)])
-    fig, ax = plot(height=3.2)
-    largest, median = shares.max(axis=0), np.median(shares, axis=0)
-    curve(ax, STEPS, largest, "difference", linewidth=1.2)
-    curve(ax, STEPS, median, "difference", linewidth=1.2, linestyle=SHORT)
-    ax.axhline(1, **bound_style())
-    decades(ax, 2, 1, xlim=REACH, ylim=(1e-2, 3), xlabel="step ε", ylabel="error / bound")
-    label_line_end(ax, STEPS[0], 0.8 * largest[0], "largest", "difference")
-    label_line_end(ax, STEPS[0], median[0], "median", "difference")
     rounding = shares[:, STEPS < ROUNDOFF]
     numbers = {
         "points": shares.size,
         "places": len(CASES),
         "escaped": (shares > 1).sum(),
-        "largest": shares.max(),
         "median_ratio": np.median(1 / rounding[rounding > 0]),
     }
-    return Drawing(fig, numbers, {"step": STEPS, "largest": largest, "median": median})
+    return Drawing(numbers=numbers)

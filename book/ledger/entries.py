@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from jsonschema import Draft202012Validator, FormatChecker
+from jsonschema import Draft202012Validator
 
 from book.assembly.stamps import table_in
+from proofs.engine.project import PROJECT
 from renderer.intervals import Interval
 
-ALLOWED = "one of ==, !=, <, <=, >, >= and a number, or in [a, b]"
 HOLDS: dict[str, Callable[..., bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
@@ -26,7 +26,6 @@ HOLDS: dict[str, Callable[..., bool]] = {
     ">": operator.gt,
     "in": lambda value, low, high: low <= value <= high,
 }
-FORMS = (r"(==|!=|<=|>=|<|>)\s*(\S+)", r"(in)\s*\[\s*([^\s,]+)\s*,\s*([^\s,\]]+)\s*\]")
 
 
 class Relation(NamedTuple):
@@ -42,27 +41,22 @@ class Relation(NamedTuple):
 
 
 def relation(text: str) -> Relation:
-    """Read a relation; ValueError says what is allowed."""
-    for form in FORMS:
-        if match := re.fullmatch(form, str(text).strip()):
-            sign, *ends = match.groups()
-            try:
-                numbers = tuple(map(float, ends))
-            except ValueError:
-                break
-            if sorted(numbers) == list(numbers):
-                return Relation(sign, numbers)
-    raise ValueError(f"{text!r} is not a relation; allowed is {ALLOWED}")
+    """Read a relation, of the form that the schema allows; ValueError where an interval ends before it begins."""
+    sign, *ends = re.findall(r"[^\s\[\],]+", text)
+    numbers = tuple(map(float, ends))
+    if list(numbers) != sorted(numbers):
+        raise ValueError(f"{text!r} ends before it begins")
+    return Relation(sign, numbers)
 
 
-FOLDER = Path(__file__).resolve().parent
+FOLDER = PROJECT.pages / "ledger"
 CONDITIONAL, OUTSIDE = "holds with a condition", "outside this chapter: not checked"
-SCHEMA = table_in(FOLDER / "schema.json")
+SCHEMA = table_in(Path(__file__).with_name("schema.json"))
 VERDICTS = tuple(SCHEMA["$defs"]["claim"]["properties"]["verdict"]["enum"])  # as a reader meets them
-FORMATS = FormatChecker()
-FORMATS.checks("relation", ValueError)(relation)
-FINDINGS = table_in(FOLDER / "findings.toml")["findings"]  # code → name
-WORDS = table_in(FOLDER / "words.toml")["words"]  # a number → what it says
+FINDINGS, WORDS = (
+    table_in(path)[path.stem] if (path := FOLDER / f"{name}.toml").is_file() else {} for name in ("findings", "words")
+)
+"""{code: the name of the finding}, {number: what it says}"""
 KINDS = ("theorem", "number", "test", "source")
 
 
@@ -128,7 +122,7 @@ class Ledger:
     def sorted_by_place(self) -> list[LedgerClaim]:
         """The seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
-        sections = {f"s{number}" for number in range(1, 10)}  # before the other pages
+        sections = PROJECT.sections  # before the other pages
         return sorted(self.claims, key=lambda c: (order.get(c.where, len(order)), c.where not in sections, c.where))
 
 
@@ -162,7 +156,7 @@ def _read(path: Path, kind: str, faults: list[str]) -> dict:
 def _faults(kind: str, table: dict, name: str) -> Iterator[tuple[str, Any]]:
     """What schema.json has against a table: its name, the field, the value, and what is allowed; and that field."""
     schema = {"$ref": f"#/$defs/{kind}", "$defs": SCHEMA["$defs"]}
-    for error in Draft202012Validator(schema, format_checker=FORMATS).iter_errors(table):
+    for error in Draft202012Validator(schema).iter_errors(table):
         place = " ".join([name, *map(str, error.absolute_path)])
         told = repr(error.instance) if error.validator == "pattern" else error.message
         told = ": ".join(filter(None, [place, told, error.schema.get("description")]))

@@ -41,7 +41,7 @@ def write(now: dict) -> Path:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for id, picture in now["pictures"].items():
-        pictures.archive(record.GENERATED / pictures.data_name(picture), pictures.archived(folder, id))
+        pictures.archive(record.GENERATED / picture["data"], pictures.archived(folder, id))
     text = json.dumps(now, indent=1, sort_keys=True, ensure_ascii=False, allow_nan=False) + "\n"
     stamps.write_whole(path, text.encode())
     for old in versions()[:-1]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from book.releases.pictures import CANVAS, archived, arrays_of, data_name
+from book.releases.pictures import CANVAS, archived, arrays_of
 from book.releases.record import is_within
 from renderer.intervals import rms
 from verify.checkers.grades import STANDING
@@ -75,31 +75,21 @@ def _number(id: str, before: dict, after: dict) -> Iterator[Change]:
         return
     allowed = before["tolerance"]  # as it was stated: nobody widens it afterwards
     good, stated = is_within(old, new, allowed), f"{allowed:g} relative" if isinstance(allowed, float) else allowed
-    words = f"{old} → {new}, {how_far(old, new)}; tolerance {stated or 'exact'}"
+    numeric = old and isinstance(old, int | float) and isinstance(new, int | float)
+    far = f", {100 * (new - old) / abs(old):+.3g} %" if numeric else ""
+    words = f"{old} → {new}{far}; tolerance {stated or 'exact'}"
     yield Change(id, "moved" if good else "out of tolerance", words, not good)
 
 
-def how_far(old: int | float | str, new: int | float | str) -> str:
-    """The way from one value to another, in per cent or in words."""
-    if isinstance(old, str) or isinstance(new, str):
-        return "another value"
-    if type(old) is not type(new):
-        return "another kind of number"
-    return f"{100 * (new - old) / abs(old):+.3g} %" if old else "from zero"
-
-
 def pictures(before: dict, after: dict, folder: Path, generated: Path) -> list[Change]:
-    """Pictures added, removed, changed, and drawn otherwise from the same pixels or numbers.
+    """Pictures added, removed and changed.
 
     `folder` is that of the release before, `generated` the one with the figures and data as drawn now.
     """
 
     def picture(id, old, new):
         if old["content"] != new["content"]:
-            yield _changed(id, archived(folder, id), generated / data_name(new))
-        elif old["files"] != new["files"]:
-            names = sorted({name for name, _ in old["files"].items() ^ new["files"].items()})
-            yield Change(id, "drawn otherwise", f"of the same content, other bytes: {', '.join(names)}")
+            yield _changed(id, archived(folder, id), generated / new["data"])
 
     return _compared(before, after, lambda picture: "", picture)
 

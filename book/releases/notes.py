@@ -10,8 +10,7 @@ from book.releases.compare import Change
 CHANGELOG = stamps.ROOT / "CHANGELOG.md"
 THEOREMS = ("weakened", "removed", "strengthened", "restated", "added")
 NUMBERS = ("out of tolerance", "moved", "removed", "added")
-PICTURES = ("changed", "drawn otherwise", "removed", "added")
-FOLD = 12  # added things beyond which their ids alone are listed
+PICTURES = ("changed", "removed", "added")
 
 
 def section(version: str) -> str:
@@ -57,7 +56,5 @@ def _list(changes: Sequence[Change], kind: str) -> str:
     if not some:
         return ""
     head = f"{kind.capitalize()}: {len(some)}"
-    if kind == "added" and len(some) > FOLD:
-        return f"{head}\n\n{', '.join(f'`{change.id}`' for change in some)}"
     lines = (f"- `{change.id}`" + (f": {change.words}" if change.words else "") for change in some)
     return f"{head}\n\n" + "\n".join(lines)

@@ -6,8 +6,6 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from book.drawing.save import SUFFIXES, read_data
-
 CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no single picture has this name
 
 
@@ -16,7 +14,10 @@ def arrays_of(path: Path) -> dict[str, np.ndarray]:
     if path.suffix in (".png", ".webp"):
         with Image.open(path) as image:
             return {CANVAS: np.asarray(image.convert("RGBA"))}
-    arrays = read_data(path.name, path.read_bytes())
+    if path.suffix == ".csv":
+        return {"table": np.frombuffer(path.read_bytes(), np.uint8)}
+    with np.load(path) as file:
+        arrays = dict(file)
     pictures = [array for name, array in arrays.items() if name.startswith("picture_")]
     return {CANVAS: side_by_side(pictures)} if pictures else arrays
 
@@ -41,11 +42,6 @@ def archive(data: Path, target: Path) -> None:
     """Write the pixels of a figure's data to a file; a plot has none."""
     if CANVAS in (arrays := arrays_of(data)):
         Image.fromarray(arrays[CANVAS]).save(target, lossless=True, quality=100, method=6, exact=True)
-
-
-def data_name(picture: dict) -> str:
-    """The name of a picture's file of data, by what a record says of the picture."""
-    return next(name for name in picture["files"] if name.endswith(SUFFIXES))
 
 
 def digest(arrays: dict[str, np.ndarray]) -> str:

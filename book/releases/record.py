@@ -5,7 +5,6 @@ results of `make bench`; it has no date and no commit, so that the same sources 
 how far a number may move between releases without being named.
 """
 
-import hashlib
 import math
 from fnmatch import fnmatchcase
 from functools import cache
@@ -13,13 +12,12 @@ from pathlib import Path
 
 from book.assembly import report, stamps
 from book.releases.pictures import arrays_of, digest
+from proofs.engine.project import PROJECT
 
-GENERATED = stamps.ROOT / "book" / "_generated"
-BENCHMARKS = stamps.ROOT / "verify" / "benchmark" / "results"
+GENERATED, BENCHMARKS = PROJECT.generated, PROJECT.root / PROJECT.benchmarks
 FORMAT = 1
-RULES = Path(__file__).with_name("tolerances.toml")
+RULES = stamps.ROOT / "releases" / "tolerances.toml"
 ANY = "any"  # of a label, which may be anything
-LABELS = ("machine", "processor", "date", "commit")
 
 
 def version() -> str:
@@ -36,7 +34,7 @@ def make() -> dict:
         "theorems": theorems(),
         "numbers": {k: v for figure in figures for k, v in _numbers(figure["id"], figure["numbers"]).items()},
         "measured": {path.stem: _measured(path) for path in sorted(BENCHMARKS.glob("*.json"))},
-        "pictures": {f["id"]: _digests(f) for f in figures if f["kind"] != "numbers"},
+        "pictures": {f["id"]: _picture(f) for f in figures if f["kind"] != "numbers"},
     }
 
 
@@ -58,16 +56,12 @@ def _numbers(source: str, numbers: dict) -> dict[str, dict]:
 
 def _measured(path: Path) -> dict:
     content = stamps.table_in(path)
-    label = {key: content["label"][key] for key in LABELS if key in content["label"]}
-    return {"label": label, "numbers": _numbers(f"bench:{path.stem}", content["numbers"])}
+    return {"numbers": _numbers(f"bench:{path.stem}", content["numbers"])}
 
 
-def _digests(figure: dict) -> dict:
-    """The digests of a picture: of its files, and of its pixels or of the numbers that it plots."""
-    content = digest(arrays_of(GENERATED / figure["data"]))
-    paths = (path for path in GENERATED.glob(f"{figure['id']}.*") if path.suffix != ".json")
-    files = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
-    return {"files": files, "content": content}
+def _picture(figure: dict) -> dict[str, str]:
+    """The name of a picture's file of data, and the digest of its pixels or of the curves that it has."""
+    return {"data": figure["data"], "content": digest(arrays_of(GENERATED / figure["data"]))}
 
 
 @cache

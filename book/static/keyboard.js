@@ -4,14 +4,14 @@
 "use strict";
 (() => {
   const SCROLLS =
-    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .graph, .claim, .theorem > p, .theorem details";
+    "figure .pixels, div.math, pre, .pst-scrollable-table-container, .admonition, .claim, .theorem > p, .theorem details";
   const PHONE = matchMedia("(max-width: 600px)");
   const FOCUSABLE = "a[href], button, input, select, textarea, summary, [tabindex='0']";
 
   /** What a screen reader says on arriving: the figure's number, or what kind of thing it is. @param {Element} element */
   function name_of(element) {
     const number = element.closest("figure")?.querySelector(".caption-number")?.textContent.trim();
-    return number || (element.matches(".graph") ? "Graph" : element.matches(".math") ? "Formula" : "Text");
+    return number || (element.matches(".math") ? "Formula" : "Text");
   }
 
   /** Letters that lean out of a formula are not more of it. @param {Element} element */

@@ -17,8 +17,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
-from renderer.intervals import Interval, rms
-from renderer.picture.frame import Frame
+from renderer.intervals import Interval
 from verify.accuracy.differences import SLOPES
 from verify.evaluate.arrays import distance, in_balls
 
@@ -76,12 +75,6 @@ def quadrature(component: str, step: float) -> float:
     (u_at, u_weights), (v_at, v_weights) = _panels(SCENE.ku, step * in_u), _panels(SCENE.kv, step * (not in_u))
     error = _errors(SCENE, component, step, np.meshgrid(u_at, v_at, indexing="ij"))
     return float(np.sqrt(u_weights @ error**2 @ v_weights))
-
-
-def on_the_raster(component: str, step: float, frame: Frame) -> float:
-    """Return the same RMS over the pixels of sphere A in a frame: its centres alone, and as the image crowds them."""
-    at = [frame.data_on_a[name] for name in ("u", "v")]
-    return rms(_errors(frame.scene, component, step, at))
 
 
 def clamped_errors(field: str) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Errors of slopes: the U-curve taken apart, its best step, its bounds for any field, the algebraic gradient's worst.
+"""Errors of slopes: the U-curve taken apart, its best step, the algebraic gradient's worst.
 
 That every point lies below its bound is the theorem `difference_bounds`, run with the others.
 """
@@ -7,12 +7,8 @@ import numpy as np
 import pytest
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
-from proofs.formulas.symbols import u, v
 from renderer import Scene, central, gradient_at
-from renderer.generate.custom_fields import HeightField
-from renderer.generate.reader import parse_expression
 from verify.accuracy import best_step
-from verify.accuracy.any_field import third_derivatives, u_curve
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, escapes, parts
 from verify.accuracy.gradient_errors import errors_at
 from verify.evaluate.arrays import in_balls, signed_distance
@@ -44,40 +40,6 @@ def test_the_best_step_is_where_it_is_predicted(k, representable):
     proved, seen = best_step.predicted(k, representable), best_step.measured(k, representable)
     assert proved.step / 4 < seen.step < proved.step * 2
     assert proved.floor / 20 < seen.floor <= proved.floor
-
-
-# Fields of one's own
-
-DENSE = np.logspace(-1, -14, 53)
-POINT = {"u": 0.31, "v": 0.27, "k_u": 8.0, "k_v": 4.0}
-FIELDS = [
-    HEIGHT_FIELDS["sine"],
-    HEIGHT_FIELDS["rings"],
-    HeightField("mound", parse_expression("v**2*exp(3*cospi(2*u) - 40*(v - 1/4)**2)")),
-    HeightField("swirl", parse_expression("v**2*sinpi(k_u*u + 4*sinpi(v))")),
-]
-
-
-@pytest.mark.parametrize("along", [u, v])
-@pytest.mark.parametrize("field", FIELDS, ids=str)
-def test_no_error_is_above_its_bound_and_some_come_near(field, along):
-    found = u_curve(field, along, POINT, DENSE)
-    assert (found.error <= found.bound).all()
-    if found.error.any():  # rings have no slope along u
-        assert (found.error > found.bound / 1.5).any()
-
-
-def test_a_truncation_that_is_a_sixth_too_small_is_noticed():
-    """As with /7 for /6, on the arm where there is nothing else."""
-    found = u_curve(HEIGHT_FIELDS["sine"], u, POINT, DENSE)
-    assert (found.error > found.bound - found.truncation / 7).any()
-
-
-def test_a_crease_or_a_pole_has_no_bound():
-    with pytest.raises(ValueError, match="one without creases"):
-        third_derivatives(HEIGHT_FIELDS["ridges"], u, POINT | {"u": 0.25}, DENSE)
-    with pytest.raises(ValueError, match="within which well is smooth"):
-        third_derivatives(HeightField("well", parse_expression("1/(v + 1/4)")), v, POINT, np.array([0.6]))
 
 
 # The algebraic gradient, once the sides of the creases are certain

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from typing import Any
 
 from proofs.engine import kernel
@@ -44,7 +45,6 @@ UNSOUND: list[tuple[list, dict, str]] = [
     ([("inverse", X, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
     ([("root", X, {"new": "w"})], NOTHING, "equations only"),
     ([("define", ONE, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
-    ([show({"z": "1"}, "=")], NOTHING, "z stands for nothing"),
     ([show([], "=")], NOTHING, "a polynomial is missing"),
     ([assume(X, "toString"), show({}, "=")], NOTHING, "no relation"),
     ([assume(X, ">"), show(X, "=")], BY_FIRST_FACT, "not ="),
@@ -57,15 +57,9 @@ UNSOUND: list[tuple[list, dict, str]] = [
 STATEMENT, CERTIFICATE = GOOD = [derivation(show({"x^2": "1"}, ">=")), {"proofs": [SQUARES]}]
 
 
-def inverse(new: dict) -> list:
-    """Return the attack that took "" for a name of its own: an inverse of 1 that is called so, then 1 = 0."""
-    return [derivation(("inverse", {"": "2"}, new), show(ONE, "=")), {"proofs": [EMPTY, BY_FIRST_FACT]}]
-
-
-def refuted(point: dict, *steps: tuple, variables: Iterable[str] | None = None) -> list:
+def refuted(point: dict, *steps: tuple, variables: Iterable[str] = ()) -> list:
     """Return the counterexample at a point, whose names are the variables if none are given, to what steps show."""
-    variables = point if variables is None else variables
-    return [derivation(*steps, variables=variables) | {"kind": "refutation"}, {"point": point}]
+    return [derivation(*steps, variables=variables or point) | {"kind": "refutation"}, {"point": point}]
 
 
 def proved(claim: dict) -> list:
@@ -79,31 +73,23 @@ def product(off: int) -> list:
     return pair_of([assume(of, "="), show({"x^2": f"{7 * 3**200 + off}/{11 * 2**100}", "x": "7/33"}, "=")], proof)
 
 
-def huge(power: int) -> list:
+def huge() -> list:
     """Return powers of powers of a sum, which nobody waits for."""
-    steps = [("define", {"x": "1", "y": "1", "": "9" * 500}, {"new": "a0"})]
-    steps += [("define", {f"a{i}^{power}": "1", "x": "1"}, {"new": f"a{i + 1}"}) for i in range(5)]
-    return pair_of([*steps, show({"a5": "1"}, "=")], NOTHING)
+    steps = [("define", {f"{of}^999": "1", "y": "1"}, {"new": new}) for of, new in pairwise("xabcde")]
+    return pair_of([*steps, show({"e": "1"}, "=")], NOTHING)
 
 
 ABOVE = assume(X, ">"), show({"x": "1", "": "-1"}, ">=")
-Y_IS_0: tuple = ("define", {}, {"new": "y"})
 LINES = {"version": 1, "kind": "separation", "lines": [["b", ["a"]], ["c", ["b"]]], "outputs": ["c"], "avoid": ["a"]}
 EMPTY_INDUCTION: dict[str, Any] = {key: [] for key in ("variables", "state", "assume", "show")}
 EMPTY_INDUCTION |= {"version": 1, "kind": "induction", "start": {}, "next": {}}
 COUNT = EMPTY_INDUCTION | {"state": ["x"], "start": {"x": {}}, "next": {"x": {"x": "1", "": "1"}}, "show": [X]}
-STILL, BY_ITSELF = COUNT | {"next": {"x": X}}, {"base": [NOTHING], "step": [BY_FIRST_FACT]}
+BY_ITSELF = {"base": [NOTHING], "step": [BY_FIRST_FACT]}
+of = {"cos(constructor)": "1"}  # which every object of JavaScript has
 WELL_FORMED: list[list] = [
     GOOD,
-    [STILL, BY_ITSELF],
-    [LINES | {"avoid": ["d"]}, {"reached": ["a", "b", "c"]}],
-    refuted({"x": "1/2"}, *ABOVE),
-    refuted({}, Y_IS_0, show({"y": "1"}, ">")),
     product(off=0),
-    *(
-        [derivation(assume(of, "="), show(of, "="), variables=of), {"proofs": [BY_FIRST_FACT]}]
-        for of in ({"constructor": "1"}, {"cos(constructor)": "1"})  # which every object of JavaScript has
-    ),
+    [derivation(assume(of, "="), show(of, "="), variables=of), {"proofs": [BY_FIRST_FACT]}],
 ]
 nested: list = []
 for _ in range(900):
@@ -115,7 +101,10 @@ WRONG: list[dict] = [
     {"variables": ["x", "x"]},
 ]
 BROKEN: list[list] = [
-    *(inverse(new) for new in ({}, *({"new": new} for new in ("", None, "x y", "x", 1, "__proto__", "pi^2")))),
+    *(  # an inverse of 1 that is called "", then 1 = 0
+        [derivation(("inverse", {"": "2"}, new), show(ONE, "=")), {"proofs": [EMPTY, BY_FIRST_FACT]}]
+        for new in ({}, *({"new": new} for new in ("", "x y", "x", 1, "__proto__")))
+    ),
     pair_of([assume(X, ">="), show(X, ">")], SQUARES | {"sum": [["1", ONE, [1]]]}),
     refuted({"x": "1"}, show(X, ">"), assume(X, "=")),
     [derivation(assume(X, ">")), {"proofs": []}],
@@ -124,27 +113,24 @@ BROKEN: list[list] = [
     [derivation(("show", {"x^2": "1"}, {"is": ">=", "new": "w"})), CERTIFICATE],
     [STATEMENT, CERTIFICATE | {"strengthen": []}],
     [STATEMENT, {"proofs": [SQUARES | {"on": {}}]}],
-    *(proved({"x^2": c}) for c in ("1e0", "0.5", 1, 1.5, "+1", "01", "2/2", "1/-2", "1/0", "", None, "0", "1 ", "１")),
-    *(
-        proved({m: "1", "x^2": "1"})
-        for m in ("x x", "x^1000", "x^1", "x^-1", "x^02", " x", "x  y", "x^2^2", "x\t", "^2", "z")
-    ),
-    *([STATEMENT, {"proofs": [SQUARES | {"positive": [i]}]}] for i in (-1, 1, "0", 0.5, None, True, 2**53 + 1)),
+    *(proved({"x^2": c}) for c in ("0.5", 1, 2**53 + 1, "+1", "01", "2/2", "1/0", "", "0", "1 ", "１")),
+    *(proved({m: "1", "x^2": "1"}) for m in ("x x", "x^1000", "x^1", "x^02", " x", "x\t", "^2", "z")),
+    *([STATEMENT, {"proofs": [SQUARES | {"positive": [i]}]}] for i in (-1, 1, "0", True)),
     [EMPTY_INDUCTION, {"base": [], "step": []}],
     [LINES | {"lines": [], "outputs": [], "avoid": []}, {"reached": []}],
     refuted({"pi": "31/10"}, show({"pi": "1", "": "-4"}, ">")),
     *(refuted({"cos(x)": "0", **more}, show({"cos(x)": "1", "": "-1"}, ">")) for more in ({}, {"sin(x)": "0"})),
     [COUNT, BY_ITSELF],
-    *([STILL, {"base": [NOTHING] * n, "step": [BY_FIRST_FACT] * m}] for n, m in ((1, 0), (0, 1), (2, 2))),
+    *(
+        [COUNT | {"next": {"x": X}}, {"base": [NOTHING] * n, "step": [BY_FIRST_FACT] * m}]
+        for n, m in ((1, 0), (0, 1), (2, 2))
+    ),
     [COUNT | {"assume": [{"of": X, "is": "="}]}, BY_ITSELF],
     *([LINES, {"reached": reached}] for reached in (["b", "c"], ["a", "b", "c"])),
     *(refuted(point, *ABOVE, variables=["x"]) for point in ({"x": "-1"}, {"x": "1"}, {}, {"x": "1/2", "y": "0"})),
-    refuted({}, Y_IS_0, show({"y": "1"}, ">=")),
-    huge(999),
+    huge(),
     refuted({"x": "9" * 500}, show({"x^999": "1"}, ">")),
-    [COUNT | {"next": {"x": {"x^999": "1", "": "1"}}, "show": [{"x^999": "1"}]}, BY_ITSELF],
     pair_of([show({"x": nested}, "=")], NOTHING),
-    pair_of([show({"": 2**53 + 1}, "=")], NOTHING),  # which a double rounds
     product(off=2),
 ]
 REWRITTEN = ('"x^2":"1"', '"x^2":"-1","x^2":"1"'), ('"x^2"', '"\\u0078^2"'), ('"version":1', '"version":1.0')

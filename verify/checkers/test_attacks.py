@@ -1,7 +1,6 @@
 """Attacks by claims: false ones that must not be proved, true ones that must not be refuted, and what says nothing."""
 
 import sys
-from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -13,7 +12,6 @@ from sympy import (
     Ne,
     Piecewise,
     Rational,
-    Symbol,
     SympifyError,
     cos,
     diff,
@@ -32,10 +30,9 @@ from proofs.check import reasons
 from proofs.engine import stored
 from proofs.engine.certificate import prove
 from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, at_least, equation, greater
-from proofs.engine.half_turns import sinpi
 from proofs.engine.program import Program, chain
 from proofs.engine.stored import NotFound, statements
-from proofs.engine.theorem import Clause, Mutant, Theorem, all_theorems, variant
+from proofs.engine.theorem import Clause, Mutant, Theorem, variant
 from proofs.theorems.cited import sine_below
 from verify.checkers import witness
 from verify.checkers.counterexamples import path_to_avoided
@@ -54,18 +51,9 @@ def says(*shows, **more):
 TRUE = (Mutant("x² ≥ 0", says(greater(x**2 + 1, 0))), Mutant("x + 1 > x", says(greater(x + 1, x))))
 
 
-def false(claim):
-    """Return two false variants of a claim: one of its symbols is large, or no output may depend on an input."""
-    if isinstance(claim, Separation):
-        return variant("of x", claim, avoid=x), variant("p", claim, outputs=claim.lines.outputs, avoid=claim.avoid)
-    symbol = min(set().union(*(r.free_symbols for r in (*claim.shows, *claim.given))), key=str, default=x)
-    large = equation if isinstance(claim, Induction) else greater
-    return [variant(f"beyond {n}", claim, large(symbol, n)) for n in (50, 60)]
-
-
-def examined(*claims, mutants=None, statement="", **changes):
+def examined(*claims, mutants=TRUE, statement="", **changes):
     """Return what is found of a theorem of these claims, everything anew."""
-    theorem = Theorem("attack", "", statement, claims, mutants or (claims and false(claims[0])), **changes)
+    theorem = Theorem("attack", "", statement, claims, mutants, **changes)
     return examine(theorem, {"attack": theorem}, anew=True)
 
 
@@ -77,36 +65,27 @@ def line(symbol, expression):
 # What is not proved, but with a hypothesis
 
 POSITIVE, ROOM = greater(x, 0), (greater(x, 0), greater(x, y))
-STEP, RAMP = Piecewise((1, x > 0), (0, True)), Piecewise((x, x > 0), (0, True))
 WITHOUT_DERIVATIVE = [
     equation(Derivative(Abs(x), x), sign(x)),
     equation(Derivative(sign(x), x), 0),
     equation(Derivative(Max(x, 0), x), 1),
     equation(Derivative(x * Abs(x), x, 2), 2 * sign(x)),
-    equation(2 * sqrt(x) * Derivative(sqrt(x), x), 1),
     equation(Derivative(1 / x, x), -(x**-2)),
-    *(equation(diff(corner, x), d) for corner, d in ((Abs(x), sign(x)), (RAMP, STEP))),
-    at_least(diff(RAMP, x), 0),
+    at_least(diff(Piecewise((x, x > 0), (0, True)), x), 0),
 ]
 """What is not so where x = 0, and is where x > 0, or more: most of it as `diff` leaves it, or would."""
 with evaluate(False):  # obligations come before anything cancels, whichever side of an inequality they stand on
     AS_THEY_STAND = [
         equation(1 / x - 1 / x, 0),
         equation(cos(x * y / x), cos(y)),
-        equation(sqrt(x) * sqrt(x) * sinpi(y), x * sinpi(y)),
         equation(sign(1 + Abs(1 / x)), 1),
         greater(x / x + 1, 1),
         greater(x + 1, sqrt(x) * sqrt(x)),
     ]
 UNPROVED = [
-    *((says(relation), ROOM) for relation in AS_THEY_STAND),
-    *((says(relation), POSITIVE) for relation in WITHOUT_DERIVATIVE),
+    *((says(relation), ROOM) for relation in (*AS_THEY_STAND, *WITHOUT_DERIVATIVE, equation(Max(x, y), x))),
     (says(equation(Derivative(x * sqrt(x), x), 3 * sqrt(x) / 2), given=x >= 0), POSITIVE),
     (says(equation(Derivative(Piecewise((x, sqrt(x) > -1), (0, True)), x), 1), given=x >= 0), POSITIVE),
-    (says(equation(sin(2 * pi * x), 0)), equation(sin(pi * x), 0)),
-    (says(Ne(x**2, 0, evaluate=False)), Ne(x, 0)),
-    (says(equation(Max(x, y), x)), ROOM),
-    (says(equation(Abs(x), x)), POSITIVE),
     (says(equation(sqrt(x**2), x)), x >= 0),
     (says(at_least(x + 1, sin(x)), cited=sine_below(x)), POSITIVE),
 ]
@@ -117,31 +96,34 @@ UNPROVED = [
 def test_what_does_not_follow_is_not_proved(claim, given):
     with pytest.raises(NotFound):
         prove(claim, {})
-    assert examined(claim.but(given=given)).grade != "failed"
+    assert prove(claim.but(given=given), {})
 
 
 # What grade a theorem has, and no better one
 
-TRUE_CLAIMS = [
-    Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a),
-    Induction("whole", Symbol("n", integer=True), equation(y, 2 * x), ((y, 2 * x, 3 * y - 4 * x),)),
-    says(equation(Abs(p), x - 5), greater(p, x - 6), given=greater(x, 5), lines=line(p, x - 5)),
-    says(equation(cos(3 * x), 4 * cos(x) ** 3 - 3 * cos(x)), at_least((x + y) ** 8, 0), squares=(x + y) ** 4),
-    says(equation(Derivative(Abs(1 + x**2), x, 2), 2), equation(Derivative(Max(x**2 + 1, 0), x), 2 * x)),
-]
+SEPARATION = Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a)
 PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
 RESTATED = [
-    *((relation, ()) for relation in (equation(x, p + 5), at_least(2 * p, 2 * x - 10), equation(q, y * (x - 5)))),
-    *((equation(root, 0), ()) for cancel in [p - x + 5] for root in (y * cancel, cancel**2, sqrt(cancel), Abs(cancel))),
-    *((relation, ()) for relation in (equation(Max(p, y), Max(x - 5, y)), greater(p - x, -6), greater(2, 1))),
-    (greater((x - 5) * (y + 1), 0), greater((1 + y) * p, 0)),
+    equation(q, y * (x - 5)),
+    equation(Abs(p - x + 5), 0),
+    equation(Max(p, y), Max(x - 5, y)),
+    greater(p - x, -6),
+    greater(2, 1),
+    at_least((x - 5) * (y + 1), 0),
+    Ne(0, p * (1 + y)),
 ]
-"""[(what its lines and what is given already say, what is given)]"""
-SINES = ("proved", 0), *(("failed", TINY * Rational(1, 10**power)) for power in (0, 15, 19, 400))
-"""(grade, what is added to the sine of which x ≥ 0 is said to be one): no kernel knows that there is no such x"""
-ROOTS = ("proved", 8), ("failed", 9)
-"""(grade, the power of x that is given): of a longer polynomial no root is sought"""
-CONTRADICTIONS = [(x > 0, x < 0), equation(x**2, -1), (x > 5, x**2 < 20)]
+NOTHING_SAID = [
+    *(says(r, given=greater((x - 5) * (y + 1), 0), lines=PUT_IN) for r in RESTATED),
+    Separation("from an input", Program("p", (x, a), {y: x + a}, y), x, a),
+    Induction("to nothing", n, (equation(x, x), equation(0, 0))),
+]
+"""What lines and what is given already say, or nothing has to."""
+CONTRADICTIONS = [
+    says(equation(x, x + 1), given=(x > 5, x**2 < 20)),
+    Induction("from a contradiction", n, equation(x, 0), ((x, 0, x),), (y > 0, y < 0)),
+]
+SINE = says(greater(sin(x) + 1, x), given=(equation(sin(x), x + Rational(1, 10**441)), x >= 0))
+"""Of no x, which no kernel knows, and 400 digits do not tell."""
 ONE, OTHER = 7 * x - 1, 7 * y - 2
 FALSE_LEMMAS = [
     (at_least(x, sin(x)), ()),
@@ -163,48 +145,41 @@ SAME = tuple(equation(*pair) for pair in pairwise(symbols("a:5", real=True)))
 NEVER_SAMPLED = at_least(0, sum((same.lhs - same.rhs) ** 2 for same in SAME))
 NARROW = {(x, y): (Rational(1, 3), Rational(1, 2))}
 UNSEEN = [
-    (says(Ne(x**2 + TINY, 0, evaluate=False), cited=CitedLemma(x < x + 1, "DLMF", x >= 1)), ((x, 0),)),
+    (says(Ne(x**2 + TINY, 0, evaluate=False), cited=CitedLemma(greater(x + 1, x), "DLMF", x >= 1)), ((x, 0),)),
     (says(Ne(cos(p), 1), given=(x >= 0, x < 1), lines=line(p, x + TINY)), ((x, 0), (p, 0))),
 ]
 UNREFUTED = [
-    *((says(greater(pi, Rational(314, 100))), point) for point in ({pi: Rational(31, 10)}, {})),
-    (says(greater(cos(x), Rational(1, 2))), {x: 0, cos(x): 0, sin(x): 1}),
-    (says(greater(4, cos(x) + sin(x))), {x: 0, cos(x): 2, sin(x): 3}),
+    (says(greater(pi, Rational(314, 100))), {pi: Rational(31, 10)}),
     (says(equation(Derivative(Piecewise((0, Eq(x, 0)), (x, True)), x), 1)), {x: 0}),
     (says(Ne(x * sign(x) + TINY, 0, evaluate=False)), {x: 0}),
     *UNSEEN,
 ]
-"""[(a true claim, a point where it is said to fail)]: π is no coordinate, a cosine follows from its angle, a lemma's
-condition is not the claim's, and what a line defines is not chosen: 50 digits do not tell x² + 10⁻⁴¹ from 0."""
-GRADES = [
-    *(("proved", claim, {}) for claim in TRUE_CLAIMS),
-    *(("failed", says(equation(x, x + 1), given=given), {}) for given in CONTRADICTIONS),
-    ("failed", Induction("from a contradiction", n, equation(x, 0), ((x, 0, x),), (y > 0, y < 0)), {}),
-    *((g, says(greater(sin(x) + 1, x), given=(equation(sin(x), x + off), x >= 0)), {}) for g, off in SINES),
-    *((g, says(x > 0, given=(x > 1, equation(x**power, Rational(9, 7) ** power))), {}) for g, power in ROOTS),
-    ("failed", says(), {}),
-    *(("failed", says(r, given=g, cited=CitedLemma(r, "DLMF", g), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
-    *(("failed", says(greater(x, 10), borrowed=(("attack", "attack"),)), {"uses": uses}) for uses in ((), "attack")),
-    *(("failed", c, {"mutants": TRUE, "expected": "refuted", "refuted_at": point}) for c, point in UNREFUTED),
-    *(("by definition", says(r, given=given, lines=PUT_IN), {}) for r, given in RESTATED),
-    ("by definition", Separation("from an input", Program("p", (x, a), {y: x + a}, y), x, a), {}),
-    ("by definition", Induction("to nothing", n, (equation(x, x), equation(0, 0))), {}),
+"""[(a true claim, a point where it is said to fail)]: π is no coordinate, a lemma's condition is not the claim's, and
+what a line defines is not chosen: 50 digits do not tell x² + 10⁻⁴¹ from 0."""
+FAILED = [
+    *(("contradict each other", claim, {}) for claim in CONTRADICTIONS),
+    ("no sample satisfies", SINE, {}),
+    ("nothing is claimed", says(), {}),
+    *(("false at", says(r, given=g, cited=CitedLemma(r, "DLMF", g), ranges=NARROW), {}) for r, g in FALSE_LEMMAS),
+    ("rests on itself", says(greater(x, 10), borrowed=(("attack", "attack"),)), {}),
+    *(("no certificate found", c, {"expected": "refuted", "refuted_at": point}) for c, point in UNREFUTED),
 ]
 
 
-@pytest.mark.parametrize(("grade", "claim", "changes"), GRADES)
-def test_a_theorem_has_no_better_grade(grade, claim, changes):
-    """And it fails for another reason than its false variants, of which there may be none."""
-    variants = [replace(mutant, at={x: 0}) for mutant in false(claim)] if grade == "failed" else ()
-    found = examined(claim, **{"mutants": variants} | changes)
-    assert found.grade == grade
-    assert grade != "failed" or not all("beyond" in problem for problem in found.problems)
+@pytest.mark.parametrize(("why", "claim", "changes"), FAILED)
+def test_a_theorem_fails(why, claim, changes):
+    found = examined(claim, **changes)
+    assert found.grade == "failed" and why in str(found.problems)
+
+
+@pytest.mark.parametrize("claim", NOTHING_SAID)
+def test_what_says_nothing_holds_by_definition(claim):
+    assert len(by_definition(claim, {})) == len(getattr(claim, "shows", "-"))
 
 
 def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
-    """The false separation's path; what 50 digits take for a failure; and no 1/0."""
-    separation, *_ = TRUE_CLAIMS
-    assert path_to_avoided(separation) is None and path_to_avoided(separation.but(avoid=x)) == ["y", "x"]
+    """A path to an output; what 50 digits take for a failure; and no 1/0."""
+    assert path_to_avoided(SEPARATION) is None and path_to_avoided(SEPARATION.but(avoid=x)) == ["y", "x"]
     assert all(witness.fails_at(claim, point) is not None for claim, point in UNSEEN)
     with evaluate(False):
         claim = says(equation(x / y, x * (1 / y)))
@@ -221,14 +196,11 @@ def test_a_lemma_whose_conditions_no_sample_satisfies_is_no_evidence():
         assert any("no sample" in problem for problem in examined(claim.but(cited=cited)).problems) == unseen
 
 
-def test_a_relation_that_says_nothing_is_told_apart_from_one_that_says_something():
-    given = x > y, y < x, x >= y, Ne(y, x), greater(2 * x, 2 * y)
-    for relation in (equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), *given):
-        assert examined(says(relation, given=greater(x, y))).grade == "by definition"
-        beside = examined(says(relation, greater(x**2 + 1, 0), given=greater(x, y)))
-        assert beside.record["by_definition"] == {"attack": [str(relation)]}
-    for theorem in all_theorems().values():
-        assert not any(by_definition(claim, all_theorems()) for claim in theorem.claims), theorem.id
+def test_a_relation_that_says_nothing_is_listed_and_alone_proves_nothing():
+    for shows, grade in ((x >= y, "by definition"), ((x >= y, greater(x**2 + 1, 0)), "proved")):
+        claim = says().but(shows=shows, given=greater(x, y))
+        found = examined(claim, mutants=[variant(f"x > {n}", claim, greater(x, n)) for n in (50, 60)])
+        assert found.grade == grade and found.record["by_definition"] == {"attack": ["x >= y"]}
 
 
 def test_what_a_file_of_theorems_says_arrives_as_it_is_written(monkeypatch, tmp_path):
@@ -236,7 +208,7 @@ def test_what_a_file_of_theorems_says_arrives_as_it_is_written(monkeypatch, tmp_
 from sympy import Abs, Derivative, sqrt
 from proofs.engine.claim import Claim, equation
 from proofs.formulas.symbols import x, y
-relations = equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(0 / x, 0), equation(Derivative(Abs(x), x), 1)
+relations = equation(x * y / x, y), equation(sqrt(x) ** 2, x), equation(Derivative(Abs(x), x), 1)
 claims = [Claim("written", relation) for relation in relations]
 """
     monkeypatch.setattr(proofs.theorems, "__path__", [str(tmp_path)])
@@ -254,15 +226,10 @@ from proofs.theorems.language import *
 claim = Claim("c", greater(x**2 + 1, S.Zero))
 """
 PROGRAMS = [
-    "import verify.checkers.grades",
-    "from importlib import import_module",
     "from verify.checkers import grades",
-    "from proofs.engine import theorem",
     "from proofs.engine.theorem import Theorem",
     "from . import language",
-    "from sympy import diff",
     "from sympy import *",
-    "from sympy import sympify",
     "from sympy import lambdify as cos",
     "from proofs.formulas.camera import diff",
     "slope = x.diff(x)",
@@ -274,23 +241,18 @@ PROGRAMS = [
     "for Claim.name in 'ab': pass",
     "HEIGHT_FIELDS['sine'] = ridges",
     "HEIGHT_FIELDS.update(sine=ridges)",
-    "HEIGHT_FIELDS |= {'sine': ridges}",
     "S('__import__')",
-    "run = S",
     "exec('1')",
     "run = eval",
-    "open('grades.py', 'w')",
     "setattr(Claim, 'name', 1)",
     "grades = __import__('verify')",
     "modules = claim.__class__.__mro__",
-    "vars(claim)",
     "getattr(claim, 'name')",
-    "type(claim)",
     "class Claim(Claim): pass",
     "def f():\n    import os",
     "def f():\n    global x",
+    "HEIGHT_FIELDS |= {'sine': ridges}",
     "[open for _ in range(3)]",
-    "print(1)",
 ]
 
 
@@ -318,7 +280,6 @@ with evaluate(False):
     NOTHING = [greater(0 * x, 1), greater(x - x, 1)]
 NO_VARIANTS = [
     *((SQUARE.but(shows=relation), "about nothing") for relation in NOTHING),
-    (SQUARE.but(shows=(greater(x, 9), greater(x, y))), "is about y"),
     (SQUARE.but(shows=greater(pi, 4)), "is about pi"),
     (SQUARE.but(name="other", shows=greater(x, 9)), "has no claim other"),
     (SQUARE.but(shows=greater(p, 9), lines=line(p, x)), "changes shows, lines"),
@@ -345,11 +306,9 @@ def test_a_counterexample_is_exact_or_enclosed():
 
 def test_a_clause_without_a_claim_is_argued():
     words = (Clause("A square is not negative,", TRUE[0].claim), Clause("nor is a fourth power.", argued="as it is"))
-    mutants = false(TRUE[0].claim)
-    assert examined(statement=words, mutants=mutants, expected="argued").grade == "argued"
     for wrong in ((words[0], Clause("More.")), (words[1],)):
         with pytest.raises(ValueError, match=r"clause|claims"):
-            examined(statement=wrong, mutants=mutants)
+            examined(statement=wrong, mutants=TRUE)
 
 
 # What is left out, or cannot occur

@@ -54,17 +54,14 @@ def test_a_mutant_that_holds_fails_the_theorem():
         "the same",
         "mutant without a counterexample",
     }
-    assert "the same: it changes nothing: a variant changes one field" in found.problems
     assert found.mutants_killed == 0
 
 
 RUNS = [  # of each theorem its id, its own grade, its grade in the run, and what it uses
     [("a", "failed", "failed"), ("b", "proved", "failed", "a"), ("c", "proved", "failed", "b")],
-    [("c", "proved", "failed", "not run")],
+    [("c", "proved", "failed", "not run"), ("d", "certified", "failed", "e"), ("e", "measured", "measured")],
     [("a", "cited", "cited"), ("b", "proved", "failed", "a"), ("c", "measured", "measured", "a")],
-    [("a", "argued", "argued"), ("b", "proved", "failed", "a"), ("c", "refuted", "refuted", "a")],
-    [("a", "argued", "argued"), ("b", "by definition", "failed", "a"), ("c", "certified", "certified", "a")],
-    [("a", "measured", "measured"), ("b", "certified", "failed", "a"), ("c", "refuted", "failed", "a")],
+    [("a", "argued", "argued"), ("b", "by definition", "failed", "a"), ("c", "refuted", "refuted", "a")],
     [("a", "by definition", "by definition"), ("b", "proved", "proved", "a")],
     [("a", NOT_RECHECKED, NOT_RECHECKED), ("b", "measured", NOT_RECHECKED, "a"), ("c", "failed", "failed", "a")],
 ]
@@ -91,7 +88,6 @@ def test_uses_is_complete():
         second = replace(theorem("second", uses, claim), **changes)
         return incomplete(second, {"first": first, "second": second})
 
-    assert theorem("second", claim=taken).uses == ("first",)
     assert problems(taken) == problems(elsewhere) == []
     assert problems(plain, "first", steps=named) == []
     assert "second: uses first, but no claim borrows" in problems(plain, "first")[0]

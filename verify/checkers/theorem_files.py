@@ -2,14 +2,13 @@
 
 import ast
 import builtins
-from pathlib import Path
 
-import proofs
+from proofs.engine.project import PROJECT
 
-FOLDER = Path(proofs.__file__).parent / "theorems"
+FOLDER = PROJECT.folder(PROJECT.theorems)
 TRUSTED = ("__init__", "language")
 ENGINE = tuple(f"proofs.engine.{name}." for name in ("claim", "half_turns", "vectors"))
-IMPORTED = ("proofs.formulas.", "proofs.theorems.", *ENGINE)
+IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", *ENGINE)
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}
@@ -47,7 +46,13 @@ def _why_not(node):
     return f"names {', '.join(sorted(barred))}" if barred else ""
 
 
+def _why_refused(path):
+    if path.parent != FOLDER:
+        return ["stands in a folder"]
+    return [] if path.stem in TRUSTED else why_no_data(path.read_text(encoding="utf-8"))
+
+
 def refused() -> list[str]:
     """Return why files of theorems are refused, each by its name and line."""
-    files = [path for path in sorted(FOLDER.glob("*.py")) if path.stem not in TRUSTED]
-    return [f"{path.name}, {why}" for path in files for why in why_no_data(path.read_text(encoding="utf-8"))]
+    files = sorted(FOLDER.rglob("*.py"))
+    return [f"{path.relative_to(FOLDER)}, {why}" for path in files for why in _why_refused(path)]

@@ -8,19 +8,19 @@ function statement_lines(statement, { spelled, zero }) {
   const line = (label, path, before = [], after = "", names = false) => ({ label, path, before, after, names });
   /** @param {string} key @param {string} when */
   const states = (key, when) =>
-    Object.keys(statement[key]).map((name) => line(key, [key, name], [...spelled(name), when, " = "]));
+    Object.keys(statement[key]).map((name) => line(key, [key, name], [spelled(name), when, " = "]));
   /** @param {string} key @returns {(step: Step, n: number) => Line} */
   const relation = (key) => (step, n) => {
     const { step: kind = "assume", is, new: name = "" } = step;
     const path = [key, n, "of"];
     if (is) return line(kind === "show" ? "to show" : "given", path, [], zero(is));
     const [sign, after] = { root: [" = √( ", " )"], inverse: [" = 1 / ( ", " )"] }[kind] ?? [" = "];
-    return line("where", path, [...spelled(name), sign], after);
+    return line("where", path, [spelled(name), sign], after);
   };
   const { kind, steps = [], lines = [], assume = [], show = [] } = statement;
   if (kind === "separation")
     return [
-      ...lines.map(([name], n) => line("line", ["lines", n, 1], [...spelled(name), " uses "], "", true)),
+      ...lines.map(([name], n) => line("line", ["lines", n, 1], [spelled(name), " uses "], "", true)),
       ...["outputs", "avoid"].map((key) => line(key, [key], [], "", true))
     ];
   if (kind !== "induction") return steps.map(relation("steps"));
@@ -56,7 +56,7 @@ function statement_editor(root, cases, polynomials, clerk, told) {
   /** @param {Statement} statement @param {Path} path @returns {any} */
   const at = (statement, path) => path.reduce((branch, key) => branch[key], /** @type {any} */ (statement));
   /** @param {string[]} names */
-  const listed = (names) => make_element("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", ...spelled(name)]));
+  const listed = (names) => make_element("span", {}, ...names.flatMap((name, n) => [n ? ", " : "", spelled(name)]));
   /** The order of terms says nothing. @param {any} value */
   const form = (value) => JSON.stringify(Array.isArray(value) ? value : sorted(value));
   /** Whether a line says something else than at first. @param {Line} line */

@@ -1,12 +1,9 @@
-// Polynomials as the reader sees and types them. `names` says how a name is spelled: [[text, kind], …] with the kinds
-// i (italic), r (upright) and s (subscript).
+// Polynomials as the reader sees and types them. `names` has the MathML of a name.
 "use strict";
 
-/** @param {Record<string, [string, "i" | "r" | "s"][]>} names */
+/** @param {Record<string, string>} names */
 function polynomial_texts(names) {
   const MOST = 40; // terms that are typeset
-  /** @type {{ i: "var", r: "span", s: "sub" }} */
-  const TAGS = { i: "var", r: "span", s: "sub" };
   /** @type {Record<string, string>} */
   const RELATIONS = { "!=": "≠", ">=": "≥" };
 
@@ -19,16 +16,19 @@ function polynomial_texts(names) {
   const sorted = (data) => Object.entries(data).sort(([a], [b]) => degree(b) - degree(a) || (a < b ? -1 : 1));
 
   /** @param {string} name */
-  const spelled = (name) => (names[name] ?? [[name, "r"]]).map(([text, kind]) => make_element(TAGS[kind], {}, text));
+  function spelled(name) {
+    const place = make_element("span", {}, name);
+    if (names[name]) place.innerHTML = names[name];
+    return place;
+  }
 
   /** @param {string} monomial */
   function monomial_nodes(monomial) {
     return powers(monomial).flatMap(([name, power], n) => {
-      const spelling = spelled(name);
       const space = n ? ["\u2009"] : [];
-      if (power === "1") return [...space, ...spelling];
-      const bracketed = spelling.length > 1 && names[name].some(([, kind]) => kind === "r");
-      return [...space, ...(bracketed ? ["(", ...spelling, ")"] : spelling), make_element("sup", {}, power)];
+      if (power === "1") return [...space, spelled(name)];
+      const spelling = /^(cos|sin)/.test(name) ? ["(", spelled(name), ")"] : [spelled(name)];
+      return [...space, ...spelling, make_element("sup", {}, power)];
     });
   }
 
