@@ -111,7 +111,8 @@ def float64_module(program: Program, operations: Mapping[str, Any], *variables: 
 def float64_source(operations: Mapping[str, Any], kernels: Mapping[str, Any], counted: Callable) -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out.
 
-    operations: what kernels call. kernels: they themselves. counted: (value, count) → a number that counts roundings.
+    operations: the functions that kernels call. kernels: by name. counted: (value, count) → a number that counts its
+    roundings.
     """
     single = [
         elementary.two_product,

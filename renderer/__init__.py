@@ -6,7 +6,7 @@ A name is imported when it is first asked for, so that `renderer.generate` runs 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:  # what _HOMES says, for type checkers
+if TYPE_CHECKING:  # _HOMES, for type checkers
     from renderer.generate.custom_fields import (
         HeightField as HeightField,
         cospi as cospi,

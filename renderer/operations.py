@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 inf, nan = math.inf, math.nan
-UNIT = 2.0**-53  # what rounding to float64 takes from a number at most, over its size
+UNIT = 2.0**-53  # the largest relative error of rounding to float64
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
 
@@ -44,7 +44,7 @@ pi = Constant(math.pi)
 
 
 def elementary(kernel: Callable) -> Any:
-    """Return a function that a machine may have another way to compute: `kernel` is what others do."""
+    """Return a function that calls the argument's machine where that has a method of the name, else `kernel`."""
 
     @wraps(kernel)
     def asked(*arguments):
@@ -66,7 +66,7 @@ sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where
 
 @elementary
 def bits(number: Number, operation: str, other: int) -> Number:
-    """Return what an operation, as LLVM names it, makes of a float64's bits and a whole number."""
+    """Return the float64 of an operation, as LLVM names it, on a float64's bits and a whole number."""
     integer = np.asarray(number, np.float64).view(np.uint64)
     return BIT_OPERATIONS[operation](integer, np.uint64(other)).view(np.float64)
 
@@ -93,7 +93,7 @@ def minimum(a: Number, b: Number) -> Number:
 
 @elementary
 def add_half_turns(a: Number, b: Number) -> tuple[Number, Number]:
-    """Return a sum less whole turns, as it is rounded, and what rounding took from it (Knuth)."""
+    """Return a sum less whole turns, rounded, and its rounding error (Knuth)."""
     a, b = (number - 2.0 * rint(0.5 * number) for number in (a, b))
     total = a + b
     part = total - a

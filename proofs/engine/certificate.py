@@ -60,7 +60,7 @@ from proofs.engine.theorem import Theorem, Theorems, all_theorems
 
 
 def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
-    """Return what proves a claim, found anew; raises NotFound.
+    """Return the proofs of a claim, searched anew; raises NotFound.
 
     >>> from proofs.engine import kernel
     >>> from proofs.engine.certificate import prove
@@ -90,7 +90,7 @@ def _proved(statement, squares, effort, example):
 
 
 def text(theorem: Theorem, proofs: Found) -> str:
-    """Return the file's text for [(claim, what proves or refutes it)]."""
+    """Return the file's text for [(claim, its proofs or refutation)]."""
     claims = []
     for claim, cases in proofs:
         listed = [{"sha256": digest(s), "statement": s, "certificate": c, "point": point} for s, c, point in cases]
@@ -99,7 +99,7 @@ def text(theorem: Theorem, proofs: Found) -> str:
 
 
 def wrong_with(proofs: Found) -> list[str]:
-    """Return what the kernel has against [(claim, what proves or refutes it)]."""
+    """Return the kernel's objections to [(claim, its proofs or refutation)]."""
     return [f"{claim.name}: {why}" for claim, cases in proofs for why in reasons(cases) if why]
 
 

@@ -69,7 +69,7 @@ SEVERAL = {
 class Parts:
     """The base of claims, theorems and their parts: each field of SEVERAL is a tuple once it is made."""
 
-    borrowed = cited = squares = example = ()  # what a Claim may have
+    borrowed = cited = squares = example = ()  # for claims without them
 
     def __post_init__(self):
         put(self, **{name: flat(value) for name, value in vars(self).items() if name in SEVERAL})
@@ -145,7 +145,7 @@ class Claim(Parts):
         )
 
     def everywhere(self) -> list[Basic]:
-        """Return what else the claim is made of: every line of its program, ranges, coordinates."""
+        """Return the claim's other expressions: every line of its program, ranges, coordinates."""
         lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
         return [*flat(lines), *(symbol for symbol, *_ in (*self.ranges, *self.example))]
 
@@ -196,7 +196,7 @@ class Induction(Parts):
     ranges: Any = ()
 
     def of(self, number: int) -> Claim:
-        """Return what is claimed of one number: of the states that its lines reach from the start."""
+        """Return the claim for one number: of the states that its lines reach from the start."""
         states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
         lines = []
         for before in range(number):

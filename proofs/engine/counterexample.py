@@ -13,7 +13,7 @@ CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
 class NotRational(ValueError):
-    """A point gives no rational value to something, or fails what has to hold."""
+    """A point gives no rational value to an expression, or fails a hypothesis."""
 
 
 def rational_root(value: Fraction) -> Fraction:
@@ -51,7 +51,7 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
 def _complete(statement, at):
     """Return the values {name: Fraction} of every name of a derivation; KeyError where a name has none.
 
-    What is defined has the value of its definition: none of `at` is it.
+    A defined name has the value of its definition, not one of `at`.
     """
     defined = {step.get("new") for step in statement["steps"]}
     at = {name: value for name, value in at.items() if name not in defined}

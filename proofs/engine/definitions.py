@@ -24,7 +24,7 @@ class Reading:
         self.sums[symbol], self.factors[symbol] = self.sum(expression), self._factors(expression)
 
     def difference(self, relation: Relational) -> Expr:
-        """Return what left − right reads."""
+        """Return the reading of left − right."""
         return self.sum(relation.lhs) - self.sum(relation.rhs)
 
     def sum(self, e: Basic) -> Expr:

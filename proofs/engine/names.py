@@ -34,7 +34,7 @@ def _weight(e):
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too; refuse what is too deep or too long, and powers 0."""
+    """Return every symbol of some expressions, bound ones too; refuse those too deep or too long, and powers 0."""
     expressions = [*expressions]
     small(sum(map(_weight, expressions)) // 10)
     if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:

@@ -163,7 +163,7 @@ def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program
 
 
 def _of_lines(name, lines):
-    """Return the program of some lines: its inputs are what they use, line by line, and do not define."""
+    """Return the program of some lines: its inputs are the names that they use and do not define, in order of use."""
     each = pairs(lines)
     defined = {symbol for symbol, _ in each}
     used = [symbol for _, line in each for symbol in sorted(line.free_symbols - defined, key=str)]

@@ -61,7 +61,7 @@ def _statements(claim, theorems):
 
 
 def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
-    """Return the derivations of what a Claim shows, each of one conclusion alone.
+    """Return the derivations of a Claim's conclusions, one each.
 
     A lemma that the claim cites is left out: where its conditions fail, the claim need not.
     """
@@ -70,7 +70,7 @@ def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 
 def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
-    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound."""
+    """Return the refutation of a claim at the point ((symbol, value), …); raises NotFound."""
     pair = refutation(each_shown(claim, theorems), dict(point))
     if pair is None:
         raise NotFound(f"no certificate found: {claim.name}")
@@ -78,7 +78,7 @@ def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[
 
 
 def evidence(theorem: Theorem, theorems: Theorems, prove: Callable) -> Found:
-    """Return what `prove` finds for each claim of a theorem, or what refutes it; raises NotFound."""
+    """Return the proofs that `prove` finds of each claim of a theorem, or its refutation; raises NotFound."""
     point = theorem.refuted_at
     return [(c, prove(c, theorems) if point is None else refute(c, point, theorems)) for c in theorem.claims]
 
@@ -89,7 +89,7 @@ def path_of(theorem: Theorem) -> Path:
 
 
 def stored(theorem: Theorem, theorems: Theorems) -> Found:
-    """Return [(claim, what proves or refutes it)] from the file, or raise Stale.
+    """Return [(claim, its proofs or refutation)] from the file, or raise Stale.
 
     The statements are translated afresh from the formulas; the file's must be the same, or assume less.
     """
@@ -123,6 +123,6 @@ def _still_proves(claim, now, entry):
     steps = old["steps"] if isinstance(old, dict) and isinstance(old.get("steps"), list) else []
     if now["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
         less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in steps]}
-    # that a case cannot occur is not said of what a lemma adds: its conditions are shown, and not assumed
+    # a cited lemma's conditions are shown, not assumed: a case of its claim is never stored as one that cannot occur
     empty = [contradiction(less)] if now["kind"] == "derivation" and not claim.cited else []
     return digest(old) == entry["sha256"] and old in [less, *empty]

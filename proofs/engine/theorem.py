@@ -21,7 +21,7 @@ Point = tuple[tuple[Symbol, object], ...]
 
 @dataclass(frozen=True)
 class Step(Parts):
-    """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
+    """A step of the argument for the reader: `what` is concluded, and `why`. uses: ids of theorems that it cites."""
 
     what: str
     why: str
@@ -45,7 +45,7 @@ class SideCondition(Parts):
     """A condition without which the claim named `claim` is not claimed, and points on, or just past, its edge.
 
     holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
-    {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
+    {symbol or vector: value or values} for every input, by the outcome of the claim there, which every run tests.
 
     >>> from proofs.theorems.language import SideCondition, real
     >>> SideCondition("x > 0", "root_is_positive", fails={real("x"): 0}).edges
@@ -100,7 +100,7 @@ class Theorem(Parts):
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
     statement may be {text: the claims that say it, or as a text why it is argued}, or Clauses; where one is argued, so
-    is the theorem. claims: what is checked; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
+    is the theorem. claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
     theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
     steps use are added. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
@@ -203,7 +203,7 @@ def _line(text):
 
 
 def _clauses(statement):
-    """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
+    """Return Clauses of {text: its claims, or as a text why it has none}; or a text or Clauses as they are."""
     if isinstance(statement, str):
         return _line(statement)
     if not isinstance(statement, Mapping):
@@ -213,7 +213,7 @@ def _clauses(statement):
 
 
 def _steps(taken):
-    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
+    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or Steps as they are."""
     if not isinstance(taken, Mapping):
         return taken
     return tuple(Step(_line(what), _line(why), uses) for what, reason in taken.items() for why, *uses in [flat(reason)])
@@ -274,9 +274,9 @@ def _supplies(other, claim, hypotheses):
 
 
 def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
-    """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
+    """Return the faults of `uses`, and the hypotheses that could be borrowed instead.
 
-    `uses` may add theorems that conclude what a claim is given, about the same names, and no others.
+    `uses` may add theorems that conclude a claim's hypothesis, about the same names, and no others.
     """
     circular = [id for id in theorem.uses if id in theorems and _rests_on(id, theorem.id, theorems)]
     if circular:
@@ -296,7 +296,7 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
 
 
 def _concluding(theorem, other):
-    """Return [(claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
+    """Return [(claim, conclusion, relations)]: the hypotheses of a claim of `theorem` that `other` concludes."""
     return [
         (claim, conclusion, relations)
         for claim in theorem.claims

@@ -32,7 +32,7 @@ class Vector(tuple):
         return Vector(a / scale for a in self)
 
     def xreplace(self, rule: Mapping[Symbol, Expr]) -> "Vector":
-        """Return the vector with what the rule names replaced."""
+        """Return the vector with the rule's symbols replaced."""
         return Vector(a.xreplace(rule) for a in self)
 
     __rmul__ = __mul__

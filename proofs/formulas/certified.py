@@ -13,7 +13,7 @@ PROVED = {
     "power": Fraction(5, 2),
 }
 POWER_RATE = Fraction(3, 100)
-"""{Coq's addition to that theorem: how far a function can be off}, in the same units, all but atan2pi of what it is;
+"""{Coq's addition to that theorem: the bound of a function's error}, in the same units, all but atan2pi's relative;
 a power xᵖ by POWER_RATE |p ln x| more."""
 
 ROUNDINGS = {
@@ -25,7 +25,7 @@ ROUNDINGS = {
     "power": Fraction(3),
     "small_power": Fraction("22.06"),
 }
-"""{function: what the enclosing machine charges a result with}, of itself, in the same units: more than what is PROVED,
+"""{function: the relative error that the enclosing machine charges}, in the same units: more than that PROVED,
 or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules, but for powers."""
 
 SMALL_POWER = Fraction(1, 2**72)

@@ -43,7 +43,7 @@ PERIODIC = [
     {v: Rational(number % 6 + 1, 7), k_u: even, k_v: whole}
     for number, (even, whole) in enumerate(product((2, 4, -6), (1, 2, -3)))
 ]
-"""Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
+"""Points at which an entry's height at u = 1 has to be that at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
 
 def _is_straight(factor):
@@ -52,7 +52,7 @@ def _is_straight(factor):
 
 @dataclass(frozen=True)
 class HeightField:
-    """One height field; what is said of it is derived from its expression.
+    """A height field, by its expression, from which all the rest is derived.
 
     name: identifier. expression: h in u, v, k_u, k_v. seam: whether h may differ at u = 0 and u = 1 where k_u is even
     and k_v whole. Raises ValueError where the name or the expression is not allowed, or the creases are not known.
@@ -92,7 +92,7 @@ class HeightField:
                 raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
 
     def largest(self, ku: Any = CHART[k_u], kv: Any = CHART[k_v]) -> list[float]:
-        """Return what |h|, |∂h/∂u| and |∂h/∂v| are at most, at wave numbers or in intervals of them.
+        """Return upper bounds of |h|, |∂h/∂u| and |∂h/∂v|, at wave numbers or in intervals of them.
 
         Raises ValueError where they are not shown to be finite.
         """

@@ -19,7 +19,7 @@ ENCLOSURES = {
     Piecewise: hull(min, max),
     **{function.made: function.enclosed for function in FUNCTIONS if function.enclosed},
 }
-"""{what a height field is made of: the same of intervals}; of a selection, whichever value is selected"""
+"""{operation of height fields: the same of intervals}; of a selection, the hull of its values"""
 
 
 LARGEST = 2.0**1000  # a larger number may be no float64

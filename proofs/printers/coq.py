@@ -1,4 +1,4 @@
-"""Print a program as Coq definitions over its real numbers: a module, each line a definition of what it depends on."""
+"""Programs as Coq definitions over its real numbers: a module, each line a function of the names that it reads."""
 
 from collections.abc import Iterable
 from typing import ClassVar
@@ -17,7 +17,7 @@ COMPARISONS = {
     "==": ("Req_EM_T", 1),
     "!=": ("differ", 1),
 }
-"""{relation: (what decides it, 1, or -1 where its sides change places)}"""
+"""{relation: (its decision, 1, or -1 where its sides change places)}"""
 
 
 class CoqPrinter(KernelPrinter):

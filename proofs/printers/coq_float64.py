@@ -82,7 +82,7 @@ def _comparison(decision):
 
 
 class Term:
-    """A float64 number, as the text of what it was made by: each operation is rounded.
+    """A float64 number, as the text of the operations that made it, each rounded.
 
     Its machine, which `renderer.operations` asks, is its class.
     """
@@ -126,7 +126,7 @@ class Term:
 
 
 def rule(program: Program, names: Mapping[str, Any], counted: Callable) -> list[str]:
-    """Return Coq's lines of what the machine makes of a program of one line: its value, and the count of its error.
+    """Return Coq's lines of the machine's result for a program of one line: its value, and the count of its error.
 
     names: the kernels. counted: (value, count) → a number of the machine.
     """
@@ -157,7 +157,7 @@ class Line(Term):
 
 NAMES = {function.kernel: function.coq_float64 for function in FUNCTIONS if function.coq_float64}
 NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")}
-"""{what is called: Coq's function}, none of which is rounded but as it says itself"""
+"""{kernel: Coq's function}; each rounds as its definition says, and no more"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 
 
@@ -177,7 +177,7 @@ CALLED |= {name: getattr(Line, name) for name in (*NAMES, "two_product", "where"
 
 
 def carried_out(program: Program, operations: Mapping[str, Any]) -> list[str]:
-    """Return Coq's lines of what a kernel carries out, in its order; operations: what kernels call."""
+    """Return Coq's lines of a kernel's operations, in its order; operations: the functions that kernels call."""
     printer, scope = KernelPrinter(), {**operations, **CALLED} | {s.name: Line(s.name) for s in program.inputs}
     lines = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
     for symbol, expression in program.definitions:

@@ -1,13 +1,13 @@
 """Print claims as propositions for Coq to prove.
 
-    Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
+    Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> needs and conclusions.
 
-Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such
-a value: what is divided by is not 0, what has a root is not negative, a derivative exists. The kernel asks it by name,
-and here it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
-hypotheses and needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a
-hypothesis: Coq has to prove them. A Separation, about what a program reads and not about numbers, is the kernel's
-alone.
+Coq divides by 0, takes the root of −1, and has some number for a derivative that does not exist. No claim is about such
+a value: divisors are not 0, radicands not negative, and derivatives exist. The kernel asks it by name, and here each
+such need stands before the conclusions (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
+hypotheses and needs hold somewhere, and the conclusion does not. Neither a cited lemma nor a borrowed conclusion is a
+hypothesis: Coq has to prove them. A Separation, about the names that a program reads and not about numbers, is the
+kernel's alone.
 """
 
 from collections.abc import Iterable
@@ -41,7 +41,7 @@ TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
 
 
 class StatementPrinter(CoqPrinter):
-    """Prints terms, relations, and what has to be for an expression to have a value.
+    """A printer of terms, relations, and the conditions for an expression to have a value.
 
     spelled: {symbol: term} of those that are not printed by their own name. own: {symbol: the name that binds it}.
     """
@@ -64,7 +64,7 @@ class StatementPrinter(CoqPrinter):
         return f"({self._of_derivative('Derive', expr)})"
 
     def _of_derivative(self, function, expr):
-        """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
+        """Return `function`, Derive or ex_derive, of an expression as a function of a symbol, at that symbol."""
         (x, count), *others = expr.variable_count
         if others or (count > 1 and expr.expr.has(*CORNERS)):
             raise ValueError(f"no proposition for a derivative by several symbols, or a second one of corners: {expr}")
@@ -86,7 +86,7 @@ class StatementPrinter(CoqPrinter):
         return f"{self._print(relation.lhs)} {sign} {self._print(relation.rhs)}"
 
     def needs(self, expression: Basic) -> list[str]:
-        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
+        """Return the conditions for an expression to have a value, from the inside out, as the kernel asks them.
 
         A derivative has to exist, and not at the edge of a root: beyond it Coq's root is 0.
         """
@@ -180,7 +180,7 @@ def induction_proposition(claim: Induction) -> str:
 
 
 def rounded_proposition(claim: Rounded) -> str:
-    """Return a Rounded as a proposition: of float64 inputs, what is printed twice is near itself."""
+    """Return a Rounded as a proposition: of float64 inputs, the program in float64 is near that in real numbers."""
     program = claim.program
     inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
     printer = StatementPrinter(inputs)
@@ -195,7 +195,7 @@ def rounded_proposition(claim: Rounded) -> str:
 
 
 SLACK = "(1 + 1 / 2 ^ 49)"
-"""By what part of itself a count of roundings is too small after one more operation, as `renderer.machines` says."""
+"""The share by which a count of roundings is too small after one more operation, as `renderer.machines` says."""
 
 
 def enclosing_proposition(claim: Encloses) -> str:

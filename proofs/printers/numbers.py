@@ -1,4 +1,4 @@
-"""Print expressions for any kind of number, such as mpmath's or balls: a table of names says what it calls."""
+"""Expressions for any kind of number, such as mpmath's or balls, by a table of the names that it calls."""
 
 from sympy import Rational, S
 

@@ -149,7 +149,7 @@ class KernelPrinter(StrPrinter):
         return self._print_And(expr, " | ")
 
 
-OPTIONAL = "product_error"  # an input that is 0 unless it is given: of what is called with two_product
+OPTIONAL = "product_error"  # an input of functions of two_product, 0 by default
 
 
 def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
@@ -172,7 +172,7 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
 def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
-    names: what the printed text may call.
+    names: those that the printed text may call.
     """
     scope = dict(names)
     exec(print_function(program.name, program, KernelPrinter()), scope)
@@ -180,7 +180,7 @@ def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
 
 
 def refuse_unknown_calls(scope: dict[str, Any]) -> None:
-    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
+    """Raise ValueError where a function that was made in the scope calls a name that is not there."""
     for kernel in (f for f in scope.values() if isfunction(f) and f.__globals__ is scope):
         if unknown := {*kernel.__code__.co_names} - scope.keys() - {*dir(builtins)}:
             raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

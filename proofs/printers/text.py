@@ -1,4 +1,4 @@
-"""Print a formula as text that reads back as it was, and read one by a list of what is allowed.
+"""Formulas as text: a printer whose text reads back as it was, and a reader of a list of allowed parts.
 
 A text from a file, a command line or a picture may be anybody's. It has to be short and of few letters; Python's parser
 makes a tree of it, of which nothing is run: a walk makes SymPy's expression of the nodes that it knows.
@@ -50,7 +50,7 @@ _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
-_BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # what SymPy may raise too
+_BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
 
 class _Reader:
@@ -152,7 +152,7 @@ class _Reader:
         return power
 
     def _bounded(self, value, node):
-        """Return what is found at a node, or refuse it: numbers and powers are small, and all is real and finite."""
+        """Return a node's value, or refuse it: numbers and powers have to be small, and all real and finite."""
         for part in (value, *value.args):
             if part.is_Rational and max(abs(part.p), part.q) > LARGEST_NUMBER:
                 raise self.refused(f"{self.text_of(node)[:60]} has a number above 2**256")
@@ -185,7 +185,7 @@ def _operations(expression: Basic) -> int:
 
 
 def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> None:
-    """Raise ValueError, which names what they are of, where the expressions of a text are too much for a kernel."""
+    """Raise ValueError, with an argument's name and value, where expressions have too many operations for a kernel."""
     if (count := sum(map(_operations, expressions))) > MOST_OPERATIONS:
         raise not_allowed(name, value, f"at most {MOST_OPERATIONS} operations, slopes included, and here are {count}")
 

@@ -63,7 +63,7 @@ pixels = Theorem(
 
 
 def _slopes_in_float64(field, rates):
-    """Return what Coq proves of a field's general form: each slope, and the rate by which its error is bounded."""
+    """Return the claim that Coq proves of a field's general form: each slope, and the rate in its error's bound."""
     program, given = gradient(field), []
     near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):

@@ -42,7 +42,7 @@ def version() -> str:
 
 
 def _record(task):
-    """Return what JSON can say of a Task."""
+    """Return a Task as a record for JSON."""
     return vars(task) | {"scene": task.scene.as_record(), "method": asdict(task.method)}
 
 

@@ -15,11 +15,11 @@ from renderer.scene.fields import field_from_record
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, warned
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
 
-Option = dict[str, Any]  # what argparse is told of one
+Option = dict[str, Any]  # the arguments of argparse's add_argument
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that says what is wrong in one line, and takes -1e-3, -6,2,8 and -v**2 for values, not for options."""
+    """A parser whose errors are one line, and takes -1e-3, -6,2,8 and -v**2 for values, not for options."""
 
     def __init__(self, *arguments: Any, **options: Any):
         super().__init__(*arguments, **options | {"allow_abbrev": False})
@@ -160,7 +160,7 @@ def method_of(options: Namespace) -> GradientMethod:
 def progress_bar(**options: Any) -> Callable:
     """Return a function that adds a bar on stderr to an iterable, if that is a terminal and takes more than a second.
 
-    Without tqdm the terminal is told alone what is under way.
+    Without tqdm the terminal shows the description alone.
     """
     is_shown = bool(sys.stderr and sys.stderr.isatty())
     try:

@@ -45,7 +45,7 @@ def print_sweep(options: Namespace) -> None:
 
 
 def _of_grid(tasks, options):
-    """Return the {Task: SweepRow} of a grid of frames, by workers; an error says what the checkpoint keeps."""
+    """Return the {Task: SweepRow} of a grid of frames, by workers; an error says how many the checkpoint keeps."""
     with nullcontext() if options.checkpoint is None else grid.Checkpoint(options.checkpoint) as checkpoint:
         try:
             with _workers(options) as executor:
@@ -65,7 +65,7 @@ def _of_grid(tasks, options):
 def _workers(options):
     """Yield the executor that the options ask for: threads here, or a Dask cluster.
 
-    What Dask would log is said in one line when it is the end of the sweep.
+    Dask's log is silenced: an error that ends the sweep is one line.
     """
     if options.dask is None:
         with ThreadPoolExecutor(checked_threads(options.workers, "workers")) as executor:

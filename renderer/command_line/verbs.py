@@ -34,7 +34,7 @@ from renderer.threads import checked_threads
 from renderer.whole_files import checked_target, named
 
 PIPE = "-"
-OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a picture remembers beside its scene
+OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # of a picture's record, beside its scene
 
 
 def draw_image(options: Namespace) -> None:
@@ -70,7 +70,7 @@ def draw_image(options: Namespace) -> None:
 
 
 def _drawn_again(options):
-    """Return the scene, the method and the raster of a picture's file; say where what drew it is not what draws now."""
+    """Return the scene, the method and the raster of a picture's file; say where another version or machine drew it."""
     of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
     beside = vars(options).keys() & of_scene
     beside |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
@@ -126,7 +126,7 @@ def print_sweep(options: Namespace) -> None:
     Lists of values, such as --field sine,ridges --beta 0.1,0.35 --size 256,1024, make a grid of frames, a line each,
     computed by several workers.
     """
-    from renderer.command_line import sweep_verb  # what it needs would make the start of a picture longer
+    from renderer.command_line import sweep_verb  # its imports would make the start of a picture longer
 
     sweep_verb.print_sweep(options)
 
@@ -163,10 +163,10 @@ def _parser(prog, arguments):
 
 
 def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering") -> int:
-    """Run the command line and return its exit status: 0; 2 with one line on stderr about what is not allowed;
+    """Run the command line and return its exit status: 0; 2 with one line on stderr about the error;
     130 with one line after Ctrl-C, 143 after SIGTERM.
 
-    prog: what the user typed, which usage and errors begin with.
+    prog: the command's name, with which usage and errors begin.
     """
     for pipe in (sys.stdout, sys.stderr):
         if hasattr(pipe, "reconfigure"):
@@ -184,7 +184,7 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             warnings.showwarning = lambda told, *place: print(f"{prog}: warning: {told}", file=sys.stderr)
             VERBS[options.verb][0](options)
         print(end="", flush=True)  # where there is a standard output
-    except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end
+    except BrokenPipeError:  # the reader closed the pipe; Python would complain again at its end
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:

@@ -28,7 +28,7 @@ BAND = 2**19  # bytes that are filtered and deflated at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
-FAIR = 0.87  # of noise a slower way has to leave less than this share of what a quicker one leaves
+FAIR = 0.87  # in noise a slower way has to be shorter than this share of a quicker one
 
 
 def _filter(image, start, lines):
@@ -63,7 +63,7 @@ def _deflate(data, way):
 def _way(lines):
     """Return how a band is deflated, as a sample of it says.
 
-    Paeth's filter leaves so little that runs alone are nearly as short as what a quick search finds, in less time.
+    Paeth's filter leaves so little that runs alone are nearly as short as the result of a quick search, in less time.
     Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
     """
     middle = lines.size // 2
@@ -112,7 +112,7 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
 
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
-    """Write what `png_of` returns; the file appears whole or not at all."""
+    """Write the PNG of `png_of`; the file appears whole or not at all."""
     write_whole(Path(path), *_parts(image, text))
 
 

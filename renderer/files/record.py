@@ -44,7 +44,7 @@ def text_of(drawing: Drawing) -> str:
 
 
 def read(path: str | Path) -> Drawing:
-    """Return what a PNG or an NPZ says of how it was drawn. Nothing that it says is run.
+    """Return the Drawing of a PNG or an NPZ. Nothing in it is run.
 
     Raises ValueError of one sentence unless the file carries one whole record.
     """
@@ -101,5 +101,5 @@ def _of_npz(path):
             if any(one.compress_type not in (ZIP_STORED, ZIP_DEFLATED) for one in members):
                 raise ValueError("compressed in a way that NumPy has not")
             return [zipped.open(one).read(LARGEST + 1) for one in members]
-    except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
+    except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # RuntimeError: encrypted, or an unknown method
         raise ValueError(f"it is no whole .npz: {error}") from None

@@ -51,7 +51,7 @@ class OwnPrinter(KernelPrinter):
 
 
 def made(source: str) -> dict[str, Any]:
-    """Return what a text of kernels defines, beside the kernels that are there."""
+    """Return the names that a text of kernels defines, beside the printed kernels."""
     scope = dict(CALLED)
     exec(source, scope)
     refuse_unknown_calls(scope)

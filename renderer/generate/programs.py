@@ -90,7 +90,7 @@ def height_evaluations(method: str, field: HeightField) -> int:
 
 
 def field_programs(field: HeightField) -> dict[str, Program]:
-    """Return {role: program} of a height field: height, exact gradient, creases, and what its algebraic form needs."""
+    """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
     programs = {
         "height": height_fields.height(field),
         "gradient": height_fields.gradient(field),

@@ -20,7 +20,7 @@ def plus(*bounds: Any) -> Any:
 
 
 def times(size: Any, bound: Any) -> Any:
-    """Return a bound times what it is of."""
+    """Return a size times a bound, 0.0 where that is."""
     return 0.0 if is_zero(bound) else size * bound
 
 
@@ -29,7 +29,7 @@ class Bounded:
 
     A kind of them has `of`, which makes one of any number; `size`, which no exact number exceeds; `inverse`, which no
     inverse of one exceeds; `size_of_quotient`, the same of a quotient as computed; and `rounded`, which is given a
-    result's value, how far it is moved, and what `lost_in_sum`, `lost_in_product` or `lost_in_quotient` says of its
+    result's value, how far it is moved, and the value of `lost_in_sum`, `lost_in_product` or `lost_in_quotient` for its
     rounding.
     """
 

@@ -36,7 +36,7 @@ class Pixels:
 
 
 def emit(module: ir.Module, name: str, want: Any, lanes: int) -> None:
-    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of its arguments."""
+    """Emit the function `name` that draws rows of a want, its one parameter the address of its arguments."""
     shader = want.shader
     tracer = Tracer(module, name, lanes, arguments(shader.planes), shader=shader)
     builder, inputs = tracer.builder, tracer.arguments

@@ -41,12 +41,12 @@ at_work: ContextVar[Any] = ContextVar("at_work")  # the machine whose steps an o
 
 
 def _scales(number):
-    """Return whether a number is a literal power of two, which moves no bit of what it multiplies."""
+    """Return whether a number is a literal power of two, which changes no bit of a factor."""
     return type(number.value) is float and abs(math.frexp(number.value)[0]) == 0.5
 
 
 def _least(*factors):
-    """Return what is lost below the normal range: nothing where a factor is an exact 0 that is to stay one."""
+    """Return the loss below the normal range: none where a factor is an exact 0 that is to stay one."""
     least = LEAST_COUNT
     for factor in factors:
         if type(factor.value) is float:
@@ -105,7 +105,7 @@ def _comparison(compare):
 class Enclosed(Bounded):
     """A number of the inner machine, and a bound on its distance from the exact one.
 
-    stays_exact: whether it is looked for what is exact, at some cost: a product with an exact 0, as on the picture's
+    stays_exact: whether exact results are detected, at some cost: a product with an exact 0, as on the picture's
     middle line, and a sum without rounding, as of whole numbers. Its `error` is a count of roundings.
     """
 
@@ -152,7 +152,7 @@ class Enclosed(Bounded):
         return cls.counted(value, plus(moved, rounding), stays_exact)
 
     def lost_in_sum(self, other: "Enclosed", total: Any) -> tuple[Any, bool]:
-        """Return what rounding takes from a sum: where it may be none, a number that two more sums find (Knuth)."""
+        """Return a bound of a sum's rounding error; where that may be 0 the error itself, by two more sums (Knuth)."""
         stays_exact = self.stays_exact and other.stays_exact
         if not (stays_exact or is_zero(plus(self.error, other.error))):
             return abs(total), False
@@ -160,7 +160,7 @@ class Enclosed(Bounded):
         return abs((self.value - (total - part)) + (other.value - part)) * (1.0 / UNIT), stays_exact
 
     def lost_in_product(self, other: "Enclosed", product: Any) -> tuple[Any, bool]:
-        """Return the same of a product: a literal power of two takes nothing from what is large enough."""
+        """Return the same of a product: with a literal power of two it is 0 above the subnormal range."""
         stays_exact = self.stays_exact or other.stays_exact
         for literal, scaled in ((self, other), (other, self)):
             if _scales(literal):
@@ -175,7 +175,7 @@ class Enclosed(Bounded):
         return plus(abs(quotient), _least(self))
 
     def lost_in_quotient(self, size: Any) -> tuple[Any, bool]:
-        """Return what rounding takes from a quotient of that size."""
+        """Return a bound of the rounding error of a quotient of that size."""
         return size, self.stays_exact
 
     def inverse(self) -> Any:
@@ -203,7 +203,7 @@ enclosed = Enclosed.of
 
 
 def _ends(number):
-    """Return between what the exact number is: a number that is exact, or two of the inner machine's."""
+    """Return the ends of an interval around the exact number: one end where it is exact, else two."""
     if is_zero(number.bound):
         return (number.value,)
     reach = (number.bound + 2.0 * UNIT * abs(number.value)) * SLACK
@@ -211,7 +211,7 @@ def _ends(number):
 
 
 def _rarely(mask, value, otherwise):
-    """Return what `value` returns where a mask holds; it is called for no group for which it holds nowhere."""
+    """Return `value()` where a mask holds; it is called for no group for which it holds nowhere."""
     machine = getattr(mask, "machine", None)
     if machine is None:
         return inner_where(mask, value(), otherwise)
@@ -244,7 +244,7 @@ def sqrt(number: Enclosed) -> Enclosed:
 
 
 def _integer(number, integer, away):
-    """Return a whole number that is found, which may be the next one where what changes it is in reach."""
+    """Return an integer with its bound: it may be the next one where a jump, so far `away`, is within the bound."""
     if is_zero(number.error):
         return Enclosed(integer, stays_exact=True)
     reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
@@ -377,4 +377,4 @@ def sign(number: Any) -> Enclosed:
     return operations.sign.kernel(number)
 
 
-Mask.machine = Enclosed.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # what `renderer.operations` asks
+Mask.machine = Enclosed.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # `renderer.operations` asks it

@@ -14,9 +14,9 @@ Numbers = Sequence[Number]
 class Shader(NamedTuple):
     """A shader, as machines run it: a want, which chooses the code, has it as `shader`, and has `bounds` and `is_long`.
 
-    group: (machine, scene, want, pixels) → what has `draw()`, and these as attributes. scene, light: the forms of their
-    numbers. rounded: which of a scene's numbers are; the others are exact. counted: the kinds of work. planes: the
-    names of what is stored.
+    group: (machine, scene, want, pixels) → an object with `draw()`, and these as attributes. scene, light: the forms of
+    their numbers. rounded: the names of a scene's numbers that are not exact. counted: the kinds of work. planes: the
+    names of the stored planes.
     """
 
     group: Callable

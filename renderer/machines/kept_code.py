@@ -15,7 +15,7 @@ from renderer.whole_files import write_whole
 
 VARIABLE = "SYMBOLIC_RENDERING_CODE"
 OFF = ("", "off")
-LARGEST = 2**27  # bytes of all files: some thousand pictures' code; what was not used for longest goes
+LARGEST = 2**27  # bytes of all files: some thousand pictures' code; the least recently used goes
 _DIGEST = hashlib.sha256().digest_size
 
 
@@ -44,7 +44,7 @@ def _is_own(status):
 
 
 def load(key: str) -> bytes | None:
-    """Return what is kept under a key (a file name), None if that is nothing whole."""
+    """Return the code of a key (a file name), None where there is none, or a damaged one."""
     kept_in = folder()
     if kept_in is None or not trusted(kept_in):
         return None
@@ -63,7 +63,7 @@ def load(key: str) -> bytes | None:
 
 
 def save(key: str, code: bytes) -> None:
-    """Keep code under a key, and let go what was not used for longest where all is more than LARGEST."""
+    """Keep code under a key; where all is more than LARGEST, remove the least recently used."""
     kept_in = folder()
     if kept_in is None:
         return

@@ -57,7 +57,7 @@ def optimized(module: ir.Module | str, target: llvm.TargetMachine) -> llvm.Modul
 
 
 def _processor():
-    """Return this processor's name and what it can do."""
+    """Return this processor's name and features."""
     return llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
 
 
@@ -74,7 +74,7 @@ def _object_code(text, target):
 
 
 def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
+    """Return (the function of one address that emit_into(module, name, *arguments) emits; the owner of its memory)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
     emit_into(module, name, *arguments)
@@ -86,14 +86,14 @@ def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], 
 
 @cache
 def compiled(want: Any, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function that draws what is wanted, given the address of its arguments; what it lives as long as)."""
+    """Return (the function that draws a want, of the address of its arguments; the owner of its memory)."""
     return machine_code(emit, want, lanes)
 
 
 def drawer(
     want: Any, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
 ) -> Callable[[slice], list[int]]:
-    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the shader's order.
+    """Return the function that draws rows (a slice) of a Job and returns the counts, in the shader's order.
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """

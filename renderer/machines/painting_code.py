@@ -1,4 +1,4 @@
-"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: what `picture.views` does, by table.
+"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: `picture.views` by table.
 
 A level, of sRGB or of a scale of colours, begins at a threshold. A table says which level holds where a cell of numbers
 begins; cells are so small that at most one threshold lies inside. One pixel is painted after another, as an int32:

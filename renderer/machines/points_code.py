@@ -9,7 +9,7 @@ from renderer.machines.traced import FLOAT, WHOLE, Tracer
 
 
 def inputs_of(kernel: Callable) -> tuple[str, ...]:
-    """Return the names of what a kernel takes at each point: its parameters, but those that only a name can give."""
+    """Return the names of a kernel's inputs at each point: its parameters that are not keyword-only."""
     return tuple(p.name for p in inspect.signature(kernel).parameters.values() if p.kind != p.KEYWORD_ONLY)
 
 

@@ -1,6 +1,6 @@
 """Traced values: the shader and its kernels run on them once, and every operator emits LLVM's instruction for a vector.
 
-Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only what a literal 0 or 1 does to a number
+Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only an operation with a literal 0 or 1
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
@@ -31,7 +31,7 @@ class _Traced:
         self.machine, self.vector, self.literal = machine, vector, literal
 
     def _emit(self, instruction, *operands):
-        """Return what an instruction makes of operands of this kind."""
+        """Return the result of an instruction on operands of this kind."""
         vectors = [self.machine.value(operand).vector for operand in operands]
         return type(self)(self.machine, getattr(self.machine.builder, instruction)(*vectors))
 
@@ -128,7 +128,7 @@ class Tracer:
     """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
     The function's one parameter is the address of an array of int64, its arguments: addresses of arrays, and numbers.
-    arguments: those that have names, by them. shader: what is traced, where that is one.
+    arguments: those that have names, by them. shader: the Shader that is traced, if it is one.
     """
 
     def __init__(
@@ -210,7 +210,7 @@ class Tracer:
         return self.builder.fptosi(first, WHOLE)
 
     def call(self, intrinsic: str, argument: Value | float) -> Value:
-        """Return what one of LLVM's own functions makes of a Value."""
+        """Return the result of one of LLVM's intrinsic functions."""
         name = f"llvm.{intrinsic}.{f'v{self.lanes}' if self.lanes > 1 else ''}{self.number.intrinsic_name}"
         function = self.module.declare_intrinsic(name, fnty=ir.FunctionType(self.vector, [self.vector]))
         return Value(self, self.builder.call(function, [self.value(argument).vector]))
@@ -220,13 +220,13 @@ class Tracer:
     rint = partialmethod(call, "rint")
 
     def bits(self, number: Value, operation: str, other: int) -> Value:
-        """Return what `renderer.operations.bits` does."""
+        """Return the result of `renderer.operations.bits`."""
         builder, integer = self.builder, ir.VectorType(WHOLE, self.lanes)
         changed = getattr(builder, operation)(builder.bitcast(number.vector, integer), integer([other] * self.lanes))
         return Value(self, builder.bitcast(changed, self.vector))
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        """Return what `renderer.operations.where` does."""
+        """Return the selection of `renderer.operations.where`."""
         return Value(self, self.builder.select(*(self.value(part).vector for part in (mask, value, otherwise))))
 
     def variable(self, value: Value | float) -> Variable:
@@ -234,7 +234,7 @@ class Tracer:
         return Variable(self, value)
 
     def count(self, kind: str, mask: Mask) -> None:
-        """Add the number of a mask's pixels to what is counted of a kind."""
+        """Add the number of a mask's pixels to the count of a kind."""
         pixels = self.builder.zext(self.builder.ctpop(self._bits(mask)), WHOLE)
         self.builder.store(self.builder.add(self.builder.load(self.counts[kind]), pixels), self.counts[kind])
 
@@ -286,7 +286,7 @@ class Tracer:
             yield row, *map(builder.load, places)
 
     def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
-        """Run what raises something to a whole power that is everywhere the same: nothing for 0.
+        """Run the steps that raise a number to a whole power, the same for every pixel: none for 0.
 
         `square` as often as the exponent's lowest bit says, `first`; then for each higher bit `square`, and `multiply`
         where it is set.

@@ -79,7 +79,7 @@ def render(
 
 
 def _draw_on(stage, scene, method, threads, named, fresh):
-    """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return what was counted."""
+    """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
     copy, counts = None, 0
     if fresh is not None:
         rest, counts = stage.elsewhere(scene, method, threads)

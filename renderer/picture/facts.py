@@ -43,7 +43,7 @@ def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, fl
 
 
 def facts(scene: Scene, width: int, height: int) -> list[tuple[str, str]]:
-    """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
+    """Return [(name, value)], both text: the facts of the chapter's table that the ε-table does not show."""
     sine, ridges = replace(scene, field="sine"), replace(scene, field="ridges")
     right = gradient_at(sine, *SMOOTH_POINT, exact())[0]
     errors = {eps: abs(gradient_at(sine, *SMOOTH_POINT, central(eps))[0] - right) for eps in (1e-3, 1e-4, 1e-6)}

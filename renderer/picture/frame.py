@@ -29,7 +29,7 @@ class Frame:
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
     planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.picture.stage.Stage`.
-    scene, raster, method, stage: what made it.
+    scene, raster, method, stage: its origin.
 
     >>> from renderer import Scene, render
     >>> frame = render(Scene(), 16, 16, bounds=True)
@@ -107,7 +107,7 @@ class Frame:
         return f"Frame({self.raster}, {self.method}, {self.scene})"
 
     def _repr_png_(self):
-        """Return what a notebook shows."""
+        """Return the PNG that a notebook shows."""
         return pictures.png_of(to_bytes(self.rgb), self._record())
 
     def _record(self):

@@ -32,7 +32,7 @@ class LightRecord:
 
 @dataclass(frozen=True)
 class PixelRecord:
-    """One pixel. Lengths in world units, angles in radians; what exists on sphere A alone is None elsewhere."""
+    """One pixel. Lengths in world units, angles in radians; those of sphere A alone are None elsewhere."""
 
     column: int
     row: int
@@ -78,7 +78,7 @@ class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
     def light_up(self, mask, place, albedo, bodies):
-        """Keep what each light does, beside lighting the pixel."""
+        """Record each light's part, in place of adding it up."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
         for light in self.machine.lights:
             occluded = bool(self.loaded_shadow(light))

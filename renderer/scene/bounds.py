@@ -21,9 +21,9 @@ EMPTY = (math.inf, -math.inf) * 2
 
 
 def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: Sequence[float], eye: float) -> Box:
-    """Return the box of what a sphere hides from `apex` between two heights, which are below the apex and the eye.
+    """Return the box of the points that a sphere hides from `apex` between two heights below the apex and the eye.
 
-    Along either axis it is the hull of what lies between the tangents at these heights, seen from the eye.
+    Along either axis it is the hull of the intervals between the tangents at these heights, seen from the eye.
     """
     if min(apex[2], eye) <= max(levels) or apex[2] - center[2] <= radius * (1 + GUARD):
         return EVERYWHERE * 2

@@ -55,7 +55,7 @@ class GradientMethod:
 
 
 def checked_method(name: str, method: GradientMethod) -> GradientMethod:
-    """Return `method`, or raise ValueError unless it is one; `name` is what the message calls it."""
+    """Return `method`, or raise ValueError, which calls it `name`, unless it is a GradientMethod."""
     return check_kind(name, method, GradientMethod, "exact(), central(eps), forward(eps) or central4(eps), no name")
 
 

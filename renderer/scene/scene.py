@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from proofs.formulas.height_fields import HeightField
 
     Field: TypeAlias = str | HeightField
-else:  # what has SymPy is not imported
+else:  # no SymPy is imported
     Field = Any
 
 MODELS = tuple(LIGHT_MODELS)
@@ -63,7 +63,7 @@ def _light_from_record(number, record):
 
 
 def _given(default, help, check, *allowed):
-    """Return a field of the scene: its default, the help of its option, how a value is checked, what that is told."""
+    """Return a field of the scene: its default, its option's help, the check of a value and the check's arguments."""
     return field(default=default, metadata={"help": help, "check": check, "allowed": allowed})
 
 
@@ -127,7 +127,7 @@ class Scene:
 
     @classmethod
     def from_record(cls, record: dict[str, Any]) -> "Scene":
-        """Return the scene of a record, such as `as_record` returns; what it leaves out is the chapter's.
+        """Return the scene of a record, such as `as_record` returns, with the chapter's values for missing names.
 
         Nothing that a record says is run. Raises ValueError that names what is not allowed.
         """
@@ -147,7 +147,7 @@ class Scene:
 
     @classmethod
     def from_file(cls, path: str | Path) -> "Scene":
-        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError."""
+        """Return the scene of a TOML file, with the chapter's values for missing names. Raises ValueError."""
         with distrusted("scene", path):
             return cls.from_record(read_toml(path))
 

@@ -95,7 +95,7 @@ def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
 def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
     """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high).
 
-    number: what the scene's own are taken for where others are computed from them.
+    number: the class of the scene's numbers where others are computed from them.
     """
     geometry = geometry_of(scene)
     (_, way), (_, style) = way_of(scene, method), style_of(scene)
@@ -106,7 +106,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         ball=geometry.ball,  # centre and radius of B
         ball_on=geometry.ball_on,
         floor_on=geometry.floor_on,
-        ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
+        ground=FLOOR if scene.floor else NOTHING,  # the surface where there is no sphere
         reach_of_a=reach_of_a(scene.eye, scene.radius),  # the largest x² + y² at which A is met
         box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
@@ -114,7 +114,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
-        turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
+        turn_u=-1.0 if power_u < 0 else 1.0,  # and the sign that negative ones give to imaginary parts
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
         ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),

@@ -48,7 +48,7 @@ def _on_grid(coordinate, step):
 
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
-    """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
+    """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of the exact ones."""
     computed = flat(scene_numbers(scene, exact(), Enclosed))
     bounds = of_form(numbers, (float(getattr(number, "bound", 0.0)) for number in computed))
     silhouette = silhouette_of_a(*map(Enclosed, _lengths(scene)))

@@ -45,7 +45,7 @@ class Group:
         self.sphere_a = (0.0, 0.0, 0.0, scene.radius)
 
     def draw(self) -> None:
-        """Find or load the chamber of every pixel, light it, and store what is wanted."""
+        """Find or load the chamber of every pixel, light it, and store the wanted planes."""
         want, x = self.want, self.x
         surface, self.code = self.loaded_surface() if want.chambers_known else self.visible_surface()
         on_a, on_b, on_floor = ((surface == number) & (x == x) for number in (SPHERE_A, SPHERE_B, FLOOR))
@@ -96,7 +96,7 @@ class Group:
         self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
 
     def loaded(self, names: Iterable[str]) -> Numbers:
-        """Return what planes have."""
+        """Return the numbers of planes."""
         return tuple(self.pixels.load(name) for name in names)
 
     def chart(self, angles: Numbers) -> Numbers:
@@ -146,7 +146,7 @@ class Group:
         return self.machine.choose(self.want.ways, s.way, by)
 
     def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
-        """Find what each light's shadows are, and add up the light.
+        """Find each light's shadows, and add up the light.
 
         place: the point, and N'.
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
@@ -233,7 +233,7 @@ def power(
 ) -> Numbers:
     """Return base^exponent, a whole number that is not negative, by repeated squaring.
 
-    base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
+    base: the parts of a number, real alone or real and imaginary. square, product: of parts.
     """
     squared, result = (Variables(machine, parts) for parts in (base, (1.0, 0.0)[: len(base)]))
     machine.by_squaring(
