@@ -13,7 +13,7 @@ CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
 class NotRational(ValueError):
-    """A point gives no rational value to an expression, or fails a hypothesis."""
+    """A point at which an expression has no rational value, or a hypothesis fails."""
 
 
 def rational_root(value: Fraction) -> Fraction:

@@ -1,4 +1,4 @@
-"""Finding cofactors: p = Σ q_i g_i, by division by a Gröbner basis that remembers where it came from.
+"""Cofactors of a polynomial in an ideal: p = Σ q_i g_i, by a Gröbner basis that records its own cofactors.
 
 Nothing here is trusted: the kernel multiplies every answer out.
 """

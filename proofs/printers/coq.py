@@ -21,7 +21,7 @@ COMPARISONS = {
 
 
 class CoqPrinter(KernelPrinter):
-    """Prints an expression as a term of Coq's real numbers.
+    """A printer of an expression as a term of Coq's real numbers.
 
     A symbol that may be infinite (a hit that is missed) is of Coquelicot's type Rbar; where it is computed with, its
     real part is taken.

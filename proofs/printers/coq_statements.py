@@ -1,4 +1,4 @@
-"""Print claims as propositions for Coq to prove.
+"""Claims as propositions for Coq to prove.
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> needs and conclusions.
 
@@ -43,7 +43,7 @@ TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
 class StatementPrinter(CoqPrinter):
     """A printer of terms, relations, and the conditions for an expression to have a value.
 
-    spelled: {symbol: term} of those that are not printed by their own name. own: {symbol: the name that binds it}.
+    spelled: {symbol: term} of those not printed by their own name. coq_names: {symbol: the name that binds it}.
     """
 
     def __init__(self, symbols: Iterable[Symbol], spelled: dict[Symbol, str] | None = None):

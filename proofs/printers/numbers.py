@@ -6,7 +6,7 @@ from proofs.printers.python import KernelPrinter
 
 
 class NumberPrinter(KernelPrinter):
-    """Prints for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
+    """A printer for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
 
     Of a choice the side that is not taken is not computed.
     """

@@ -1,4 +1,4 @@
-"""Print a straight-line program as a Python function, for NumPy's arrays, traced values (LLVM) and numbers that count.
+"""Straight-line programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
 The printed text fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
@@ -19,7 +19,7 @@ from proofs.engine.program import Program
 
 
 class KernelPrinter(StrPrinter):
-    """Prints one definition for `renderer.operations`; `NumberPrinter` prints the same for any other kind of number."""
+    """A printer of a definition for `renderer.operations`; `NumberPrinter` is that for any other kind of number."""
 
     names: ClassVar = {function.made.__name__: function.kernel for function in FUNCTIONS}
     names |= {"Infinity": "inf", "NegativeInfinity": "-inf"}

@@ -21,7 +21,7 @@ class Row(NamedTuple):
 
 
 class ClaimPrinter(LatexPrinter):
-    """Prints a term as its file writes it: no sum or product is put in another order.
+    """A printer of a term as its file writes it: no sum or product is put in another order.
 
     names: {symbol's name: its TeX} of those that a chapter has a letter for.
     """

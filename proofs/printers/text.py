@@ -54,7 +54,7 @@ _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, 
 
 
 class _Reader:
-    """Reads one text."""
+    """A reader of one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol]):
         self.text, self.names = text, {**names, "pi": pi}
@@ -164,7 +164,7 @@ class _Reader:
 
 
 class _Writer(StrPrinter):
-    """Writes a product factor by factor, as it is read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
+    """A printer of products by factors, as they are read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
 
     def _print_Mul(self, expr):
         first, *factors = expr.args if expr.args[0].is_Rational else (S.One, *expr.args)

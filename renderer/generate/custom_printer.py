@@ -21,7 +21,7 @@ CALLED = vars(kernels)
 
 
 class OwnPrinter(KernelPrinter):
-    """Prints a part without a symbol as the float64 nearest to it, which has a bound: of floats nobody takes one."""
+    """A printer of a part without a symbol as the float64 nearest to it, with a bound of its error."""
 
     def _print(self, expr: Any, **settings: Any) -> str:
         fixed = isinstance(expr, Expr) and not expr.free_symbols and not expr.is_Rational

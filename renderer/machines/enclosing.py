@@ -325,9 +325,9 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
 
 
 def _monotone(kernel, roundings, result, arguments, vanishing=0.0):
-    """Return `found`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
+    """Return `result`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
 
-    The roundings are charged at that end, and for `found` again: with SLACK an end may be off by as many more, up to 8.
+    The roundings are charged at that end, and for `result` again: with SLACK an end may be off by up to 8 more.
     """
 
     def rounding_of(value):

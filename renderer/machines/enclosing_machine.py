@@ -11,7 +11,7 @@ from renderer.operations import where
 
 
 class Variable:
-    """A value that changes: two of the inner machine's."""
+    """A variable: two of the inner machine's, for the number and its error."""
 
     def __init__(self, machine: Any, number: Any):
         number = enclosed(number)

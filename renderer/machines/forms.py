@@ -41,7 +41,7 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
 
 
 class Variables:
-    """Several values that change, and do so together."""
+    """Several variables that change together."""
 
     def __init__(self, machine: Any, values: Iterable[Number]):
         self._each = [machine.variable(value) for value in values]

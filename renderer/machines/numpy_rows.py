@@ -15,7 +15,7 @@ NAME = "numpy"
 
 
 class Variable:
-    """A value that changes."""
+    """A variable: an array that is replaced."""
 
     def __init__(self, value: Number):
         self.value = np.asarray(value)

@@ -107,7 +107,7 @@ class Value(_Traced):
 
 
 class Variable:
-    """A value that changes: memory that LLVM turns into registers."""
+    """A variable: memory that LLVM turns into registers."""
 
     def __init__(self, machine: "Tracer", value: Value | float):
         self.machine, self.place = machine, machine.reserve(machine.vector)

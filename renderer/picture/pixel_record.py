@@ -32,7 +32,7 @@ class LightRecord:
 
 @dataclass(frozen=True)
 class PixelRecord:
-    """One pixel. Lengths in world units, angles in radians; those of sphere A alone are None elsewhere."""
+    """The data of one pixel. Lengths in world units, angles in radians; those of sphere A alone are None elsewhere."""
 
     column: int
     row: int

@@ -38,8 +38,8 @@ class Task:
 
 @dataclass(frozen=True)
 class SweepRow:
-    """One ε: the largest and the RMS difference over A's pixels and channels, the pixels whose chamber differs
-    (flips), the pixels whose difference straddles a crease.
+    """A row of the table, of one ε: the largest and the RMS difference over A's pixels and channels, the pixels whose
+    chamber differs (flips), and those whose difference straddles a crease.
 
     The difference of the float64 picture from the exact one in real arithmetic lies between `_lower` and `_upper`.
     """
