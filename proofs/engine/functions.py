@@ -1,6 +1,7 @@
 """The functions that formulas call: an entry has their names in every language, and encloses them.
 
-Where kernels had none there is also a program, with its error: `renderer.generate.programs.ELEMENTARY`.
+One that kernels do not have yet is also a program, `renderer.generate.programs.ELEMENTARY`, with its error in
+`proofs/formulas/certified.py`.
 """
 
 from collections.abc import Callable
@@ -18,7 +19,7 @@ def hull(lowest: Callable, highest: Callable) -> Callable:
 
 
 class Function(NamedTuple):
-    """A function, and what it is called.
+    """A function, and its name in each language.
 
     made: SymPy's class. kernel: its name in kernels, and in every table of numbers. coq: of real numbers, if it has no
     form of its own. coq_float64: of float64 numbers. text, mpmath, arb: in a formula's text, in mpmath and in FLINT,

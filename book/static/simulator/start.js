@@ -99,6 +99,7 @@ function simulator_start(root, compiled, module) {
     if (!next) return;
     to.push(state);
     presets.stop();
+    is_sized = true;
     act.replace(next);
     addressed = state;
     offer();
