@@ -2,7 +2,7 @@
 
 import html
 import re
-from itertools import chain
+from itertools import chain, count
 
 import pytest
 from sympy import evaluate, pi, symbols
@@ -44,8 +44,10 @@ def cards(html_of):
 
 def test_every_card_says_what_its_checked_object_says(cards, proofs):
     assert cards.keys() == THEOREMS.keys()
-    for number, (id, card) in enumerate(cards.items(), start=1):
+    chapter, lemmas = count(1), count(1)
+    for id, card in cards.items():
         theorem, title = THEOREMS[id], card.select_one(".theorem-title").extract()
+        number = f"A.{next(lemmas)}" if proofs.places[id] == "lemmas" else next(chapter)
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
             formula.replace_with(f"${formula['data-tex']}$")

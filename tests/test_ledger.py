@@ -168,11 +168,11 @@ def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
 
 
 def test_the_pages_have_every_claim_and_every_code(html_of):
-    findings, ledger = map(html_of, ("findings", "s6"))
+    findings, seed = map(html_of, ("findings", "seed"))
     ids = Counter(re.findall(r'id="([^"]+)"', findings))
     for claim in load().claims:
         assert ids[f"claim-{claim.id}"] == 1
-        assert f"findings.html#claim-{claim.id}" in ledger or not claim.where.startswith("seed:s6")
+        assert f"findings.html#claim-{claim.id}" in seed or not claim.of_seed
     assert all(ids[code] == 1 and f'href="#{code}"' in findings for code in FINDINGS)
 
 

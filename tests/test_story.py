@@ -1,36 +1,87 @@
-"""The chapter as it is read: pictures close to their words, no page longer than it was; what a mean is over."""
+"""The chapter as it is read: a short main path, pictures close to their words; what a mean is over."""
 
 import re
+from copy import copy
+
+import pytest
 
 from book.notebooks.laboratory import BOOK
 
-READ = ("s1", "s2", "s3", "s4")
+READ = ("s1", "s2", "s3", "s4", "s6", "s7", "s8", "s9")  # the main path; §5 is a laboratory
 PICTURES = "figure, .simulator"
-ASIDE = "script, style, pre, .headerlink, .provenance, .theorem details, section[id^=exercises]"
-"""What is not read on the way: code, proofs in their cards, exercises after a page's end."""
+UNREAD = "script, style, noscript, pre, math, .headerlink, .on-paper, [hidden]"  # code, formulas, what does not show
 RMS = r"\{number\}`(\w+)\.\w*rms"
-WORDS_AT_MOST, WAY_AT_MOST = 7250, 350  # the chapter's length before it had these pictures
+WORDS_AT_MOST, FOLDED_AT_MOST, FIGURES_AT_MOST = 7000, 18_000, 24
+CARDS_AT_MOST, CAPTION_AT_MOST, WAY_AT_MOST = 6, 30, 350  # cards in §3; 30 words are two lines
+THEOREM = re.compile(r"(?:Theorem|Claim) (\d+)$")
 
 
-def ways(page):
-    """Return (words of a page, words from picture to picture). Other folds are counted; captions are no way."""
-    article = page.select_one(".bd-article")
-    for aside in article.select(ASIDE):
-        aside.decompose()
-    formulas = article.select("math")
-    for formula in formulas:
-        formula.decompose()
-    total = len(formulas) + len(article.get_text(" ").split())  # a formula is a word of the page, and not of the way
-    for picture in article.select(PICTURES):
-        picture.replace_with("\0")
-    return total, [len(way.split()) for way in article.get_text(" ").split("\0")]
+def words(text):
+    return sum(any(map(str.isalnum, word)) for word in text.split())
 
 
-def test_pictures_are_near_their_words_and_the_chapter_no_longer_than_it_was(page_of):
-    """And every section begins with a picture on its first screen."""
-    totals, found = zip(*(ways(page_of(name)) for name in READ), strict=True)
-    assert sum(totals) <= WORDS_AT_MOST
-    assert max(map(max, found)) <= WAY_AT_MOST and all(way[0] <= 120 for way in found[1:])
+def fold(article):
+    """Cut what is folded out of an article, but for the words that unfold it; return how many words that were."""
+    folds = [part for part in article.select("details") if not part.find_parent("details")]
+    cut = 0
+    for part in folds:
+        sign = part.summary.extract()
+        cut += words(part.get_text(" "))
+        part.replace_with(sign)
+    return cut
+
+
+def captions(article):
+    """Return the number of words of each caption."""
+    return [words(caption.get_text(" ")) for caption in article.select("figure .caption-text")]
+
+
+@pytest.fixture(scope="module")
+def read(page_of):
+    """Page → (its article as it is seen, how many words are folded in it)."""
+    seen = {}
+    for name in READ:
+        article = page_of(name).select_one(".bd-article")
+        for pre in article.select("details pre"):
+            pre.name = "code"  # it counts where it is folded
+        for simulator in article.select(".simulator"):
+            simulator.clear()  # a picture: its labels are no words of the page
+            del simulator["hidden"]
+        for part in article.select(UNREAD):
+            part.decompose()
+        seen[name] = article, fold(article)
+    return seen
+
+
+def test_the_main_path_is_short(read):
+    assert sum(words(article.get_text(" ")) for article, _ in read.values()) <= WORDS_AT_MOST
+    assert sum(folded for _, folded in read.values()) <= FOLDED_AT_MOST
+    assert sum(len(article.select("figure")) for article, _ in read.values()) <= FIGURES_AT_MOST
+    assert len(read["s3"][0].select(".theorem")) <= CARDS_AT_MOST
+    assert max(max(captions(article), default=0) for article, _ in read.values()) <= CAPTION_AT_MOST
+
+
+def test_pictures_are_near_their_words(read):
+    """And every section with pictures begins with one on its first screen."""
+    for name in ("s1", "s2", "s3", "s4"):
+        article = copy(read[name][0])
+        for aside in article.select("section[id^=exercises]"):
+            aside.decompose()
+        for picture in article.select(PICTURES):
+            picture.replace_with("\0")
+        ways = [len(way.split()) for way in article.get_text(" ").split("\0")]
+        assert max(ways) <= WAY_AT_MOST and (name == "s1" or ways[0] <= 120), (name, ways)
+
+
+def test_numbers_of_theorems_rise_as_one_reads(read):
+    """No theorem of the path is named before its card was met; lemmas have numbers of their own."""
+    named = [part for article, _ in read.values() for part in article.select("a, .theorem-title strong")]
+    numbers = [(part.name, int(found[1])) for part in named if (found := THEOREM.match(part.get_text()))]
+    cards, met = [number for kind, number in numbers if kind == "strong"], 0
+    assert cards == [*range(1, len(cards) + 1)]
+    for kind, number in numbers:
+        met = number if kind == "strong" else met
+        assert number <= met or number > len(cards)
 
 
 OVER = {"frontier_wall": "points"}

@@ -5,7 +5,9 @@
 :width: text                   "text" (default) or "page"; where it stands, never a scaling of pixels
 :zoom: 1                       a whole number: CSS pixels for each pixel of a render
 
-The caption, in MyST: first what to see, then how it was made. Roles work: {number}`eps_sweep.rms_1e-3`.
+The caption, in MyST: what to see, in two lines. Roles work: {number}`eps_sweep.rms_1e-3`.
+
+How it was made: what follows the first paragraph is folded, with the provenance.
 :::
 
 Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and no label.
@@ -24,8 +26,9 @@ from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly.results import load_result, remark
-from book.extension.elements import TEMPLATES, Nodes, directive, filled
+from book.extension.elements import TEMPLATES, Nodes, directive, filled, raw
 
+FOLD = '<details class="made"><summary>details</summary>'  # one sign under each figure
 OPTIONS = {
     "alt": directives.unchanged_required,
     "width": lambda argument: directives.choice(argument, ("text", "page")),
@@ -54,13 +57,13 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
         pictures += _pictures(here, other, alt)
     moves = "wiper" in options or here.name != "chapter-figure"
     figure += filled("pictures", pictures=pictures, panels=panels, wiper="wiper" in options, moves=moves)
-    if here.content:
-        _add_caption(here, figure, id)
+    rest = _add_caption(here, figure, id) if here.content else []
     if "plain" not in options:
         address = relpath(description["source"], book.name)  # both from the root
-        figure += nodes.legend(
-            "", filled("provenance", **{"certified": None, "id": id, "address": address} | description)
-        )
+        origin = filled("provenance", **{"certified": None, "id": id, "address": address} | description)
+        figure += nodes.legend("", raw(FOLD), *rest, origin, raw("</details>"))
+    elif rest:
+        figure += nodes.legend("", *rest)
     if said := remark(book, id):
         figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
     return [figure]
@@ -84,18 +87,18 @@ def _pictures(here: SphinxDirective, id: str, alt: str) -> list[dict]:
     return [{"name": f"{id}{suffix}", "classes": look} | common for suffix, look in looks.items()]
 
 
-def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> None:
+def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> Nodes:
+    """Give the figure its caption, the first paragraph, and its label; return the others."""
     parsed = nodes.Element()
     here.state.nested_parse(here.content, here.content_offset, parsed)
     first, *rest = parsed.children
     if not isinstance(first, nodes.paragraph):
         raise ValueError(f"{id!r}: a caption begins with a paragraph")
     figure += nodes.caption(first.rawsource, "", *first.children)
-    if rest:
-        figure += nodes.legend("", *rest)
     label = f"fig-{id}"
     figure["names"], figure["ids"] = [label], [label]
     here.state.document.note_explicit_target(figure, figure)
+    return rest
 
 
 def file_link(text: str, target: str, title: str) -> addnodes.download_reference:

@@ -16,6 +16,7 @@ from proofs.printers.coq_statements import statements
 from verify.coq import formal
 
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")
+LEMMAS_PAGE = PROJECT.page.get("lemmas")
 LEGEND = (PROJECT.page.get("legend", "index"), "badges")  # the page and the id of what says what badges mean
 WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
 THEOREMS = PROJECT.folder(PROJECT.theorems)
@@ -68,9 +69,16 @@ class Proofs:
             raise ValueError(f"{id!r} is expected to be {expected}; its last run made it {grade}")
 
     def label(self, id: str) -> str:
-        """The name by which pages call it: "Theorem 3", or "Claim 4" if it is not proved."""
-        word = "Theorem" if kind(self.entries[id]["shown"]) in ("formal", "proved", "argued") else "Claim"
-        return f"{word} {list(self.places).index(id) + 1}"
+        """The name by which pages call it: "Theorem 3", "Lemma A.3", or "Claim 4" if it is not proved.
+
+        The lemmas are counted by themselves, so that the numbers of the rest rise from page to page.
+        """
+        aside = self.places[id] == LEMMAS_PAGE
+        counted = [other for other, page in self.places.items() if (page == LEMMAS_PAGE) == aside]
+        word = "Lemma" if aside else "Theorem"
+        if kind(self.entries[id]["shown"]) not in ("formal", "proved", "argued"):
+            word = "Claim"
+        return f"{word} {'A.' if aside else ''}{counted.index(id) + 1}"
 
     def users(self, id: str) -> list[str]:
         return [other for other, theorem in self.theorems.items() if id in theorem.uses]
