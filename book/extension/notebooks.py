@@ -8,11 +8,9 @@ open a notebook from a branch, `repository.branch`, to which the workflow that p
 """
 
 import re
-from collections.abc import Iterable
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import NamedTuple
 
 import nbformat
 from sphinx.util.docutils import SphinxDirective
@@ -33,7 +31,7 @@ CODE = (
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
-FEWEST = 3  # lines that are worth a fold
+SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
 
 
 @directive("notebook", arguments=1)
@@ -42,12 +40,17 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
+    return links(here, name, titles[name], "" if name == WHOLE else f"#{name} .cell_input pre")
+
+
+def links(here: SphinxDirective, name: str, title: str, code: str) -> Nodes:
+    """The ways to run a notebook; code: the selector of what is copied, if anything is."""
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
     match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebooks()[name]).encode()
     link = {
         "name": name,
-        "title": titles[name],
-        "words": "notebook of all cells" if name == WHOLE else "notebook",
+        "title": title,
+        "code": code,
         "address": base64_address("application/x-ipynb+json", content),  # saved from a disk too, where a file is shown
         "repository": match and match[1],
         "branch": config["branch"],
@@ -71,44 +74,20 @@ def offer_notebooks(page: Page) -> None:
 
 
 @on_page
-def fold_what_repeats(page: Page) -> None:
-    """Fold the lines that a cell shares with earlier ones, and mark those that are new in it."""
+def fold_the_rest(page: Page) -> None:
+    """Fold all of a cell but its knobs and the lines that decide."""
     if page.name == PAGE.stem:
-        runs = iter(repeated([part.text for cell in cells() for part in cell.parts if part.is_code]))
-        page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(runs)), page.context["body"])
+        sources = iter([part.text for cell in cells() for part in cell.parts if part.is_code])
+        page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(sources)), page.context["body"])
 
 
-class Run(NamedTuple):
-    """Lines of a cell that follow each other: all in earlier cells too, or all new; and the functions they define."""
-
-    lines: int
-    repeats: bool
-    functions: list[str]
-
-
-def repeated(sources: Iterable[str]) -> list[list[Run]]:
-    """Return the Runs of every source. A paragraph repeats if an earlier source has it, word for word."""
-    known: set[str] = set()
-    found = []
-    for source in sources:
-        paragraphs, runs = PARAGRAPH.findall(source), []
-        for repeats, some in groupby(paragraphs, lambda paragraph: paragraph.strip() in known):
-            text = "".join(some)
-            runs.append(Run(len(text.splitlines()), repeats, DEFINED.findall(text)))
-        known.update(map(str.strip, paragraphs))
-        found.append(runs)
-    return found
-
-
-def _folded(code: str, runs: list[Run]) -> str:
-    """Return a cell's lines as HTML; where none is from another cell, nothing is marked."""
+def _folded(code: str, source: str) -> str:
+    """Return a cell's lines as HTML."""
     lines, pieces = code.splitlines(keepends=True), []
-    if not any(run.repeats for run in runs):
-        return code
-    for run in runs:
-        piece, lines = "".join(lines[: run.lines]), lines[run.lines :]
-        said = f": {', '.join(run.functions)}" if run.functions else ""
-        summary = f"<summary># As before{said} ({run.lines} lines)</summary>"
-        folds = run.repeats and run.lines >= FEWEST
-        pieces.append(f"<details>{summary}{piece}</details>" if folds else f'<span class="new-lines">{piece}</span>')
+    for shown, paragraphs in groupby(PARAGRAPH.findall(source), lambda paragraph: paragraph.startswith(SHOWN)):
+        text = "".join(paragraphs)
+        count = len(text.splitlines())
+        piece, lines = "".join(lines[:count]), lines[count:]
+        summary = f"<summary># {', '.join([f'{count} lines', *DEFINED.findall(text)])}</summary>"
+        pieces.append(piece if shown else f"<details>{summary}{piece}</details>")
     return "".join(pieces + lines)

@@ -1,6 +1,12 @@
-"""The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together."""
+"""The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together.
 
+The seed's eight cells too, with the one line mended.
+"""
+
+import os
 import re
+import subprocess
+import sys
 from dataclasses import dataclass
 from functools import cache
 
@@ -13,6 +19,7 @@ from book.assembly.results import E_NOTATION, formatted, look_up, measured, pars
 from book.assembly.website import BOOK
 from book.notebooks import WHOLE
 from book.releases.record import version
+from verify.benchmark.baselines.seed_loops import seed_cells
 
 PAGE = BOOK / "chapter" / "s5.md"
 HEADING = re.compile(r"^### Cell (\d+)\. (.+)$", re.MULTILINE)
@@ -102,7 +109,7 @@ def plain(text: str) -> str:
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
-    "From §5 of *Bump Mapping, or the Derivative Is the Texture*, version {version}. It runs with Python 3.11 or "
+    "From *Bump Mapping, or the Derivative Is the Texture*, version {version}. It runs with Python 3.11 or "
     "newer, NumPy, SymPy, mpmath and Matplotlib: no network, no other file."
 )
 
@@ -123,4 +130,26 @@ def notebooks() -> dict[str, NotebookNode]:
         body = [part for part in body if part["source"]]
         alone[cell.name] = _notebook(title, body)
         everything += [new_markdown_cell(f"## {title}"), *body]
-    return alone | {WHOLE: _notebook("The laboratory", everything)}
+    return alone | {WHOLE: _notebook("The laboratory", everything)} | _seed_notebooks()
+
+
+BEFORE = {2: [1], 3: [1], 4: [1, 3], 5: [1, 3], 6: [1, 3], 7: [1, 3]}  # what the seed's cells build on
+SIDE = 64  # pixels of the pictures that the page's run draws
+DRAWN = re.compile(r"\b(256|128), \1\b")
+TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.MULTILINE)
+
+
+def _seed_notebooks() -> dict[str, NotebookNode]:
+    programs = dict(enumerate(map(new_code_cell, seed_cells()), 1))
+    return {
+        f"seed{n}": _notebook(f"The seed's Cell {n}", [programs[k] for k in (*BEFORE.get(n, []), n)]) for n in programs
+    }
+
+
+@cache
+def seed_prints() -> list[str]:
+    """Return what the seed's cells print when they are run in order, their pictures small and their times left out."""
+    program = 'print("\\0")\n'.join(DRAWN.sub(f"{SIDE}, {SIDE}", f"{cell}\n") for cell in seed_cells())
+    command = [sys.executable, "-X", "utf8", "-W", "ignore", "-c", program]
+    run = subprocess.run(command, env=os.environ | {"MPLBACKEND": "agg"}, check=True, capture_output=True, text=True)
+    return TIME.sub("…", run.stdout).split("\0\n")
