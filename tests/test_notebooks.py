@@ -12,7 +12,7 @@ import pytest
 from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import PAGE, cells, notebooks, plain
+from book.notebooks.laboratory import DRAWN, PAGE, SIDE, TIME, cells, notebooks, plain
 from book.notebooks.printed import refreshed
 from tests import one_page
 from tests.processes import python
@@ -68,9 +68,9 @@ def test_cells_have_what_proofs_print():
 
 def test_edited_formula_or_scene_is_printed_anew():
     page = PAGE.read_text("utf-8")
-    for good, bad in (("g = e_phi*h_v + e_theta*h_u", "g = e_phi*h_v - e_theta*h_u"), ("0.7 * albedo", "0.8 * albedo")):
+    for good in ("g = e_phi*h_v + e_theta*h_u", "sinpi(P[0]) * sinpi(P[1])", 'SC["ku"] / 2'):
         again = page.rindex(good)
-        assert refreshed(page[:again] + page[again:].replace(good, bad)) == page
+        assert refreshed(page[:again] + page[again:].replace(good, "0")) == page
     with pytest.raises(ValueError, match=r"'bump\.py, nothing' is not allowed"):
         refreshed("# Printed from proofs/formulas/bump.py, nothing\ndef f():\n    pass\n")
 
@@ -106,6 +106,21 @@ def test_each_cell_finds_what_its_page_says_and_one_with_a_wrong_sign_does_not(s
     assert numbers(text, apart.search(text)[1])[0] > 0.1
 
 
+@pytest.mark.parametrize(
+    "knobs",
+    [
+        '"ridges", "blinn", 1e-3, 600, 1, 1, (1, 2)',  # with centres of pixels on creases
+        '"ridges", "phong", 1e-3, 1000, 1, 1, (1,)',
+        '"sine", "phong", 1e-2, 199, 0, 1, (2, 1)',
+        '"rings", "blinn", 1e-4, 220, 1, 0, ()',
+    ],
+)
+def test_third_cell_draws_the_renderer_s_picture_at_every_size_and_knob(knobs):
+    code = next(part.text for part in cells()[2].parts if part.is_code).replace("1e-2, 1e-3, 1e-4, 1e-5, 1e-6", "")
+    text, _ = run(re.sub("(?<=lights = ).*", knobs, code, count=1))
+    assert numbers(text, "from the book's renderer at most")[0] < 1e-11
+
+
 def test_ninth_cell_draws_what_is_typed():
     """One's own drawing is the renderer's, as near as that certifies; with another slope it is not."""
     code = re.sub(r'(?<=formula = ").*?(?=")', "max(0, cospi(k_v*v))*3/2", cells()[8].code)
@@ -124,7 +139,7 @@ def test_the_notebooks_are_the_cells():
     for notebook in made.values():
         said = "\n".join(c["source"] for c in notebook["cells"] if c["cell_type"] == "markdown")
         assert not re.search(r"\{[\w-]+\}`|^:::|^\(\w+\)=", said, re.M)
-    codes = {name: "\n".join(code_of(notebook)) for name, notebook in made.items()}
+    codes = {name: "\n".join(code_of(notebook)) for name, notebook in made.items() if "seed" not in name}
     alone = {cell.name: cell.code for cell in cells()}
     assert codes == {**alone, WHOLE: "\n".join(alone.values())}
 
@@ -144,18 +159,37 @@ def test_notebooks_run_alone_and_print_what_the_page_does(site, said, tmp_path):
     paths = [site / FOLDER / f"{cell.name}.ipynb" for cell in cells()]
     printed, complaints = python("-W", "ignore:FigureCanvasAgg", "-c", RUN, *paths, cwd=empty, env=settings)
     assert (complaints, [*empty.iterdir()]) == ("", [])
-    timed = re.compile(r"(?:ns a point: |the difference takes |a frame at ).*\n")  # the page times nothing
+    timed = re.compile(r"(?:a slope, |a frame at ).*\n")  # the page times nothing
     compared = re.compile(r".*the book's renderer.*\n", re.IGNORECASE)
     for cell, text in zip(cells(), printed.split("\0\n")[1:], strict=True):
         assert text.count(ALONE) == 1
         assert compared.sub("", timed.sub("", text)) == compared.sub("", said[cell.number]) != ""
 
 
+def test_the_seed_s_cells_run_and_print_what_its_page_says(page_of, site, tmp_path):
+    says = [block.get_text().split() for block in page_of("seed").select(".highlight-none pre")]
+    paths = [tmp_path / f"seed{n}.ipynb" for n in range(1, 9)]
+    for path in paths:
+        path.write_text(DRAWN.sub(f"{SIDE}, {SIDE}", (site / FOLDER / path.name).read_text("utf-8")), "utf-8")
+    printed, _ = python("-X", "utf8", "-W", "ignore", "-c", RUN, *paths, env=os.environ | {"MPLBACKEND": "agg"})
+    for words, text in zip(says, TIME.sub("…", printed).split("\0\n")[1:], strict=True):
+        assert text.split()[-len(words) :] == words != []
+
+
+def test_a_cell_shows_its_knobs_and_what_decides_and_folds_the_rest(page_of):
+    for cell in page_of("s5").select("section[id^=cell] div.cell_input pre"):
+        for fold in cell.select("details"):
+            fold.extract()
+        assert 3 <= len(cell.get_text().strip().splitlines()) <= 22 and "# Here:" in cell.get_text()
+        assert "import renderer" not in cell.get_text()
+
+
 def test_colab_and_binder_are_offered_where_a_repository_is_configured(tmp_path):
     (tmp_path / "_config.yml").write_text("repository: {url: 'https://github.com/a/b.git', branch: pages}\n")
     html, _ = one_page.build(tmp_path, ":::{notebook} cell3\n:::")
     (paragraph,) = parsed(html).select("p.notebook-links")
-    colab, binder = (link["href"] for link in paragraph.select("a:not([download])"))
+    upload, colab, binder = (link["href"] for link in paragraph.select("a:not([download])"))
+    assert upload == "https://colab.new"
     assert colab == f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb"
     assert binder.startswith("https://mybinder.org/v2/gh/a/b/pages?")
 
@@ -163,13 +197,12 @@ def test_colab_and_binder_are_offered_where_a_repository_is_configured(tmp_path)
 def test_links_save_notebooks_from_a_disk_and_a_copied_cell_is_complete_though_folded(site, visit):
     page = visit("s5", "file")
     links = page.locator(".notebook-links a[download]")
-    assert links.count() == len(notebooks())
+    assert links.count() == len(cells()) + 1
     with page.expect_download() as saved:
         links.first.click()
     name = saved.value.suggested_filename
     assert Path(saved.value.path()).read_bytes() == (site / FOLDER / name).read_bytes()
     page.evaluate("document.body.prepend(Object.assign(document.createElement('textarea'), { id: 'pasted' }))")
-    third, source = page.locator("div.cell_input").nth(2), code_of(notebooks()[WHOLE])[2]
-    third.locator("button.copybtn").click()
+    page.get_by_role("button", name="Copy: Cell 3").click()
     page.press("#pasted", "Control+V")
-    assert page.locator("#pasted").input_value().strip() == source.strip()
+    assert page.locator("#pasted").input_value().strip() == code_of(notebooks()[WHOLE])[2].strip()

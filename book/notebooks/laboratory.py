@@ -134,7 +134,7 @@ def notebooks() -> dict[str, NotebookNode]:
 
 
 BEFORE = {2: [1], 3: [1], 4: [1, 3], 5: [1, 3], 6: [1, 3], 7: [1, 3]}  # what the seed's cells build on
-SIDE = 64  # pixels of the pictures that the page's run draws
+SIDE = 48  # pixels of the pictures that the page's run draws
 DRAWN = re.compile(r"\b(256|128), \1\b")
 TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.MULTILINE)
 
