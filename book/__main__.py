@@ -13,6 +13,7 @@ from filelock import FileLock
 
 from book.assembly import report, stamps, website
 from book.editions import files
+from proofs.engine.project import PROJECT
 from renderer.command_line.signals import first_signal_stops, say_stopped
 from verify import evidence
 from verify.records import RECORDS
@@ -70,6 +71,7 @@ def require_evidence() -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    PROJECT.require_writable()
     verb = options.verb or "build"
     if verb == "figures" and options.list:
         from book.drawing.draw import all_figures

@@ -16,8 +16,6 @@ from pathlib import Path
 
 from proofs.engine import kernel
 
-FOLDER = Path(__file__).parent / "certificates"
-
 
 def text_of(path: Path) -> str:
     """Return a file's text as its bytes say it; a byte that is no UTF-8 as what `parsed` refuses."""
@@ -119,9 +117,11 @@ def verdicts(text: str, theorem: str) -> list[tuple[str, object]]:
 
 def main(arguments: list[str] | None = None) -> int:
     """Print a line a theorem; return 0 if the kernel accepts all, 1 if not, 2 on an unknown id."""
+    from proofs.engine.project import PROJECT  # not above: a stand-alone script has none
+
     parser = argparse.ArgumentParser(prog="python -m proofs.check", description=__doc__)
     parser.add_argument("ids", nargs="*", metavar="ID", help="theorems (default: all)")
-    known = {path.stem: path for path in sorted(FOLDER.glob("*.json"))}
+    known = {path.stem: path for path in sorted(PROJECT.certificates.glob("*.json"))}
     ids = parser.parse_args(arguments).ids or list(known)
     if unknown := [id for id in ids if id not in known]:
         there = f"no certificates of {', '.join(unknown)}; there are: {', '.join(known)}"

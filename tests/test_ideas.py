@@ -10,8 +10,7 @@ import pytest
 from PIL import Image
 from playwright.sync_api import expect
 
-from book import idea_kernels
-from book.extension import worked
+from book import idea_kernels, worked
 from renderer import Scene, central, exact, gradient_at, pixel
 from renderer.scene.raster import Raster
 from tests.tabs import PHONE, RUNNING, next_frame, number, wait_for

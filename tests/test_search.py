@@ -66,3 +66,8 @@ def test_a_formula_that_is_found_stands_in_the_line(tex, text):
 def test_no_markup_is_sent_to_search_in(site):
     texts = (site / "_static" / "search-text.js").read_text("utf-8")
     assert "ε" in texts and not re.search("<m[a-z]+[ >]", texts) and "\\\\(" not in texts
+
+
+def test_no_sentence_is_a_figure_s_small_print_or_a_key(site):
+    text = (site / "_static" / "search-text.js").read_text("utf-8")
+    assert "python -m book figures" not in text and "Blinn1978" not in text and "Blinn 1978" in text

@@ -250,7 +250,7 @@ def test_words_beside_the_pictures_follow_the_state(tab):
     says(tab, ".sim-bar span >> nth=-1", "10⁻⁴")
 
 
-SCREENS = [(1440, 900, 512), (1280, 720, 360), (820, 1180, 400), (1180, 820, 400), (1920, 1080, 700), (2560, 1300, 640)]
+SCREENS = [(1440, 900, 512), (1280, 720, 360), (820, 1180, 380), (1180, 820, 400), (1920, 1080, 700), (2560, 1300, 640)]
 TOGETHER = ["[data-picture=numeric]", "[data-picture=symbolic]", "[data-picture=difference]", "#sim-eps", "#sim-ku"]
 TOGETHER += ["#sim-beta", "#sim-kv", "[data-parameter=field]", "#sim-view", "#sim-method", "#sim-scale", "#sim-size"]
 TOGETHER += [".sim-zoom", ".sim-curve", ".sim-strip", ".sim-headline", ".sim-bar", ".sim-presets"]

@@ -17,7 +17,7 @@ from book.editions.document import document
 from book.editions.inlined import svg_address, svg_parts
 from book.editions.names import REFERRING
 from book.editions.pages import parsed
-from proofs.check import FOLDER
+from proofs.engine.stored import FOLDER
 from tests.tabs import CERTAIN, PHONE, RUNNING, opened, wait_for
 
 

@@ -123,7 +123,7 @@ def test_what_is_in_the_wheel_and_in_the_archive(built):
         held = {name for name in packed.namelist() if ".dist-info/" not in name}
         of_sources = {name.partition("/")[2] for name in sources.getnames()}
         (metadata,) = (packed.read(name).decode() for name in packed.namelist() if name.endswith("/METADATA"))
-    assert held - of_sources == {"verify/references.bib", "verify/checkers/kernel.js"}  # of book/
+    assert held - of_sources == {"verify/references.bib", "verify/checkers/kernel.js", "proofs/pyproject.toml"}
     assert {name for name in held if "/test_" in name} == {"verify/test_theorems.py"}
     assert "\nClassifier: Private :: Do Not Upload" in metadata and "\nLicense" not in metadata  # none has been chosen
     assert "# Bump Mapping" in metadata and "](" not in metadata  # no repository is named that a link could lead to

@@ -5,15 +5,14 @@ import time
 
 import pytest
 
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
 from verify import formal
 from verify.checkers import theorem_files
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
 from verify.optional import lacking
-from verify.sources import ROOT
 
-REPORT = ROOT / "book" / "_generated" / "proofs.json"
 EVIDENCE = []
 TOOK = {}
 AGREED = set()
@@ -115,10 +114,10 @@ def pytest_sessionfinish(session, exitstatus):
     partial = config.getoption("keyword") or config.getoption("theorem")
     if any(e["grade"] != e["expected"] for e in entries) and not partial and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
-    if (ROOT / "book").is_dir() and {entry["id"] for entry in entries} == all_theorems().keys():
+    if PROJECT.writable and {entry["id"] for entry in entries} == all_theorems().keys():
         asked = {"the second checker": "the second checker" in AGREED, "Coq": formal.accepted_here()}
         report = {"version": 1, "summary": summary(entries), "theorems": entries, "asked": asked}
-        write_whole(REPORT, (json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode())
+        write_whole(PROJECT.report, (json.dumps(report, indent=1, ensure_ascii=False, sort_keys=True) + "\n").encode())
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -21,13 +21,14 @@ from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from proofs.engine.claim import Separation
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
 from verify import survey, vernacular
 from verify.sources import ROOT, file_hashes, key
 from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
 
-FOLDER = ROOT / "proofs" / "formal"
+FOLDER = PROJECT.formal
 RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
@@ -37,22 +38,10 @@ LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTI
 BESIDE = ("__point", "__false")
 """The ends of the names of additions that say nothing of a theorem."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-PRINTED = ("Formulas", "Float64", "Statements")
-TRUSTED = {
-    "Preliminaries": "6ba3087e69e19935cb22885051d7654f04f788aab605ccf2bd86fec01dddddfa",
-    "Float": "ad16b6801944a37aeb4450671311e8f0b6b3b26f48d768fd82a7d0fb026a6d50",
-}
-"""{what printed files need and no library has: its hash}. The book prints both; who changes one changes this, too."""
-
-PARTLY = {
-    "binades": "that its sentences in Coq, which are written by hand for every real height, are all of its words; "
-    "none of them is printed from a claim",
-    "bump_moves_no_boundary": "that none of these depends on the bump: the lines printed for them have no such input",
-    "elementary_functions": "the bound of its words: these are of all functions, relative ones but for the angle",
-}
-"""{theorem: what of its words no statement says}"""
-
-
+PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
+PARTLY, TRUSTED = PROJECT.partly, PROJECT.trusted
+"""{theorem: what of its words no statement says}; {what printed files need and no library has: its hash}, which the
+book prints."""
 GIVEN = {*PRINTED, *TRUSTED}
 
 
@@ -228,6 +217,7 @@ def main() -> None:
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
     asked = parser.parse_args()
+    PROJECT.require_writable()
     if unknown := set(asked.file) - (known := set().union(*layers())):
         parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(known))}")
     table = {} if asked.fresh or asked.file or asked.coqchk else record()

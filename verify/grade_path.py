@@ -7,6 +7,7 @@ Coq alone proves something, is counted behind it.
 
 import ast
 
+from proofs.engine.project import PROJECT
 from verify.sources import PACKAGES, ROOT, imported, without_prose
 
 ENTRANCES = (
@@ -17,7 +18,7 @@ ENTRANCES = (
     "proofs/printers/coq_statements.py",
 )
 PRINTS_FLOAT64 = "proofs/coq_files.py"
-CLAIMED = ("proofs/formulas/", "proofs/theorems/")  # what is graded, and no part of how
+CLAIMED = PROJECT.formulas, PROJECT.theorems  # what is graded, and no part of how
 
 
 def modules(*more: str) -> dict[str, int]:
@@ -26,7 +27,7 @@ def modules(*more: str) -> dict[str, int]:
     while waiting:
         name = waiting.pop()
         path = ROOT / name
-        if path.is_file() and not name.startswith(CLAIMED):
+        if path.is_file() and not name.replace("/", ".").startswith(CLAIMED):
             found[name] = len(without_prose(path).splitlines())
             at_once = _WithoutFunctions().visit(ast.parse(path.read_text(encoding="utf-8")))
             names = [name.replace(".", "/") for name in imported(ast.unparse(at_once))[0]]

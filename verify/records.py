@@ -12,7 +12,7 @@ import json
 import platform
 import re
 import subprocess
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
@@ -20,12 +20,13 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from proofs.engine.project import PROJECT
 from renderer.threads import available_cores
 from renderer.whole_files import write_whole
 from verify import sources
 from verify.sources import ROOT
 
-RESULTS, BENCHMARKS = "verify/results", "verify/benchmark/results"
+RESULTS, BENCHMARKS = PROJECT.results, PROJECT.benchmarks
 PROSE = {".md", ".bib"}
 
 
@@ -41,9 +42,9 @@ class Record:
     name: str
     folder: str
     command: str
-    begins: tuple[str, ...]
-    packages: tuple[str, ...] = ("numpy", "llvmlite")
-    needs: tuple[str, ...] = ()
+    begins: Sequence[str]
+    packages: Sequence[str] = ("numpy", "llvmlite")
+    needs: Sequence[str] = ()
 
     @property
     def path(self) -> str:
@@ -51,41 +52,7 @@ class Record:
         return f"{self.folder}/{self.name}.json"
 
 
-_CAMPAIGN = "-m pytest -q -s -p no:cacheprovider --long verify/test_campaign.py::test_no_edit_survives"
-RECORDS = {
-    record.name: record
-    for record in (
-        Record(
-            "simulator",
-            BENCHMARKS,
-            "-m tests.measure_simulator",
-            ("tests/measure_simulator.py", "book/simulator_module.py", "book/static/simulator"),
-        ),
-        Record("frames", BENCHMARKS, "-m verify.benchmark", ("verify/benchmark/__main__.py", "renderer/__main__.py")),
-        Record(
-            "work_precision",
-            RESULTS,
-            "-m verify.benchmark.work_precision",
-            ("verify/benchmark/work_precision.py",),
-            ("numpy", "llvmlite", "mpmath"),
-            ("jax",),
-        ),
-        Record(
-            "enclosed_pixels",
-            RESULTS,
-            "-m verify.enclosed_pixels",
-            ("verify/enclosed_pixels.py",),
-            ("numpy", "llvmlite", "python-flint"),
-        ),
-        Record(
-            "edited_formulas",
-            RESULTS,
-            _CAMPAIGN,
-            ("proofs", "verify/conftest.py", "verify/**/test_*.py", "verify/stale.py"),
-            ("sympy", "mpmath"),
-        ),
-    )
-}
+RECORDS = {name: Record(name, **fields) for name, fields in PROJECT.records.items()}
 
 
 def processor() -> str:
@@ -100,7 +67,9 @@ def processor() -> str:
 def commit() -> str:
     """Return the short id of the commit that is measured, with + if the tree differs from it, records aside."""
     head = _git("rev-parse", "--short", "HEAD")
-    dirty = head and _git("status", "--porcelain", "-uno", "--", ":/", ":(exclude,glob)verify/**/results/*")
+    dirty = head and _git(
+        "status", "--porcelain", "-uno", "--", ":/", f":(exclude){RESULTS}", f":(exclude){BENCHMARKS}"
+    )
     return f"{head}+" if dirty else head or "unknown"
 
 
@@ -146,6 +115,7 @@ class Run:
     """A run that measures a record: make it before anything is measured, and write what was found at the end."""
 
     def __init__(self, name: str):
+        PROJECT.require_writable()
         self.record, self.code = RECORDS[name], code_of(name)
         self.label = label([*self.record.packages, *filter(find_spec, self.record.needs)])
 

@@ -10,12 +10,22 @@ from functools import cache
 from importlib.util import resolve_name
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-PACKAGES = ("proofs", "renderer", "verify", "book", "tests")
+from proofs.engine.project import HOME, PROJECT
+
+ROOT = PROJECT.root
+TOOLS = ("proofs", "renderer", "verify", "book")
+PACKAGES = (*TOOLS, *PROJECT.packages, *PROJECT.above)
 PRODUCTS = {"__pycache__", "_build", "_generated", ".ipynb_checkpoints", "node_modules"}
 # A module that imports by computed names can reach anything in its package, but for the tests there.
 COMPUTED_IMPORTS = {"importlib", "pkgutil", "runpy", "__import__"}
-IMPORT_NOTHING = ("importlib.metadata", "importlib.util.find_spec", "importlib.util.resolve_name")
+IMPORT_NOTHING = (
+    "importlib.metadata",
+    "importlib.util.find_spec",
+    "importlib.util.resolve_name",
+    "pkgutil.resolve_name",
+)
+# What a module reaches that asks pkgutil for what the project names, "module:name".
+NAMED = {text.partition(":")[0] for text in (*PROJECT.printed.values(), PROJECT.tex)}
 LAZY = "_HOMES"  # {name: the module that a package imports it from when it is first asked for}
 
 
@@ -27,6 +37,11 @@ def files_in(folder: Path) -> Iterator[Path]:
             yield path
 
 
+def place(path: Path) -> Path:
+    """A file's path from the root, or from the tools' own."""
+    return path.relative_to(ROOT if path.is_relative_to(ROOT) else HOME)
+
+
 def is_test(path: Path) -> bool:
     """Whether a file is one that pytest collects or is configured by."""
     return path.name.startswith("test_") or path.name == "conftest.py"
@@ -35,9 +50,9 @@ def is_test(path: Path) -> bool:
 def reachable(source: Path) -> set[Path]:
     """The file, its packages, the repository's modules that they import directly or not, and the data beside those."""
     source = source.resolve()
-    around = source.relative_to(ROOT).with_suffix("").parts if source.is_relative_to(ROOT) else ()
+    around = place(source).with_suffix("").parts if any(map(source.is_relative_to, (ROOT, HOME))) else ()
     found = followed({source, *_module_files(".".join(around))})
-    code_only = {ROOT / "book", ROOT / "book" / "figures"}  # what lies beside these is prose
+    code_only = {PROJECT.pages, PROJECT.folder(PROJECT.figures), HOME / "book"}  # what lies beside these is prose
     folders = {path.parent for path in found} - code_only
     beside = [path for folder in folders for path in folder.iterdir() if path.is_file()]
     return found | {path for path in beside if path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")}
@@ -68,9 +83,8 @@ def file_hashes(
     paths: Iterable[Path], content: Callable[[Path], bytes] = Path.read_bytes, root: Path | None = None
 ) -> dict[str, str]:
     """Path from the root → hash of its content, for files that exist."""
-    root = root or ROOT
-    found = sorted(path for path in set(paths) if path.is_file())
-    return {path.relative_to(root).as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for path in found}
+    found = {path.relative_to(root) if root else place(path): path for path in set(paths) if path.is_file()}
+    return {name.as_posix(): hashlib.sha256(content(path)).hexdigest()[:16] for name, path in sorted(found.items())}
 
 
 @cache
@@ -106,11 +120,13 @@ def key(table: dict) -> str:
 def _direct_imports(path: Path) -> frozenset[Path]:
     if path.suffix != ".py":
         return frozenset()
-    package = path.parent.relative_to(ROOT).parts
+    package = place(path.parent).parts
     names, computed = imported(path.read_text(encoding="utf-8"), package)
+    names |= NAMED if "pkgutil.resolve_name" in names else set()
     found = {file for name in names for file in _module_files(name)}
     if computed:
-        found.update(file for file in files_in(ROOT / package[0]) if file.suffix == ".py" and not is_test(file))
+        around = files_in(path.parents[len(package) - 1])
+        found.update(file for file in around if file.suffix == ".py" and not is_test(file))
     return frozenset(found)
 
 
@@ -140,6 +156,7 @@ def _module_files(name: str) -> frozenset[Path]:
         return frozenset()
     found: set[Path] = set()
     for length in range(1, len(parts) + 1):
-        place = ROOT.joinpath(*parts[:length])
-        found.update(file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file())
+        modules = (root.joinpath(*parts[:length]) for root in (ROOT, HOME))
+        files = ([path for path in (m / "__init__.py", m.with_suffix(".py")) if path.is_file()] for m in modules)
+        found.update(next(filter(None, files), ()))
     return frozenset(found)

@@ -10,8 +10,9 @@ import mpmath
 import pytest
 from sympy import Piecewise, Pow, Rational, Symbol, cos, factor_list, sin, true
 
-from proofs.check import FOLDER, is_empty, parsed, text_of
+from proofs.check import is_empty, parsed, text_of
 from proofs.engine.claim import Claim
+from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
 from proofs.printers.coq_statements import StatementPrinter
 from verify import formal

@@ -13,7 +13,7 @@ def page_files(book: Path) -> dict[str, Path]:
         return {path.stem: path for path in sorted(book.glob("*.md"))}
     table = table_in(contents)
     parts = table.get("parts", [table])
-    places = [table["root"], *(chapter["file"] for part in parts for chapter in part["chapters"])]
+    places = [table["root"], *(chapter["file"] for part in parts for chapter in part.get("chapters", ()))]
     return {Path(place).name: book / f"{place}.md" for place in places}
 
 

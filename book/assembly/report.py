@@ -6,10 +6,11 @@ import sys
 from pathlib import Path
 
 from book.assembly import stamps
+from proofs.engine.project import FILE, PROJECT
 from verify import formal
 from verify.checkers import second_checker
 
-REPORT = stamps.ROOT / "book" / "_generated" / "proofs.json"
+REPORT = PROJECT.report
 
 
 class NoReport(ValueError):
@@ -18,12 +19,13 @@ class NoReport(ValueError):
 
 def packages() -> list[Path]:
     """Every file of the packages: a proof may read what it does not import."""
-    return [path for folder in ("proofs", "renderer", "verify") for path in stamps.files_in(stamps.ROOT / folder)]
+    folders = [*map(PROJECT.folder, PROJECT.packages), *map(stamps.HOME.joinpath, ("proofs", "renderer", "verify"))]
+    return [path for folder in folders for path in stamps.files_in(folder)]
 
 
 def reported_hashes() -> dict[str, str]:
-    bibliography = stamps.ROOT / "book" / "references.bib"
-    return stamps.hashes([*packages(), stamps.LOCK_FILE, bibliography, second_checker.SCRIPT])
+    files = (stamps.LOCK_FILE, PROJECT.root / FILE, PROJECT.bibliography, second_checker.SCRIPT)
+    return stamps.hashes([*packages(), *files])
 
 
 def _stamp(sources):
@@ -46,8 +48,9 @@ def make() -> None:
         return
     before = reported_hashes()
     stamps.remove("report")
-    command = [sys.executable, "-m", "pytest", "verify/test_theorems.py", "-q", "-n", "2"]
-    subprocess.run(command, cwd=stamps.ROOT, check=True)
+    command = [sys.executable, "-m", "pytest", str(stamps.HOME / "verify" / "test_theorems.py"), "-q", "-n", "2"]
+    cache = f"cache_dir={stamps.ROOT / '.pytest_cache'}"
+    subprocess.run([*command, "-o", cache], cwd=stamps.ROOT, check=True)
     remember(before)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import yaml
 
 from renderer.whole_files import write_whole
-from verify.sources import PACKAGES, ROOT, file_hashes, files_in, hashes, key, reachable  # noqa: F401
+from verify.sources import HOME, PACKAGES, ROOT, file_hashes, files_in, hashes, key, reachable  # noqa: F401
 
 STAMPS = ROOT / ".stamps"
 LOCK_FILE = ROOT / "requirements.lock"

@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 
 from book.assembly import report, stamps
+from proofs.engine.project import PROJECT
 
-BOOK = stamps.ROOT / "book"
+BOOK, TOOLS = PROJECT.pages, stamps.HOME / "book"
 SITE = BOOK / "_build" / "html"
 INDEX = SITE / "index.html"
 WORK = BOOK / "_build" / "work"
@@ -18,8 +19,8 @@ EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two bu
 
 def site_hashes() -> dict[str, str]:
     """The hashes of everything that the site is made from, drawn figures included."""
-    files = [path for folder in (BOOK, BOOK / "_generated") for path in stamps.files_in(folder)]
-    tests = (stamps.ROOT / "tests").glob("*.py")  # the ledger names them, and the site shows those
+    files = [path for folder in {BOOK, BOOK / "_generated", TOOLS} for path in stamps.files_in(folder)]
+    tests = [*(stamps.ROOT / "tests").glob("*.py"), *stamps.files_in(stamps.ROOT / "tests" / "examples")]  # pages show
     return stamps.hashes([*report.packages(), *files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
 
 
@@ -28,7 +29,7 @@ def execution_cache() -> Path:
 
     Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """
-    how = [BOOK / "drawing" / "matplotlibrc", BOOK / "extension" / "pages.py"]  # how cells draw, and how they run
+    how = [TOOLS / "drawing" / "matplotlibrc", TOOLS / "extension" / "pages.py"]  # how cells draw, and how they run
     files = [*report.packages(), *how, stamps.LOCK_FILE]
     return CACHES / stamps.key(stamps.hashes(files))
 
@@ -40,8 +41,8 @@ def environment(cache: Path) -> dict[str, str]:
         "SOURCE_DATE_EPOCH": EPOCH,
         "PYTHONHASHSEED": "0",
         "TZ": "UTC",
-        "MATPLOTLIBRC": str(BOOK / "drawing" / "matplotlibrc"),
-        "PYTHONPATH": str(stamps.ROOT),
+        "MATPLOTLIBRC": str(TOOLS / "drawing" / "matplotlibrc"),
+        "PYTHONPATH": f"{stamps.ROOT}{os.pathsep}{stamps.HOME}",
         "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
         "BOOK_EXECUTION_CACHE": str(cache),
     }

@@ -17,20 +17,19 @@ from pathlib import Path
 from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import FIGURES, Registered
+from proofs.engine.project import PROJECT
 from verify.sources import difference
 
-GENERATED = stamps.ROOT / "book" / "_generated"
+GENERATED = PROJECT.generated
 PROCESSES = 2
-# Those that take longest begin first, so that no process waits long for the other at the end.
-LONGEST = ("eps_sweep", "stability", "u_curve", "certified_bounds")
 Waiting = tuple[Registered, dict[str, str], str]
 """A figure to be drawn, the hashes of its sources, and the reason."""
 
 
 def all_figures() -> dict[str, Registered]:
-    """Every figure by its id, in alphabetical order: every module of book/figures is imported."""
-    for module in pkgutil.iter_modules([str(stamps.ROOT / "book" / "figures")]):
-        importlib.import_module(f"book.figures.{module.name}")
+    """Every figure by its id, in alphabetical order: every module of the project's package of figures is imported."""
+    for module in pkgutil.iter_modules([str(PROJECT.folder(PROJECT.figures))]):
+        importlib.import_module(f"{PROJECT.figures}.{module.name}")
     return dict(sorted(FIGURES.items()))
 
 
@@ -50,7 +49,8 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
         if reason := "asked for" if force else why_redraw(entry, now):
             families.setdefault(source_file(entry).stem, []).append((entry, now, reason))
             stamps.write(f"figures/{entry.id}", {})  # begun
-    waiting = [families[name] for name in sorted(families, key=LONGEST.__contains__, reverse=True)]
+    # Those that take longest begin first, so that no process waits long for the other at the end.
+    waiting = [families[name] for name in sorted(families, key=PROJECT.slowest.__contains__, reverse=True)]
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
         run = pool.map if PROCESSES > 1 and len(waiting) > 1 else map

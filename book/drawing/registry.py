@@ -38,28 +38,28 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Registered:
-    """A figure's id, the function that draws it, and the record that this is given, if any."""
+    """A figure's id, the function that draws it, and the records that this is given."""
 
     id: str
     draw: Callable[..., Drawing]
-    record: str | None = None
+    records: Sequence[str] = ()
 
     @property
     def reads(self) -> list[str]:
         """The files that it is drawn from beside code, by path from the root."""
-        return [RECORDS[self.record].path] if self.record else []
+        return [RECORDS[name].path for name in self.records]
 
     def drawn(self) -> Drawing:
-        return self.draw(read(self.record)) if self.record else self.draw()
+        return self.draw(*map(read, self.records))
 
 
 FIGURES: dict[str, Registered] = {}
 
 
-def figure(id: str | Callable[[], Drawing] | None = None, record: str | None = None) -> Callable:
+def figure(id: str | Callable[[], Drawing] | None = None, record: str = "") -> Callable:
     """Register the decorated function under its own name or, as @figure("id"), under an id.
 
-    `record`: the name of a record of `verify`, which the function is given; it reads no other file.
+    record: names of records of `verify`, which the function is given; it reads no other file.
     """
     if callable(id):
         return figure()(id)
@@ -71,7 +71,7 @@ def figure(id: str | Callable[[], Drawing] | None = None, record: str | None = N
             raise ValueError(f"figure id {name!r} is taken by {other.__module__}.{other.__qualname__}")
         if not draw.__doc__:
             raise ValueError(f"figure {name!r}: its function needs a docstring that says what it draws")
-        FIGURES[name] = Registered(name, draw, record)
+        FIGURES[name] = Registered(name, draw, record.split())
         return draw
 
     return register

@@ -4,9 +4,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from book.assembly import stamps, website
+from proofs.engine.project import PROJECT
 
-SINGLE = website.BOOK / "_build" / "single" / "bump-mapping.html"
-PDF = website.BOOK / "_build" / "pdf" / "bump-mapping.pdf"
+SINGLE = website.BOOK / "_build" / "single" / f"{PROJECT.name}.html"
+PDF = website.BOOK / "_build" / "pdf" / f"{PROJECT.name}.pdf"
 LARGEST = 12_000_000  # bytes of the file; what is larger, many mail servers refuse
 
 

@@ -9,9 +9,11 @@ from urllib.parse import unquote, urlsplit
 
 from bs4 import BeautifulSoup, Tag
 
+from proofs.engine.project import PROJECT
+
 ARTICLE = re.compile(r'<article class="bd-article">(.*)</article>', re.DOTALL)
 COLORED = re.compile(r'<span class="\w{1,3}">([^<]*)</span>')  # in a listing
-SHELL = "s1"  # the page whose frame is taken: one with contents beside it
+SHELL = PROJECT.page.get("shell", "index")  # the page whose frame is taken: one with contents beside it
 LEFT_OUT = {"search.html", "genindex.html"}  # a file has no search, and its index is empty
 
 

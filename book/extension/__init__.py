@@ -1,8 +1,6 @@
-"""The chapter's own Sphinx extension.
+"""The Sphinx extension of a book whose theorems are checked, and of what else a project names as its directives.
 
 `{chapter-figure} ID`      a figure, its caption and its provenance (figures.py)
-`{idea} ID`                a figure that a hand can move (worked.py)
-`{worked-pixel} ID`        one of them, with every line of a pixel under it (worked.py)
 `{number}` roles           a number from a figure or a benchmark, printed with a format (numbers.py)
 `{benchmark-label} NAME`   where and when a benchmark was measured (numbers.py)
 `{theorem} ID`             a theorem's card; {theorem-ref}`ID` refers to it (cards.py)
@@ -10,7 +8,6 @@
 `{check-all}`              what checks every certificate in the reader's browser (cards.py, checker.py)
 `{dependencies}`           what rests on what (cards.py)
 `{ledger-entries}` …       the ledger of claims: entries, tables, figures of merit (ledger.py)
-`{seed}`                   the page that the chapter came as, with its verdicts (seed.py)
 `{source-link}` …          sources as pages, theorems as downloads (listings.py)
 section ids                `(s1)=` before a heading puts s1 on the section itself (pages.py)
 `{notebook} NAME`          where a cell's notebook is; all of them as downloads (notebooks.py)
@@ -28,13 +25,15 @@ from importlib import import_module
 
 from sphinx.application import Sphinx
 
+from proofs.engine.project import PROJECT
+
 
 def setup(app: Sphinx) -> dict[str, str | bool]:
     """Import every part, and give Sphinx what they have registered."""
     from book.extension import elements, mathematics  # what imports a module of this package does not import all
 
-    for part in pkgutil.iter_modules(__path__, f"{__name__}."):
-        import_module(part.name)
+    for name in (*(part.name for part in pkgutil.iter_modules(__path__, f"{__name__}.")), *PROJECT.directives):
+        import_module(name)
     app.setup_extension("sphinx.ext.autodoc")
     app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
     app.add_node(elements.Formula, html=(mathematics.write, None))

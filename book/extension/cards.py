@@ -37,6 +37,7 @@ from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
+from proofs.engine.project import HOME, PROJECT
 from verify import formal
 from verify.survey import AXIOMS
 
@@ -131,9 +132,11 @@ def all_theorems(here: SphinxDirective) -> Nodes:
 TEMPLATES.globals.update(
     {each.__name__: each for each in (axioms, beside, certificate, coq, count, evidence_line, killed, kind)},
     BEFORE=BEFORE,
+    CHECK="pytest verify" if PROJECT.root == HOME else "pytest -p verify.conftest --noconftest --pyargs verify",
     DOWNLOADS=DOWNLOADS,
     GRADES=GRADES,
     OPEN=OPEN,
+    PAGES=PROJECT.page,
     PARTLY=formal.PARTLY,
     point=point,
     rows=rows,

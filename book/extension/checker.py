@@ -9,7 +9,7 @@ from docutils import nodes
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
 from book.extension.mathematics import typeset
-from book.extension.printed_claims import tex_name
+from book.extension.printed_claims import PRINTER
 from book.extension.theorems import Here, Proofs, certificate, kind
 
 SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
@@ -82,7 +82,7 @@ def names_of(claims: list[dict]) -> set[str]:
 
 def spelling(name: str) -> str:
     """A name as MathML, sin(pi*k_u*u) as k_u."""
-    tex = NAME.sub(lambda part: rf"\{part[0]}" if part[0] in ("sin", "cos") else tex_name(part[0]), name)
+    tex = NAME.sub(lambda part: rf"\{part[0]}" if part[0] in ("sin", "cos") else PRINTER.name(part[0]), name)
     return typeset(tex.replace("*", r"\,"))
 
 

@@ -16,6 +16,7 @@ Refer to it with {numref}`fig-eps_sweep`. Without a caption it has no number and
 
 import shutil
 from pathlib import Path
+from posixpath import relpath
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -56,7 +57,10 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
     if here.content:
         _add_caption(here, figure, id)
     if "plain" not in options:
-        figure += nodes.legend("", filled("provenance", **{"certified": None, "id": id} | description))
+        address = relpath(description["source"], book.name)  # both from the root
+        figure += nodes.legend(
+            "", filled("provenance", **{"certified": None, "id": id, "address": address} | description)
+        )
     if said := remark(book, id):
         figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
     return [figure]

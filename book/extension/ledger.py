@@ -28,12 +28,11 @@ from book.extension.elements import TEMPLATES, Nodes, directive, filled, on, rol
 from book.extension.figures import file_link
 from book.extension.listings import listing_address
 from book.extension.numbers import mark, typeset
-from book.extension.theorems import Here
+from book.extension.theorems import CLAIMS_PAGE, Here
 from book.ledger.check import refutes, standing, tests_in
 from book.ledger.entries import FINDINGS, VERDICTS, WORDS, BadLedger, Ledger, LedgerClaim, relation
+from proofs.engine.project import PROJECT
 from renderer.intervals import Interval
-
-PAGE = "findings"
 
 
 class Look(NamedTuple):
@@ -88,10 +87,10 @@ class Entries(Here):
 
     def entry(self, claim: LedgerClaim) -> str:
         """The address of a claim's entry on the page of all."""
-        return f"{self.page(PAGE)}#claim-{claim.id}"
+        return f"{self.page(CLAIMS_PAGE)}#claim-{claim.id}"
 
     def title(self, page: str) -> str:
-        return page_title(stamps.ROOT / "book", page)
+        return page_title(PROJECT.pages, page)
 
     def value(self, name: str) -> Nodes:
         """A number as it is set in type."""
@@ -105,7 +104,7 @@ class Entries(Here):
         figure, _, key = name.partition(".")
         text = WORDS.get(name) or re.sub("_+", " ", key)
         if figure.startswith(BENCHMARK_PREFIX):
-            return link(text, self.page("benchmark"))
+            return link(text, self.page(PROJECT.page["times"]))
         if page := figure_pages(Path(self.env.srcdir)).get(figure):
             return link(text, f"{self.page(page)}#fig-{figure}")
         return file_link(text, f"/_generated/{figure}.json", f"{figure}.json")
@@ -174,7 +173,7 @@ def merit(here: SphinxRole) -> Nodes:
 @role("claim")
 def claim_link(here: SphinxRole) -> Nodes:
     claim = ledger_of(here.env.app).get(here.text)
-    return [link(claim.verdict, f"{Here(here.env).page(PAGE)}#claim-{claim.id}")]
+    return [link(claim.verdict, f"{Here(here.env).page(CLAIMS_PAGE)}#claim-{claim.id}")]
 
 
 TEMPLATES.globals.update(in_signs=in_signs, FINDINGS=FINDINGS, LOOKS=LOOKS, refutes=refutes, test_address=test_address)

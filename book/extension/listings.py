@@ -5,13 +5,14 @@
 {source-link}`proofs/engine/kernel.py`       a link to its page
 
 :::{printed-lines} bumped_normal
-:lines: m_x m_length          the lines of a function of renderer/kernels.py that define these names
+:lines: m_x m_length          the lines of a function of the printed kernels that define these names
 :::
 """
 
 import inspect
 import re
 import shutil
+from importlib import import_module
 from pathlib import Path
 
 from docutils import nodes
@@ -24,11 +25,11 @@ from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, module_and_line, proofs_of
+from proofs.engine.project import PROJECT
 from proofs.engine.standalone import standalone_script
-from renderer import kernels
 from verify import grade_path
 
-DOWNLOADS, KERNELS = "_downloads/theorems", "renderer/kernels.py"
+DOWNLOADS, KERNELS = "_downloads/theorems", f"{PROJECT.kernels.replace('.', '/')}.py"
 LINKED = re.compile(r"\{source-link\}`([^`]+)`")
 
 
@@ -118,6 +119,7 @@ def printed(name: str, wanted: list[str]) -> str:
 
     Raises ValueError on a function or a name that is not there.
     """
+    kernels = import_module(PROJECT.kernels)
     if name not in vars(kernels):
         raise ValueError(f"{KERNELS} has no function {name!r}")
     body = [line.strip() for line in inspect.getsource(getattr(kernels, name)).splitlines()]

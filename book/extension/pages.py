@@ -2,6 +2,7 @@
 
 import os
 from functools import partial
+from importlib import import_module
 from pathlib import Path, PurePosixPath
 
 import nbclient
@@ -14,15 +15,12 @@ from sphinx.environment import BuildEnvironment
 from sphinx.project import Project
 from sphinx_external_toc.parsing import parse_toc_data
 
-from book import idea_kernels, loupe_module, simulator_module
 from book.assembly import stamps
 from book.extension.elements import on
+from proofs.engine.project import HOME, PROJECT
 
-PROGRAMS = {
-    "simulator/compiled.js": simulator_module,
-    "simulator/compiled_closer.js": loupe_module,
-    "ideas/compiled.js": idea_kernels,
-}
+PROGRAMS = dict(PROJECT.programs)
+LENT = ("html_css_files", "html_js_files", "html_theme_options", "html_context")
 
 
 class ByName(Project):
@@ -46,10 +44,21 @@ def name_contents(app: Sphinx, config: Config) -> None:
     contents = Path(app.srcdir) / "_toc.yml"
     if hasattr(config, "external_site_map") and contents.is_file():
         table = stamps.table_in(contents)
-        for part in table["parts"]:
-            for chapter in part["chapters"]:
+        for part in table.get("parts", [table]):
+            for chapter in part.get("chapters", ()):
                 chapter["file"] = PurePosixPath(chapter["file"]).name
         config.external_site_map = parse_toc_data(table)
+
+
+@on("config-inited", priority=100)
+def lend_frame(app: Sphinx, config: Config) -> None:
+    """Lend another project's book what cards, figures and pages need of this one's: templates, styles, scripts."""
+    if PROJECT.root != HOME:
+        lent = stamps.table_in(HOME / "book" / "_config.yml")["sphinx"]["config"]
+        for name in LENT:
+            config[name] = lent[name]
+        for name in ("templates_path", "html_static_path"):
+            config[name] = [str(HOME / "book" / folder) for folder in lent[name]]
 
 
 @on("doctree-read", priority=100)
@@ -80,7 +89,7 @@ def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""
     for name, module in PROGRAMS.items():
-        stamps.write_whole(Path(app.outdir) / "_static" / name, module.source().encode())
+        stamps.write_whole(Path(app.outdir) / "_static" / name, import_module(module).source().encode())
 
 
 @on("config-inited", priority=100)

@@ -2,16 +2,17 @@
 
 import re
 from fractions import Fraction
+from pkgutil import resolve_name
 
 import mpmath
 from docutils import nodes
 from sympy import latex, sympify
 
 from book.extension.elements import Nodes
-from proofs.formulas.symbols import TEX_NAMES
+from proofs.engine.project import PROJECT
 from proofs.printers.tex import ClaimPrinter
 
-TEX = {symbol.name: tex for symbol, tex in TEX_NAMES.items()}
+TEX = {symbol.name: tex for symbol, tex in (resolve_name(PROJECT.tex) if PROJECT.tex else {}).items()}
 PRINTER = ClaimPrinter(TEX)
 rows, tex = PRINTER.rows, PRINTER.tex
 EXPRESSION = re.compile(r"(?:pi|sqrt|[\d+\-*/() ])+")  # what a point may have beside rationals

@@ -18,6 +18,7 @@ NEEDED_BY = {
     "sphinx-book-theme.js": "\0",  # frame.js does what it does
     "design-tabs": "sd-tab-set",
     "sphinx-design": "sd-",
+    "thebe": "\0",  # it names a foreign server
     "mystnb": 'class="cell',
 }
 # The browser holds the page to it: nothing is sent or fetched, scripts and pictures are the book's own. A page that is

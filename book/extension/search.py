@@ -7,12 +7,14 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from docutils import nodes
+from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
 
 from book.extension.elements import Filled, Page, on, on_page
 from book.extension.mathematics import typeset
 
-BREAK, BLOCK = "\0", re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
+BREAK, NOT_READ = "\0", "\1"  # where a text ends; what begins one that no sentence is found in
+BLOCK = re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
 RAISED = str.maketrans("0123456789−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SCRIPTS = ("search-text.js", "search.js")
 COMPACT = {"ensure_ascii": False, "separators": (",", ":")}
@@ -22,7 +24,7 @@ def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
     """A page's texts in order: the id of the section, and some words."""
     for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
         for text in "".join(_words(node)).split(BREAK):
-            if " " in (text := " ".join(text.split())):
+            if " " in (text := " ".join(text.split())) and NOT_READ not in text:
                 yield _section(node), text
 
 
@@ -31,6 +33,9 @@ def _words(node: nodes.Node) -> Iterator[str]:
         yield in_a_line(ElementTree.fromstring(typeset(node.astext().strip())))
     elif isinstance(node, nodes.raw):
         yield BREAK if BLOCK.match(node.astext()) else " "
+        yield NOT_READ * ('class="provenance"' in node.astext())
+    elif isinstance(node, pending_xref) and node["refdomain"] == "cite":
+        yield re.sub(r"(?<=\D)(?=\d{4})", " ", node.astext())  # a key: Blinn1978
     elif isinstance(node, nodes.superscript):
         yield node.astext().translate(RAISED)
     elif isinstance(node, nodes.Text):

@@ -8,16 +8,17 @@ from pathlib import Path
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
-from book.assembly import report, stamps
+from book.assembly import report
 from book.assembly.contents import placed
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, all_theorems
 from proofs.printers.coq_statements import statements
 from verify import formal
 
-CLAIMS_PAGE = "findings"
-LEGEND = ("s1", "badges")  # the page and the id of what says what the badges mean
+CLAIMS_PAGE = PROJECT.page.get("findings", "index")
+LEGEND = (PROJECT.page.get("legend", "index"), "badges")  # the page and the id of what says what badges mean
 WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
-THEOREMS = stamps.ROOT / "proofs" / "theorems"
+THEOREMS = PROJECT.folder(PROJECT.theorems)
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": (
         "■",
@@ -129,5 +130,5 @@ def module_and_line(id: str) -> tuple[Path, int]:
 
 
 def certificate(id: str) -> Path | None:
-    path = stamps.ROOT / "proofs" / "certificates" / f"{id}.json"
+    path = PROJECT.certificates / f"{id}.json"
     return path if path.is_file() else None

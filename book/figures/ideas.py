@@ -17,9 +17,9 @@ from book.drawing.style import (
     pixel_text,
     plot,
 )
-from book.extension.worked import COLUMN, ROW
 from book.figures.chapter_scene import SCENE, SIZE, place, symbolic
 from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
+from book.worked import COLUMN, ROW
 from renderer import Scene, exact, render
 from renderer.picture.views import image_view, to_bytes
 

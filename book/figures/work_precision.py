@@ -5,7 +5,7 @@ from itertools import groupby
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, label, plot
+from book.drawing.style import DASHED, DOTTED, SOLID, colour_of, curve, decades, label, plot
 from verify.benchmark import work_precision
 from verify.benchmark.methods.table import CLEAR
 
@@ -53,6 +53,25 @@ def work_precision_figure(record: dict) -> Drawing:
     numbers |= {name: measured[name] for name in ("machine", "processor", "python", "date", "commit")}
     numbers |= {"absent": len(measured["absent"]), "fewest": min(row["points"] for row in rows)}
     return Drawing(fig, numbers)
+
+
+@figure(record="work_precision frames")
+def gains(gradients: dict, frames: dict) -> Drawing:
+    """How many times as long the central difference takes as the exact gradient, the more is drawn beside it."""
+    ratios = frames["numbers"]
+    times = {
+        "the gradient alone": work_precision.gradient_numbers(gradients["gradients"])["central_to_exact"],
+        "sphere A alone": ratios["a_alone_central_to_algebraic"],
+        "a picture, 1024²": ratios["central_to_algebraic_1024"],
+        "a picture, in Python loops": ratios["seed_central_to_exact"],
+    }
+    fig, ax = plot(height=2.2)
+    bars = ax.barh([*times], [*times.values()], color=colour_of("symbolic"), height=0.6)
+    ax.bar_label(bars, fmt="%.2f", padding=4)
+    ax.axvline(1, color=colour_of("numeric"))
+    ax.set(xlabel="time by a central difference / time by the exact gradient", xlim=(0, 1.15 * max(times.values())))
+    ax.invert_yaxis()
+    return Drawing(fig, data={"part": [*times], "ratio": [*times.values()]})
 
 
 @figure(record="work_precision")

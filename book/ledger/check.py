@@ -15,6 +15,7 @@ from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.assembly.results import look_up, parse
 from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, BadLedger, Evidence, Ledger, LedgerClaim, load, relation
+from proofs.engine.project import PROJECT
 
 KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)  # of the bibliography
 
@@ -34,11 +35,11 @@ class Run:
 
 def last_run() -> Run:
     """The last run over the sources as they are; raises report.NoReport where there is none."""
-    book = stamps.ROOT / "book"
+    book = PROJECT.pages
     return Run(
         entries=report.load(),
         pages=frozenset(page_files(book)),
-        sources=frozenset(KEY.findall((book / "references.bib").read_text(encoding="utf-8"))),
+        sources=frozenset(KEY.findall(PROJECT.bibliography.read_text(encoding="utf-8"))),
         number=lambda name: look_up(book, *parse(name)[:2]),
     )
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from jsonschema import Draft202012Validator
 
 from book.assembly.stamps import table_in
+from proofs.engine.project import PROJECT
 from renderer.intervals import Interval
 
 HOLDS: dict[str, Callable[..., bool]] = {
@@ -48,12 +49,14 @@ def relation(text: str) -> Relation:
     return Relation(sign, numbers)
 
 
-FOLDER = Path(__file__).resolve().parent
+FOLDER = PROJECT.pages / "ledger"
 CONDITIONAL, OUTSIDE = "holds with a condition", "outside this chapter: not checked"
-SCHEMA = table_in(FOLDER / "schema.json")
+SCHEMA = table_in(Path(__file__).with_name("schema.json"))
 VERDICTS = tuple(SCHEMA["$defs"]["claim"]["properties"]["verdict"]["enum"])  # as a reader meets them
-FINDINGS = table_in(FOLDER / "findings.toml")["findings"]  # code → name
-WORDS = table_in(FOLDER / "words.toml")["words"]  # a number → what it says
+FINDINGS, WORDS = (
+    table_in(path)[path.stem] if (path := FOLDER / f"{name}.toml").is_file() else {} for name in ("findings", "words")
+)
+"""{code: the name of the finding}, {number: what it says}"""
 KINDS = ("theorem", "number", "test", "source")
 
 
@@ -119,7 +122,7 @@ class Ledger:
     def sorted_by_place(self) -> list[LedgerClaim]:
         """The seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
-        sections = {f"s{number}" for number in range(1, 10)}  # before the other pages
+        sections = PROJECT.sections  # before the other pages
         return sorted(self.claims, key=lambda c: (order.get(c.where, len(order)), c.where not in sections, c.where))
 
 

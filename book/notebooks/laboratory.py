@@ -19,9 +19,10 @@ from book.assembly.results import E_NOTATION, formatted, look_up, measured, pars
 from book.assembly.website import BOOK
 from book.notebooks import WHOLE
 from book.releases.record import version
+from proofs.engine.project import PROJECT
 from verify.benchmark.baselines.seed_loops import seed_cells
 
-PAGE = BOOK / "chapter" / "s5.md"
+PAGE = BOOK / PROJECT.laboratory
 HEADING = re.compile(r"^### Cell (\d+)\. (.+)$", re.MULTILINE)
 ROLE = re.compile(r"\{(?P<role>[\w-]+)\}`(?P<text>[^`]*)`")
 DIRECTIVE = re.compile(r"^:::\{(?P<name>[\w-]+)\} *(?P<argument>\S*)\n(?:.*\n)*?:::$", re.MULTILINE)
@@ -71,7 +72,7 @@ def number(text: str) -> str:
 
 
 def _citation(keys: str) -> str:
-    bibliography = parse_file(BOOK / "references.bib").entries
+    bibliography = parse_file(PROJECT.bibliography).entries
     entries = [bibliography[key.strip()] for key in keys.split(",")]
     names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
     return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"

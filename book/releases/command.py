@@ -3,10 +3,11 @@
 import shutil
 
 from book.assembly import stamps
+from book.assembly.website import BOOK
 from book.releases import archive, compare, notes, record
 from renderer.files.pictures import write_png
 
-OUT = stamps.ROOT / "book" / "_build" / "release"
+OUT = BOOK / "_build" / "release"
 
 
 def release_notes(now: dict | None = None, against: str | None = None) -> int:

@@ -12,11 +12,11 @@ from pathlib import Path
 
 from book.assembly import report, stamps
 from book.releases.pictures import arrays_of, digest
+from proofs.engine.project import PROJECT
 
-GENERATED = stamps.ROOT / "book" / "_generated"
-BENCHMARKS = stamps.ROOT / "verify" / "benchmark" / "results"
+GENERATED, BENCHMARKS = PROJECT.generated, PROJECT.root / PROJECT.benchmarks
 FORMAT = 1
-RULES = Path(__file__).with_name("tolerances.toml")
+RULES = stamps.ROOT / "releases" / "tolerances.toml"
 ANY = "any"  # of a label, which may be anything
 
 

@@ -52,9 +52,10 @@ from fractions import Fraction
 from proofs.check import canonical, contradiction, digest, reasons
 from proofs.engine.claim import AnyClaim
 from proofs.engine.points import find_point, without_unused
+from proofs.engine.project import PROJECT
 from proofs.engine.search import MAX_EFFORT, search
 from proofs.engine.statement import VERSION
-from proofs.engine.stored import Found, NotFound, Proved, Stale, evidence, path_of, statements, stored
+from proofs.engine.stored import FOLDER, Found, NotFound, Proved, Stale, evidence, path_of, statements, stored
 from proofs.engine.theorem import Theorem, Theorems, all_theorems
 
 
@@ -111,6 +112,8 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := {*named} - {*theorems}:
         print(f"there is no theorem {', '.join(sorted(unknown))}")
         return 2
+    PROJECT.require_writable()
+    FOLDER.mkdir(exist_ok=True)
     for id in named:
         theorem = theorems[id]
         if not options.all and not _is_stale(theorem, theorems):

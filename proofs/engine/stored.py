@@ -3,18 +3,20 @@
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from proofs.check import FOLDER, contradiction, digest, parsed, text_of
+from proofs.check import contradiction, digest, parsed, text_of
 from proofs.engine.claim import AnyClaim, Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.derivative import NotFound, Untranslatable
 from proofs.engine.induction import induction
 from proofs.engine.names import plain
+from proofs.engine.project import PROJECT
 from proofs.engine.statement import VERSION, cases_of
 from proofs.engine.theorem import Theorem, Theorems, borrowed
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
 Found = list[tuple[AnyClaim, list[Proved]]]
 MOST_SHOWN = 12
+FOLDER = PROJECT.certificates
 
 
 class Stale(ValueError):

@@ -11,6 +11,7 @@ from sympy import Symbol
 
 from proofs.engine.claim import AnyClaim, Claim, Parts, point
 from proofs.engine.program import Some, flat
+from proofs.engine.project import PROJECT
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
 WITHOUT_CLAIMS = ("cited", "measured", "certified")
@@ -214,8 +215,8 @@ def in_order(theorems: Sequence[Theorem]) -> Theorems:
 
 
 def all_theorems() -> Theorems:
-    """Return {id: Theorem} of every Theorem in the modules of `proofs.theorems`, each after those that it uses."""
-    package = "proofs.theorems"
+    """Return {id: Theorem} of every Theorem in the project's modules of theorems, each after those that it uses."""
+    package = PROJECT.theorems
     names = [module.name for module in pkgutil.iter_modules(importlib.import_module(package).__path__)]
     modules = [vars(importlib.import_module(f"{package}.{name}")) for name in names]
     return in_order([value for module in modules for value in module.values() if isinstance(value, Theorem)])

@@ -3,20 +3,12 @@
 import argparse
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from pkgutil import resolve_name
 
-from proofs import coq_files
-from renderer.generate.float64 import float64_source
-from renderer.generate.kernels import kernels_source
+from proofs.engine.project import PROJECT
 from renderer.whole_files import write_whole
 
-ROOT = Path(__file__).resolve().parents[2]
-FORMAL = ROOT / "proofs" / "formal"
-PRINTED = {
-    ROOT / "renderer" / "kernels.py": kernels_source,
-    FORMAL / "Formulas.v": coq_files.formulas_source,
-    FORMAL / "Float64.v": float64_source,
-    FORMAL / "Statements.v": coq_files.statements_source,
-}
+PRINTED = {PROJECT.root / path: resolve_name(source) for path, source in PROJECT.printed.items()}
 """{file: what returns its text}"""
 
 
@@ -32,4 +24,5 @@ def write_all(printed: Mapping[Path, Callable[[], str]]) -> None:
 
 if __name__ == "__main__":
     argparse.ArgumentParser("python -m renderer.generate", description=__doc__).parse_args()
+    PROJECT.require_writable()
     write_all(PRINTED)

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
 
-VERIFY = Path(__file__).resolve().parents[1]
-BIBLIOGRAPHY = VERIFY / "references.bib"  # where the wheel has it
+BIBLIOGRAPHY = PROJECT.bibliography
 if not BIBLIOGRAPHY.is_file():
-    BIBLIOGRAPHY = VERIFY.parent / "book" / "references.bib"
+    BIBLIOGRAPHY = Path(__file__).parents[1] / "references.bib"  # where the wheel has it
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
 EXACT = ("proved", "by definition")  # every claim has a certificate, and the claims are all of the words
 CERTIFIED = (*EXACT, "refuted", "argued", "certified", "cited")
@@ -62,7 +62,8 @@ class Examination:
         if lemmas:
             self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
         keys = {theorem.source, *(lemma.source for lemma in lemmas)} - {""}
-        known = set(re.findall(r"^@\w+\{([^,\s]+)", BIBLIOGRAPHY.read_text(encoding="utf-8"), re.MULTILINE))
+        text = BIBLIOGRAPHY.read_text(encoding="utf-8") if BIBLIOGRAPHY.is_file() else ""
+        known = set(re.findall(r"^@\w+\{([^,\s]+)", text, re.MULTILINE))
         self.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
 
 

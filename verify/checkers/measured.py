@@ -1,4 +1,4 @@
-"""Theorems without claims: their measurements, in every module of verify/measurements, and their grade.
+"""Theorems without claims: their measurements, in every module of the project's package of them, and their grade.
 
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
@@ -10,27 +10,25 @@ import pkgutil
 import re
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
+from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, Theorems, incomplete
 from verify.checkers.grades import Examination
 from verify.checkers.measurement import FALSE, REGISTERED, Enclosure, record, says, unnamed
 from verify.optional import lacking
 
-FOLDER = Path(__file__).parents[1] / "measurements"
-
 
 @cache
 def _left_out():
     """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
-    needs = {}
-    for module in sorted(m.name for m in pkgutil.iter_modules([str(FOLDER)])):
+    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
         try:
-            importlib.import_module(f"verify.measurements.{module}")
+            importlib.import_module(f"{PROJECT.measurements}.{module}")
         except ImportError as error:
             if not (library := lacking(error)):
                 raise
-            text = (FOLDER / f"{module}.py").read_text(encoding="utf-8")
+            text = (folder / f"{module}.py").read_text(encoding="utf-8")
             needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
     return needs
 
@@ -61,7 +59,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
         if examination.reached == "certified" and missing:
             examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
         if not evidence:
-            examination.problems.append("no measurement is registered for it in verify/measurements")
+            examination.problems.append(f"no measurement is registered for it in {PROJECT.measurements}")
     examination.record["grade"] = examination.grade
     return examination
 

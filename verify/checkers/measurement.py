@@ -24,11 +24,12 @@ from typing import Any
 
 import numpy as np
 
+from proofs.engine.project import PROJECT
 from verify.optional import arb
 
 DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
-MEASURING = ("verify.accuracy.", "verify.stability.")
+MEASURING = tuple(f"{package}." for package in PROJECT.measuring)
 FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
 SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")

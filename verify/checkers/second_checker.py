@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from proofs.check import FOLDER
+from proofs.engine.project import PROJECT
 
 SCRIPT = Path(__file__).parents[2] / "book" / "static" / "checker" / "kernel.js"
 if not SCRIPT.is_file():
@@ -51,7 +51,7 @@ def stored() -> dict[str, dict]:
     """Return {theorem/claim/number: its stored statement, certificate and point} of everything that is stored."""
     return {
         f"{path.stem}/{claim['claim']}/{number}": entry
-        for path in sorted(FOLDER.glob("*.json"))
+        for path in sorted(PROJECT.certificates.glob("*.json"))
         for claim in json.loads(path.read_text("utf-8"))["claims"]
         for number, entry in enumerate(claim["statements"])
     }

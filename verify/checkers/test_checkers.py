@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from proofs import check
-from proofs.check import FOLDER, canonical
-from proofs.engine import kernel, stored
+from proofs.check import canonical
+from proofs.engine import kernel, project, stored
+from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
 from verify.checkers import second_checker
 from verify.checkers.known_bad import UNSOUND, pair_of, reasons_of, wrong_verdicts
@@ -85,7 +86,7 @@ REFUSED_FILES = [
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
     """For the grade as for `proofs.check`: a file is its own canonical form."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
-    monkeypatch.setattr(check, "FOLDER", tmp_path)
+    monkeypatch.setattr(project, "PROJECT", project.PROJECT._replace(certificates=tmp_path))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
     path.write_bytes(GOOD_FILE.replace(b'256": "', b'256": "0', 1))
     assert check.main([]) == 1 and "is another statement's" in capsys.readouterr().out

@@ -2,14 +2,13 @@
 
 import ast
 import builtins
-from pathlib import Path
 
-import proofs
+from proofs.engine.project import PROJECT
 
-FOLDER = Path(proofs.__file__).parent / "theorems"
+FOLDER = PROJECT.folder(PROJECT.theorems)
 TRUSTED = ("__init__", "language")
 ENGINE = tuple(f"proofs.engine.{name}." for name in ("claim", "half_turns", "vectors"))
-IMPORTED = ("proofs.formulas.", "proofs.theorems.", *ENGINE)
+IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", *ENGINE)
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
 CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}

@@ -44,8 +44,6 @@ function simulator_start(root, compiled, module) {
   let drawn_size = state.size;
   /** @type {{ ready: number }[]} */
   const frames = []; // milliseconds from a change to its pictures in the canvases
-  /** @type {number[]} */
-  const refined = []; // milliseconds that the workers took for all pixels of a larger picture
 
   /** @param {string} left_out */
   function key_without(left_out) {
@@ -101,6 +99,7 @@ function simulator_start(root, compiled, module) {
     if (!next) return;
     to.push(state);
     presets.stop();
+    is_sized = true;
     act.replace(next);
     addressed = state;
     offer();
@@ -191,7 +190,6 @@ function simulator_start(root, compiled, module) {
       pictures.decorate(state);
       const ready = performance.now() - asked;
       readouts.apart(apart(replies), is_whole);
-      if (!by_page) refined.push(ready);
       if (is_whole) shown = of;
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       if (timed_of !== times_key(of)) readouts.forget_times();
@@ -347,7 +345,6 @@ function simulator_start(root, compiled, module) {
     cursor,
     curve,
     frames,
-    refined,
     presets,
     pictures,
     shown: () => shown && states.fragment(shown)
