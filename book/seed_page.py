@@ -4,22 +4,55 @@
 :::
 """
 
+import os
 import re
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
 
 from docutils import nodes
 from docutils.statemachine import StringList
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell
 from sphinx.util.docutils import SphinxDirective
 
-from book.extension.elements import Nodes, directive, filled, raw, section
+from book.extension.elements import Nodes, Page, directive, filled, on_page, raw, section
 from book.extension.ledger import Entries
-from book.extension.notebooks import links
+from book.extension.notebooks import ways_to_run, write
 from book.ledger.seed import RUN, parts
-from book.notebooks.laboratory import SIDE, seed_prints
+from book.notebooks.laboratory import a_notebook
 from verify.benchmark.baselines.seed_loops import seed_cells
 
 HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
 DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
+
+BEFORE = {2: [1], 3: [1], 4: [1, 3], 5: [1, 3], 6: [1, 3], 7: [1, 3]}  # the cells that one builds on
+SIDE = 48  # pixels of the pictures that the page's run draws
+DRAWN = re.compile(r"\b(256|128), \1\b")
+TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.M)
+
+
+def notebooks() -> dict[str, NotebookNode]:
+    """The eight cells, each after those that it builds on, with the one line mended."""
+    cells = dict(enumerate(map(new_code_cell, seed_cells()), 1))
+    return {f"seed{n}": a_notebook(f"The seed's Cell {n}", [cells[k] for k in (*BEFORE.get(n, []), n)]) for n in cells}
+
+
+@cache
+def printed() -> list[str]:
+    """What the cells print when they are run in order, their pictures small and their times left out."""
+    program = 'print("\\0")\n'.join(DRAWN.sub(f"{SIDE}, {SIDE}", f"{cell}\n") for cell in seed_cells())
+    command = [sys.executable, "-X", "utf8", "-W", "ignore", "-c", program]
+    run = subprocess.run(command, env=os.environ | {"MPLBACKEND": "agg"}, check=True, capture_output=True, text=True)
+    return TIME.sub("…", run.stdout).split("\0\n")
+
+
+@on_page
+def offer_notebooks(page: Page) -> None:
+    if page.name == "seed":
+        write(Path(page.app.outdir), notebooks())
 
 
 @directive("seed")
@@ -48,10 +81,11 @@ def _quoted(here: SphinxDirective, text: str, place: str) -> nodes.block_quote:
     here.state.nested_parse(StringList(words.splitlines()), here.content_offset, quote)
     if run:
         number = int(place.removeprefix("cell"))
-        program, prints = seed_cells()[number - 1], seed_prints()[number - 1].strip()
+        program, prints = seed_cells()[number - 1], printed()[number - 1].strip()
         code = nodes.literal_block(program, program, language="python3", ids=[f"seed{number}"])
         quote += [raw("<details><summary>The program</summary>"), code, raw("</details>")]
-        quote += links(here, f"seed{number}", f"the seed's Cell {number}", f"#seed{number} pre")
+        name = f"seed{number}"
+        quote += ways_to_run(here, name, f"the seed's Cell {number}", notebooks()[name], f"#{name} pre")
         says = nodes.paragraph("", f"It prints, with pictures of {SIDE}²:")
         quote += [says, nodes.literal_block(prints, prints, language="none")]
     return quote

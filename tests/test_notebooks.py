@@ -12,8 +12,9 @@ import pytest
 from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER
 from book.notebooks import WHOLE
-from book.notebooks.laboratory import DRAWN, PAGE, SIDE, TIME, cells, notebooks, plain
+from book.notebooks.laboratory import PAGE, cells, notebooks, plain
 from book.notebooks.printed import refreshed
+from book.seed_page import DRAWN, SIDE, TIME
 from tests import one_page
 from tests.processes import python
 
@@ -139,7 +140,7 @@ def test_the_notebooks_are_the_cells():
     for notebook in made.values():
         said = "\n".join(c["source"] for c in notebook["cells"] if c["cell_type"] == "markdown")
         assert not re.search(r"\{[\w-]+\}`|^:::|^\(\w+\)=", said, re.M)
-    codes = {name: "\n".join(code_of(notebook)) for name, notebook in made.items() if "seed" not in name}
+    codes = {name: "\n".join(code_of(notebook)) for name, notebook in made.items()}
     alone = {cell.name: cell.code for cell in cells()}
     assert codes == {**alone, WHOLE: "\n".join(alone.values())}
 

@@ -8,11 +8,13 @@ open a notebook from a branch, `repository.branch`, to which the workflow that p
 """
 
 import re
+from collections.abc import Mapping
 from functools import partial
 from itertools import groupby
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
@@ -40,13 +42,14 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
-    return links(here, name, titles[name], "" if name == WHOLE else f"#{name} .cell_input pre")
+    code = "" if name == WHOLE else f"#{name} .cell_input pre"
+    return ways_to_run(here, name, titles[name], notebooks()[name], code)
 
 
-def links(here: SphinxDirective, name: str, title: str, code: str) -> Nodes:
-    """The ways to run a notebook; code: the selector of what is copied, if anything is."""
+def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: NotebookNode, code: str) -> Nodes:
+    """Links to a notebook; code: the selector of what is copied, if anything is."""
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
-    match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebooks()[name]).encode()
+    match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebook).encode()
     link = {
         "name": name,
         "title": title,
@@ -59,14 +62,18 @@ def links(here: SphinxDirective, name: str, title: str, code: str) -> Nodes:
     return [filled("notebook_links", **link)]
 
 
+def write(site: Path, notebooks: Mapping[str, NotebookNode]) -> None:
+    for name, notebook in notebooks.items():
+        stamps.write_whole(site / FOLDER / f"{name}.ipynb", nbformat.writes(notebook).encode())
+
+
 @partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
     """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
     if page.name != PAGE.stem:
         return
     out = Path(page.app.outdir)
-    for name, notebook in notebooks().items():
-        stamps.write_whole(out / FOLDER / f"{name}.ipynb", nbformat.writes(notebook).encode())
+    write(out, notebooks())
     lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
     stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
     stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())

@@ -1,12 +1,6 @@
-"""The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together.
+"""The laboratory's page as data: its cells, each of prose and code; and as notebooks, each alone and all together."""
 
-The seed's eight cells too, with the one line mended.
-"""
-
-import os
 import re
-import subprocess
-import sys
 from dataclasses import dataclass
 from functools import cache
 
@@ -20,7 +14,6 @@ from book.assembly.website import BOOK
 from book.notebooks import WHOLE
 from book.releases.record import version
 from proofs.engine.project import PROJECT
-from verify.benchmark.baselines.seed_loops import seed_cells
 
 PAGE = BOOK / PROJECT.laboratory
 HEADING = re.compile(r"^### Cell (\d+)\. (.+)$", re.MULTILINE)
@@ -115,7 +108,8 @@ ABOUT = (
 )
 
 
-def _notebook(title: str, body: list[dict]) -> NotebookNode:
+def a_notebook(title: str, body: list[dict]) -> NotebookNode:
+    """Return a notebook that begins with its title."""
     top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=version())}")
     every = [NotebookNode(cell, id=f"cell-{number}") for number, cell in enumerate([top, *body])]
     return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
@@ -129,28 +123,6 @@ def notebooks() -> dict[str, NotebookNode]:
         title = f"Cell {cell.number}. {cell.title}"
         body = [new_code_cell(p.text) if p.is_code else new_markdown_cell(plain(p.text)) for p in cell.parts]
         body = [part for part in body if part["source"]]
-        alone[cell.name] = _notebook(title, body)
+        alone[cell.name] = a_notebook(title, body)
         everything += [new_markdown_cell(f"## {title}"), *body]
-    return alone | {WHOLE: _notebook("The laboratory", everything)} | _seed_notebooks()
-
-
-BEFORE = {2: [1], 3: [1], 4: [1, 3], 5: [1, 3], 6: [1, 3], 7: [1, 3]}  # what the seed's cells build on
-SIDE = 48  # pixels of the pictures that the page's run draws
-DRAWN = re.compile(r"\b(256|128), \1\b")
-TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.MULTILINE)
-
-
-def _seed_notebooks() -> dict[str, NotebookNode]:
-    programs = dict(enumerate(map(new_code_cell, seed_cells()), 1))
-    return {
-        f"seed{n}": _notebook(f"The seed's Cell {n}", [programs[k] for k in (*BEFORE.get(n, []), n)]) for n in programs
-    }
-
-
-@cache
-def seed_prints() -> list[str]:
-    """Return what the seed's cells print when they are run in order, their pictures small and their times left out."""
-    program = 'print("\\0")\n'.join(DRAWN.sub(f"{SIDE}, {SIDE}", f"{cell}\n") for cell in seed_cells())
-    command = [sys.executable, "-X", "utf8", "-W", "ignore", "-c", program]
-    run = subprocess.run(command, env=os.environ | {"MPLBACKEND": "agg"}, check=True, capture_output=True, text=True)
-    return TIME.sub("…", run.stdout).split("\0\n")
+    return alone | {WHOLE: a_notebook("The laboratory", everything)}
