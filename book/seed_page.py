@@ -9,7 +9,6 @@ import re
 import subprocess
 import sys
 from functools import cache
-from pathlib import Path
 
 from docutils import nodes
 from docutils.statemachine import StringList
@@ -17,9 +16,9 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell
 from sphinx.util.docutils import SphinxDirective
 
-from book.extension.elements import Nodes, Page, directive, filled, on_page, raw, section
+from book.extension.elements import Nodes, directive, filled, raw, section
 from book.extension.ledger import Entries
-from book.extension.notebooks import ways_to_run, write
+from book.extension.notebooks import ways_to_run
 from book.ledger.seed import RUN, parts
 from book.notebooks.laboratory import a_notebook
 from verify.benchmark.baselines.seed_loops import seed_cells
@@ -28,16 +27,16 @@ HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
 DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
 
-BEFORE = {2: [1], 3: [1], 4: [1, 3], 5: [1, 3], 6: [1, 3], 7: [1, 3]}  # the cells that one builds on
 SIDE = 48  # pixels of the pictures that the page's run draws
 DRAWN = re.compile(r"\b(256|128), \1\b")
 TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.M)
 
 
 def notebooks() -> dict[str, NotebookNode]:
-    """The eight cells, each after those that it builds on, with the one line mended."""
+    """The eight cells with the one line mended, each after Cells 1 and 3, on which it builds."""
     cells = dict(enumerate(map(new_code_cell, seed_cells()), 1))
-    return {f"seed{n}": a_notebook(f"The seed's Cell {n}", [cells[k] for k in (*BEFORE.get(n, []), n)]) for n in cells}
+    before = {n: sorted({1, min(n, 3), n}) for n in cells}
+    return {f"seed{n}": a_notebook(f"The seed's Cell {n}", [cells[k] for k in before[n]]) for n in cells}
 
 
 @cache
@@ -47,12 +46,6 @@ def printed() -> list[str]:
     command = [sys.executable, "-X", "utf8", "-W", "ignore", "-c", program]
     run = subprocess.run(command, env=os.environ | {"MPLBACKEND": "agg"}, check=True, capture_output=True, text=True)
     return TIME.sub("…", run.stdout).split("\0\n")
-
-
-@on_page
-def offer_notebooks(page: Page) -> None:
-    if page.name == "seed":
-        write(Path(page.app.outdir), notebooks())
 
 
 @directive("seed")

@@ -8,7 +8,7 @@ open a notebook from a branch, `repository.branch`, to which the workflow that p
 """
 
 import re
-from collections.abc import Mapping
+from base64 import b64decode
 from functools import partial
 from itertools import groupby
 from pathlib import Path
@@ -31,6 +31,7 @@ CODE = (
     '<div class="highlight"><pre><span></span>'
 )
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
+HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
 SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
@@ -62,18 +63,14 @@ def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: Notebook
     return [filled("notebook_links", **link)]
 
 
-def write(site: Path, notebooks: Mapping[str, NotebookNode]) -> None:
-    for name, notebook in notebooks.items():
-        stamps.write_whole(site / FOLDER / f"{name}.ipynb", nbformat.writes(notebook).encode())
-
-
 @partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
     """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
+    out = Path(page.app.outdir)
+    for content, name in HELD.findall(page.context.get("body", "")):
+        stamps.write_whole(out / FOLDER / name, b64decode(content))
     if page.name != PAGE.stem:
         return
-    out = Path(page.app.outdir)
-    write(out, notebooks())
     lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
     stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
     stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())

@@ -7,7 +7,6 @@ from functools import cache
 from myst_nb.core.read import read_myst_markdown_notebook
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
-from pybtex.database import parse_file
 
 from book.assembly.results import E_NOTATION, formatted, look_up, measured, parse
 from book.assembly.website import BOOK
@@ -64,23 +63,15 @@ def number(text: str) -> str:
     return formatted(look_up(BOOK, id, key), spec)
 
 
-def _citation(keys: str) -> str:
-    bibliography = parse_file(PROJECT.bibliography).entries
-    entries = [bibliography[key.strip()] for key in keys.split(",")]
-    names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
-    return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"
-
-
 def _typeset(text: str) -> str:
     match = E_NOTATION.fullmatch(number(text))
     return rf"${match['mantissa']} \times 10^{{{int(match['exponent'])}}}$" if match else number(text)
 
 
 def _said(match: re.Match) -> str:
-    says = {"number": _typeset, "cite": _citation}
-    if match["role"] not in says:
-        raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: {' or '.join(says)}")
-    return says[match["role"]](match["text"])
+    if match["role"] != "number":
+        raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: number")
+    return _typeset(match["text"])
 
 
 def _directive(match: re.Match) -> str:
