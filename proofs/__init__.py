@@ -1,1 +1,1 @@
-"""What is true: every formula of the chapter, written once, as SymPy expressions with exact rationals."""
+"""The formulas of the chapter, each written once in SymPy with exact rationals, and the theorems about them."""

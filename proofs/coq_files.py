@@ -1,4 +1,4 @@
-"""What is printed for Coq: programs (Formulas.v), what kernels carry out of them (Float64.v), claims (Statements.v)."""
+"""The files printed for Coq: programs (Formulas.v), float64 operations (Float64.v), claims (Statements.v)."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -55,37 +55,37 @@ HALF_TURN_POLYNOMIALS = Program(
     tuple(elementary.reduction.items())[[*elementary.reduction].index(elementary.z) :],
     (elementary.sine_near, elementary.cosine_near),
 )
-"""What the kernels' sine and cosine evaluate once the argument is reduced."""
+"""The polynomials of the kernels' sine and cosine, of a reduced argument."""
 OF_RATIO = (elementary.ratio_squared, elementary.arctangent_tail, elementary.small_part)
 ARCTANGENT_POLYNOMIAL = Program(
     "arctangent_polynomial",
     (elementary.ratio, elementary.node_correction),
     {symbol: elementary.angle_in_half_turns[symbol] for symbol in OF_RATIO},
 )
-"""What the kernels' atan2pi evaluates once a node is taken off: the arctangent of a small ratio, over π."""
+"""The polynomial of the kernels' atan2pi, once a node is taken off: the arctangent of a small ratio, over π."""
 EXPONENTIAL_POLYNOMIAL = Program(
     "exponential_polynomial",
     (exponential.away, exponential.away_error),
     exponential.exponential_of_sum.definitions[len(exponential.exponential_reduction) : -1],
 )
-"""What the kernels' exp evaluates once the doublings are taken off."""
+"""The polynomial of the kernels' exp, once the doublings are taken off."""
 OF_QUOTIENT = (exponential.quotient_squared, exponential.log_tail)
 LOGARITHM_POLYNOMIAL = Program(
     "logarithm_polynomial",
     (exponential.quotient,),
     {symbol: exponential.logarithm_in_three[symbol] for symbol in OF_QUOTIENT},
 )
-"""What the kernels' log adds to a quotient q twice: 2 artanh q − 2q."""
+"""The polynomial that the kernels' log adds to twice a quotient q: 2 artanh q − 2q."""
 
 
 def programs() -> dict[str, Program]:
     """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
-    found = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
-    found += [*image_derivative.base_derivatives.values()]
-    found += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
+    printed = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
+    printed += [*image_derivative.base_derivatives.values()]
+    printed += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]
     programs_of = (height_fields.height, height_fields.gradient, *finite_difference.METHODS.values())
-    found += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
-    return by_name(found)
+    printed += [program(field) for field in height_fields.HEIGHT_FIELDS.values() for program in programs_of]
+    return by_name(printed)
 
 
 def formulas_source() -> str:
@@ -111,7 +111,8 @@ def float64_module(program: Program, operations: Mapping[str, Any], *variables: 
 def float64_source(operations: Mapping[str, Any], kernels: Mapping[str, Any], counted: Callable) -> str:
     """Return the text of proofs/formal/Float64.v: the operations of kernels as they are carried out.
 
-    operations: what kernels call. kernels: they themselves. counted: (value, count) → a number that counts roundings.
+    operations: the functions that kernels call. kernels: by name. counted: (value, count) → a number that counts its
+    roundings.
     """
     single = [
         elementary.two_product,

@@ -1,4 +1,4 @@
-"""What is drawn: a bumped sphere A, a small sphere B, a floor, in float64, by kernels printed from `proofs/`.
+"""The renderer: a bumped sphere A, a small sphere B and a floor, drawn in float64 by kernels printed from `proofs/`.
 
 A name is imported when it is first asked for, so that `renderer.generate` runs while kernels.py does not fit the rest.
 """
@@ -6,7 +6,7 @@ A name is imported when it is first asked for, so that `renderer.generate` runs 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:  # what _HOMES says, for type checkers
+if TYPE_CHECKING:  # _HOMES, for type checkers
     from renderer.generate.custom_fields import (
         HeightField as HeightField,
         cospi as cospi,

@@ -9,7 +9,7 @@ from renderer.command_line.signals import first_signal_stops, say_stopped
 def main(prog: str = "symbolic-rendering") -> int:
     """Run the command line and return its exit status, of a process that ends with it.
 
-    prog: what the user typed. The imports are a part of the work: Ctrl-C stops them in the same words. Nothing breaks
+    prog: the command's name. The imports are a part of the work: Ctrl-C stops them in the same words. Nothing breaks
     off Python's own end after it.
     """
     try:

@@ -1,4 +1,4 @@
-"""Checks of what is given: an error names the argument, its value and what is allowed."""
+"""Checks of arguments: an error names the argument, its value and what is allowed."""
 
 import math
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Set
@@ -21,7 +21,7 @@ def not_allowed(name: str, value: object, allowed: str) -> ValueError:
 
 @contextmanager
 def extra(name: str) -> Iterator[None]:
-    """Let an import name the extra of this project that it needs, where what it imports is not installed."""
+    """Raise ModuleNotFoundError that names the extra of this project, where an import within it finds no package."""
     try:
         yield
     except ModuleNotFoundError as error:
@@ -46,7 +46,7 @@ def check_number(name: str, value: Any, low: float = -math.inf, high: float = ma
 
 
 def check_items(name: str, value: Any, allowed: str) -> tuple:
-    """Return what a sequence holds, or raise ValueError where it has no order, or is a text: `allowed` says what is."""
+    """Return a sequence as a tuple, or raise ValueError, which says what is `allowed`, on sets, mappings and text."""
     try:
         ordered = None if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)) else value
         return tuple(ordered)  # type: ignore[arg-type]  # a TypeError
@@ -84,7 +84,7 @@ def check_truth(name: str, value: Any) -> bool:
 
 
 def check_kind(name: str, value: Any, kind: type[T], allowed: str = "") -> T:
-    """Return `value`, or raise ValueError unless it is of a class; `allowed` says what is, by default "a CLASS"."""
+    """Return `value`, or raise ValueError unless it is of a class; allowed: for the message, by default "a CLASS"."""
     if not isinstance(value, kind):
         raise not_allowed(name, value, allowed or f"a {kind.__name__}")
     return value

@@ -19,7 +19,7 @@ class Interval:
     upper: float
 
     def __format__(self, form: str) -> str:
-        """Return what both ends are in a format, or without one the digits that are certain.
+        """Return the number in a format, in which both ends have the same text; without one, its certain digits.
 
         Raises ValueError where the format asks for more than is certain, or no digit is.
         """
@@ -54,7 +54,7 @@ def certain_digits(lower: float, upper: float, digits: int = DIGITS) -> str:
 
 
 def rounded_up(upper: float, digits: int = 1) -> str:
-    """Return a number of so many digits that is not below `upper`, as text: what is certain where no digit is."""
+    """Return a number of so many digits that is not below `upper`, as text, for where no digit is certain."""
     return f"{float(Context(prec=digits, rounding=ROUND_CEILING).create_decimal(Decimal(upper))):.{digits}g}"
 
 

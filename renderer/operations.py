@@ -1,4 +1,4 @@
-"""What a kernel may call: on NumPy's arrays and numbers at once, on a traced value (`renderer.machines`) instructions.
+"""Functions that a kernel may call: they compute on NumPy's arrays and numbers, and emit code on traced values.
 
 `abs` and the operators are Python's own. Nothing is from libm.
 """
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 inf, nan = math.inf, math.nan
-UNIT = 2.0**-53  # what rounding to float64 takes from a number at most, over its size
+UNIT = 2.0**-53  # the largest relative error of rounding to float64
 Number = Any  # a float64, an array of them, or a traced value
 Mask = Any  # for which of them something holds
 
@@ -30,7 +30,7 @@ class Constant(float):
         return Constant(-float(self), self.error)
 
     def __mul__(self, other):
-        """With a literal or another constant: their product; with anything else, what that makes of a float."""
+        """Return the product with a literal or another constant, its error added; else that with a float."""
         if type(other) not in (float, Constant):
             return NotImplemented if hasattr(other, "machine") else float(self) * other
         product, off = Constant(float(self) * float(other)), getattr(other, "error", 0.0)
@@ -44,14 +44,14 @@ pi = Constant(math.pi)
 
 
 def elementary(kernel: Callable) -> Any:
-    """Return a function that a machine may have another way to compute: `kernel` is what others do."""
+    """Return a function that calls the argument's machine where that has a method of the name, else `kernel`."""
 
     @wraps(kernel)
     def asked(*arguments):
         for argument in arguments:
-            own = getattr(getattr(argument, "machine", None), kernel.__name__, None)
-            if own:
-                return own(*arguments)
+            method = getattr(getattr(argument, "machine", None), kernel.__name__, None)
+            if method:
+                return method(*arguments)
         return kernel(*arguments)
 
     asked.kernel = kernel  # type: ignore[attr-defined]
@@ -66,14 +66,14 @@ sqrt, floor, rint, where = map(elementary, (np.sqrt, np.floor, np.rint, np.where
 
 @elementary
 def bits(number: Number, operation: str, other: int) -> Number:
-    """Return what an operation, as LLVM names it, makes of a float64's bits and a whole number."""
-    whole = np.asarray(number, np.float64).view(np.uint64)
-    return BIT_OPERATIONS[operation](whole, np.uint64(other)).view(np.float64)
+    """Return the float64 of an operation, as LLVM names it, on a float64's bits and a whole number."""
+    integer = np.asarray(number, np.float64).view(np.uint64)
+    return BIT_OPERATIONS[operation](integer, np.uint64(other)).view(np.float64)
 
 
-def power_of_two(whole: Number) -> Number:
+def power_of_two(n: Number) -> Number:
     """Return 2ⁿ for a whole n from −1022 to 1023."""
-    return bits(whole + BIASED, "shl", 52)
+    return bits(n + BIASED, "shl", 52)
 
 
 def binary_exponent(number: Number) -> Number:
@@ -93,7 +93,7 @@ def minimum(a: Number, b: Number) -> Number:
 
 @elementary
 def add_half_turns(a: Number, b: Number) -> tuple[Number, Number]:
-    """Return a sum less whole turns, as it is rounded, and what rounding took from it (Knuth)."""
+    """Return a sum less whole turns, rounded, and its rounding error (Knuth)."""
     a, b = (number - 2.0 * rint(0.5 * number) for number in (a, b))
     total = a + b
     part = total - a

@@ -21,7 +21,7 @@ def available_cores() -> int:
 def checked_threads(threads: int | None, name: str = "threads") -> int:
     """Return `threads`, all cores for None, or raise ValueError unless it is a whole number from 1 to MAX_THREADS.
 
-    `name` is what the message calls it.
+    name: the argument's, in the message.
     """
     return available_cores() if threads is None else check_whole(name, threads, MAX_THREADS)
 
@@ -37,7 +37,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int | None) -> list[Any]:
-    """Return what `work` makes of bands of rows, slices of `each` rows and a last one of the rest, one after another.
+    """Return the results of `work` on bands of rows, slices of `each` rows and a last one of the rest, in their order.
 
     It is done on at most `threads` threads (None: as many as cores), this one included.
     Helpers that come late, or not at all because the process ends or the system has no more threads, are not waited
@@ -65,12 +65,12 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
         at_work = [helper for helper in helpers if not helper.cancel()]
         wait(at_work)
         helpers.clear()
-        found = results.copy()
-        for shared in (todo, results):  # what is cancelled keeps them until a thread of the pool is free
+        answers = results.copy()
+        for shared in (todo, results):  # a cancelled helper keeps them until a thread of the pool is free
             shared.clear()
     try:
         while at_work:
             at_work.pop().result()
     finally:
         at_work.clear()  # lest errors keep this frame, and the picture's memory with it
-    return found
+    return answers

@@ -1,4 +1,4 @@
-"""The version of this package: of the checkout that this file is in, or else of what is installed."""
+"""The version of this package: of the checkout that this file is in, or else of the installed package."""
 
 import tomllib
 from importlib import metadata

@@ -27,7 +27,7 @@ BEYOND = 2**30  # a byte that no checkpoint reaches
 
 
 def named(name: str, path: str | Path) -> Path:
-    """Return `path` as a Path, or raise ValueError, which calls it `name`, where it is what no file's name can be."""
+    """Return `path` as a Path, or raise ValueError, which calls it `name`, where no file can have such a name."""
     if not isinstance(path, str | os.PathLike) or "\0" in str(path):
         raise not_allowed(name, path, "a file's name, without the character 0, and no file object")
     return Path(path)
@@ -37,7 +37,7 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
     """Return `path` as a Path, or raise ValueError unless it ends in one of `suffixes`, in small letters or capitals,
     and can be written.
 
-    `name` is what the message calls it.
+    name: the argument's, in the message.
     """
     path, shown = named(name, path), str(path)
     if path.suffix.lower() not in suffixes:
@@ -56,14 +56,14 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
 def _place(path):
     """Return the file that a path leads to, links followed, and its mode: None where there is none yet.
 
-    Renaming asks for the folder's permission alone. Raises OSError on what is no file, or may not be written.
+    Renaming asks for the folder's permission alone. Raises OSError on anything but a regular file that may be written.
     """
     place = Path(os.path.realpath(path))
     if not os.path.lexists(place):
         return place, None
     status = os.stat(place)
     mode = status.st_mode
-    if not stat.S_ISREG(mode) or not mode & 0o222 or not os.access(place, os.W_OK):  # root may write what nobody may
+    if not stat.S_ISREG(mode) or not mode & 0o222 or not os.access(place, os.W_OK):  # root may write read-only files
         raise OSError(errno.EACCES, "it is read-only, or no regular file", path)
     if status.st_nlink > 1:
         warnings.warn(f"{path} has other names (hard links), which keep what is there now", stacklevel=2)
@@ -139,11 +139,11 @@ def whole_file(path: str | Path, mode: int | None = None) -> Iterator[str]:
     mode: who may read and write it, as the user's mask lets them; by default those who may already, or everybody.
     Raises OSError where `path` is neither absent nor a file that may be written.
     """
-    place, kept = _place(path)
+    place, old_mode = _place(path)
     remove_abandoned(place.parent)
-    with _unfinished(place, mode or kept or 0o666) as file:
-        if kept and not mode:
-            os.chmod(file.name, kept)
+    with _unfinished(place, mode or old_mode or 0o666) as file:
+        if old_mode and not mode:
+            os.chmod(file.name, old_mode)
         yield str(file.name)
         if not fcntl:
             file.close()

@@ -98,7 +98,7 @@ def test_wherever_the_writer_was_killed_the_complete_lines_are_kept(many, full):
     for size in (last, last + 1, last + 9, len(content) - 1):
         full.write_bytes(content[:size])
         with Checkpoint(full) as checkpoint:
-            assert checkpoint.kept(MANY) == {task: many[task] for task in MANY[:2]}
+            assert checkpoint.rows_of(MANY) == {task: many[task] for task in MANY[:2]}
         assert full.read_bytes() == content[:last]
 
 

@@ -1,8 +1,18 @@
-"""The pages made from docstrings: everything public is on them, and docstrings are read as plain text."""
+"""Docstrings: everything public has an example that runs, and an entry on the pages made of them, as plain text."""
 
+import doctest
+
+import pytest
 from sphinx.util.inventory import InventoryFile
 
 import renderer
+from proofs.engine.certificate import prove
+from proofs.formulas.height_fields import HeightField
+from proofs.theorems import language
+from renderer.scene import methods
+
+OF_ENGINE = [part for part in vars(language).values() if callable(part) and part.__module__.startswith("proofs.engine")]
+PUBLIC = [*(getattr(renderer, name) for name in renderer.__all__), HeightField, prove, methods, *OF_ENGINE]
 
 PLACES = {"api-renderer.html", "api-proofs.html", "api-verify.html"}
 OTHERS = {
@@ -25,3 +35,10 @@ def test_everything_public_has_an_entry_made_of_plain_text(site, html_of):
     assert {entry[2].partition("#")[0] for entry in entries.values()} == PLACES
     page = html_of("api-renderer")
     assert "<p>Return |∇h| on sphere A" in page and "crop: (left, top, width, height)" in page
+
+
+@pytest.mark.parametrize("public", PUBLIC, ids=lambda public: public.__name__)
+def test_the_examples_of_everything_public_run(public):
+    (found,) = doctest.DocTestFinder(recurse=False).find(public, public.__name__)
+    assert found.examples
+    assert doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(found).failed == 0

@@ -36,7 +36,7 @@ from renderer.files import record
 from renderer.generate.custom_printer import CALLED, OwnPrinter
 from renderer.generate.reader import expression_text, parse_expression
 from renderer.machines import native, numpy_rows
-from renderer.scene.own import field_kernels
+from renderer.scene.fields import field_kernels
 from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
 from tests.processes import python

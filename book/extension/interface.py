@@ -1,4 +1,4 @@
-"""Docstrings as they stand: plain text in which `code` is code, indented lines are listings.
+"""Docstrings as they stand: plain text in which `code` is code, indented lines are listings, examples are examples.
 
 autodoc reads reStructuredText, to which |k| ≤ 2²⁰ and k_u are markup. So everything else is escaped.
 """
@@ -25,6 +25,8 @@ def restructured(lines: list[str]) -> list[str]:
         rows = [row for row in paragraph.splitlines() if row.strip()]
         if rows and all(row.startswith(INDENT) for row in rows):
             found += ["::", "", *rows, ""]
+        elif rows and rows[0].startswith(">>>"):
+            found += [*rows, ""]
         elif rows:
             found += [_escaped(" ".join(row.strip() for row in rows)), ""]
     return found

@@ -60,7 +60,16 @@ from proofs.engine.theorem import Theorem, Theorems, all_theorems
 
 
 def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
-    """Return what proves a claim, found anew; raises NotFound."""
+    """Return the proofs of a claim, searched anew; raises NotFound.
+
+    >>> from proofs.engine import kernel
+    >>> from proofs.engine.certificate import prove
+    >>> from proofs.theorems.language import Claim, at_least, real
+    >>> x, y = real("x y")
+    >>> ((statement, certificate, _),) = prove(Claim("means", at_least(x**2 + y**2, 2 * x * y)), {})
+    >>> statement["steps"][0]["of"], kernel.check(statement, certificate)
+    ({'x y': '-2', 'x^2': '1', 'y^2': '1'}, None)
+    """
     example = {str(s).replace(" ", ""): Fraction(str(value)) for s, value in claim.example}
     return [_proved(s, claim.squares, effort, example) for s in statements(claim, theorems)]
 
@@ -80,18 +89,18 @@ def _proved(statement, squares, effort, example):
     return statement, certificate, point
 
 
-def text(theorem: Theorem, found: Found) -> str:
-    """Return the file's text for [(claim, what proves or refutes it)]."""
+def text(theorem: Theorem, proofs: Found) -> str:
+    """Return the file's text for [(claim, its proofs or refutation)]."""
     claims = []
-    for claim, cases in found:
+    for claim, cases in proofs:
         listed = [{"sha256": digest(s), "statement": s, "certificate": c, "point": point} for s, c, point in cases]
         claims.append({"claim": claim.name, "statements": listed})
     return canonical({"version": VERSION, "theorem": theorem.id, "claims": claims})
 
 
-def wrong_with(found: Found) -> list[str]:
-    """Return what the kernel has against [(claim, what proves or refutes it)]."""
-    return [f"{claim.name}: {why}" for claim, cases in found for why in reasons(cases) if why]
+def wrong_with(proofs: Found) -> list[str]:
+    """Return the kernel's objections to [(claim, its proofs or refutation)]."""
+    return [f"{claim.name}: {why}" for claim, cases in proofs for why in reasons(cases) if why]
 
 
 def _is_stale(theorem, theorems):
@@ -119,8 +128,8 @@ def main(arguments: list[str] | None = None) -> int:
         if not options.all and not _is_stale(theorem, theorems):
             continue
         try:
-            found = evidence(theorem, theorems, prove)
-            wrong = wrong_with(found)
+            proofs = evidence(theorem, theorems, prove)
+            wrong = wrong_with(proofs)
         except NotFound as error:
             wrong = [str(error)]
         if wrong:
@@ -128,9 +137,9 @@ def main(arguments: list[str] | None = None) -> int:
             failed = True
             continue
         unfinished = path_of(theorem).with_suffix(".unfinished")
-        unfinished.write_text(text(theorem, found), encoding="utf-8")
+        unfinished.write_text(text(theorem, proofs), encoding="utf-8")
         unfinished.replace(path_of(theorem))
-        print(f"{id}: {sum(len(cases) for _, cases in found)} statements", flush=True)
+        print(f"{id}: {sum(len(cases) for _, cases in proofs)} statements", flush=True)
     return int(failed)
 
 

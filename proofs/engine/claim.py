@@ -1,50 +1,78 @@
-"""What a theorem claims, before translation: SymPy relations over the lines of a straight-line program."""
+"""Claims of a theorem, before translation: SymPy relations over the lines of a straight-line program."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from sympy import Basic, Integer, Rational, Symbol, sympify
 from sympy.core.relational import Eq, GreaterThan, StrictGreaterThan
 
-from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs
+from proofs.engine.program import Program, Some, chain, evaluated, flat, pairs, put
 
 
 def equation(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left = right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left = right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import equation, real
+    >>> x = real("x")
+    >>> equation((x + 1) ** 2, x**2 + 2 * x + 1)
+    Eq((x + 1)**2, x**2 + 2*x + 1)
+    """
     return Eq(left, right, evaluate=False)
 
 
 def greater(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left > right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left > right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import greater
+    >>> greater(2, 1)
+    2 > 1
+    """
     return StrictGreaterThan(left, right, evaluate=False)
 
 
 def at_least(left: Basic | int, right: Basic | int) -> Basic:
-    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it."""
+    """Return left ≥ right that SymPy leaves as it is, so that the kernel decides it.
+
+    >>> from proofs.theorems.language import at_least, real
+    >>> at_least(real("x") ** 2, 0)
+    x**2 >= 0
+    """
     return GreaterThan(left, right, evaluate=False)
 
 
 @evaluated
 def number(value: Basic | int | str) -> Basic:
-    """Return an exact number for a range or a point: arithmetic, of which no claim is made."""
+    """Return an exact number for a range or a point: arithmetic, of which no claim is made.
+
+    >>> from proofs.theorems.language import number
+    >>> number("0.1"), number(3)
+    (1/10, 3)
+    """
     return Rational(value) if isinstance(value, str) else sympify(value, strict=True).doit()
 
 
 def point(values: Any) -> tuple[tuple[Symbol, Basic], ...]:
     """Return ((symbol, exact number), …) of {symbol, or several: value of each, or values}, or of such pairs."""
-    given = [(flat(symbols), value) for symbols, value in dict(values).items()]
-    each = {symbols: value if isinstance(value, tuple | list) else [value] * len(symbols) for symbols, value in given}
+    items = [(flat(symbols), value) for symbols, value in dict(values).items()]
+    each = {symbols: value if isinstance(value, tuple | list) else [value] * len(symbols) for symbols, value in items}
     return tuple((symbol, number(value)) for symbol, value in pairs(each))
+
+
+SEVERAL = {
+    *("shows", "given", "squares", "cited", "outputs", "avoid"),  # of claims
+    *("uses", "claims", "holds", "fails", "undefined", "mutants", "steps", "hypotheses", "side_conditions", "rounded"),
+}
+"""The fields that may be given as one thing or several (Some)."""
 
 
 @dataclass(frozen=True)
 class Parts:
-    """What has fields that are given as one thing or several (Some): once made, each is a tuple."""
+    """The base of claims, theorems and their parts: each field of SEVERAL is a tuple once it is made."""
 
-    borrowed = cited = squares = example = ()  # what a Claim may have
+    borrowed = cited = squares = example = ()  # for claims without them
 
     def __post_init__(self):
-        vars(self).update({each.name: flat(getattr(self, each.name)) for each in fields(self) if each.type is Some})
+        put(self, **{name: flat(value) for name, value in vars(self).items() if name in SEVERAL})
 
     def but(self, **changes: Any) -> Self:
         """Return the same with some fields changed: how a mutant is made."""
@@ -55,8 +83,13 @@ class Parts:
 class CitedLemma(Parts):
     """A relation that is taken from a source, a key of the bibliography, and not proved here.
 
-    What is proved with it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
+    A theorem that cites it is “proved, given the source”. given: the source's own conditions, all of them; a claim that
     cites it has to prove each, and samples test the relation under them alone.
+
+    >>> from proofs.theorems.language import CitedLemma, at_least, real, sin
+    >>> x = real("x")
+    >>> CitedLemma(at_least(x, sin(x)), "NIST:DLMF", x >= 0).given
+    (x >= 0,)
     """
 
     relation: Basic
@@ -71,7 +104,7 @@ class CitedLemma(Parts):
 
 @dataclass(frozen=True)
 class Claim(Parts):
-    """For all real values of the inputs: if `given` holds, every relation of `shows` holds.
+    """A claim: for all real values of the inputs, if `given` holds, every relation of `shows` holds.
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
@@ -79,6 +112,14 @@ class Claim(Parts):
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
     ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
     as far as the search for one needs to be told. Once made it has both as pairs.
+
+    >>> from proofs.theorems.language import Claim, at_least, real
+    >>> x, y = real("x y")
+    >>> means = Claim("means", at_least(x**2 + y**2, 2 * x * y), ranges={(x, y): (-1, 1)})
+    >>> means.shows, means.ranges
+    ((x**2 + y**2 >= 2*x*y,), ((x, (-1, 1)), (y, (-1, 1))))
+    >>> means.but(given=x > 0).given
+    (x > 0,)
     """
 
     name: str
@@ -93,7 +134,8 @@ class Claim(Parts):
 
     def __post_init__(self):
         super().__post_init__()
-        vars(self).update(
+        put(
+            self,
             shows=tuple(sympify(relation, strict=True) for relation in self.shows),
             given=tuple(sympify(relation, strict=True) for relation in self.given),
             ranges=tuple(
@@ -103,7 +145,7 @@ class Claim(Parts):
         )
 
     def everywhere(self) -> list[Basic]:
-        """Return what else the claim is made of: every line of its program, ranges, coordinates."""
+        """Return the claim's other expressions: every line of its program, ranges, coordinates."""
         lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
         return [*flat(lines), *(symbol for symbol, *_ in (*self.ranges, *self.example))]
 
@@ -118,7 +160,13 @@ class Claim(Parts):
 
 @dataclass(frozen=True)
 class Separation(Parts):
-    """In the program `lines`, none of `outputs` depends on any of `avoid`."""
+    """A claim of independence: in the program `lines`, none of `outputs` depends on any of `avoid`.
+
+    >>> from proofs.theorems.language import Program, Separation, real
+    >>> x, y, s, t = real("x y s t")
+    >>> Separation("s_without_y", Program("sums", (x, y), {s: 2 * x, t: s + y}), s, y).outputs
+    (s,)
+    """
 
     name: str
     lines: Program
@@ -128,10 +176,16 @@ class Separation(Parts):
 
 @dataclass(frozen=True)
 class Induction(Parts):
-    """For every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
+    """A claim for every whole n ≥ 0: `shows`, equations over n, the parameters and the states of recurrences.
 
     states: (symbol, value at n = 0, value at n + 1 in terms of the values at n). cos and sin of n·α are states too, by
     the addition formulas. given: relations over the parameters.
+
+    >>> from proofs.theorems.language import Induction, Symbol, equation, real
+    >>> n, total = Symbol("n", integer=True, nonnegative=True), real("total")
+    >>> odd = Induction("odd_numbers", n, equation(total, n**2), ((total, 0, total + 2 * n + 1),))
+    >>> odd.of(2).lines.expand(odd.of(2).shows[0].lhs)
+    4
     """
 
     name: str
@@ -142,7 +196,7 @@ class Induction(Parts):
     ranges: Any = ()
 
     def of(self, number: int) -> Claim:
-        """Return what is claimed of one number: of the states that its lines reach from the start."""
+        """Return the claim for one number: of the states that its lines reach from the start."""
         states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
         lines = []
         for before in range(number):
@@ -156,10 +210,15 @@ class Induction(Parts):
 
 @dataclass(frozen=True)
 class Rounded(Parts):
-    """For all float64 inputs: if `given` holds, a program that float64 carries out is near its value in real numbers.
+    """A claim of accuracy: if `given` holds, a program in float64 is near its value in real numbers.
 
     program: one whose float64 operations are printed for Coq, which alone proves it. bounds: {output: how far it is
     off at most}. given: relations over the inputs, which are finite.
+
+    >>> from proofs.theorems.language import Program, Rational, Rounded, real
+    >>> x, y, s = real("x y s")
+    >>> Rounded("sum", Program("sum", (x, y), {s: x + y}), {s: Rational(1, 2**53) * abs(x + y)}).bounds
+    ((s, Abs(x + y)/9007199254740992),)
     """
 
     name: str
@@ -169,16 +228,21 @@ class Rounded(Parts):
 
     def __post_init__(self):
         super().__post_init__()
-        vars(self).update(bounds=pairs(self.bounds))
+        put(self, bounds=pairs(self.bounds))
 
 
 @dataclass(frozen=True)
 class Encloses(Parts):
-    """For all float64 numbers and bounds: if `given` holds, a rule of the enclosing machine bounds what it computes.
+    """A claim of enclosure: if `given` holds, a rule of the enclosing machine bounds the error of its result.
 
     program: one of `proofs.formulas.enclosed`, whose rule is printed for Coq, which alone proves it. given: relations
     over its inputs, as NAME; over the counts of roundings that bound them, NAME_error; and over the exact numbers that
     they stand for, NAME_exact.
+
+    >>> from proofs.theorems.language import Encloses, real
+    >>> from proofs.formulas.enclosed import RULES
+    >>> Encloses("root", RULES["enclosed_root"], real("x_exact") >= 0).given
+    (x_exact >= 0,)
     """
 
     name: str

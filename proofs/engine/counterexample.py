@@ -13,7 +13,7 @@ CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
 class NotRational(ValueError):
-    """A point gives no rational value to something, or fails what has to hold."""
+    """A point at which an expression has no rational value, or a hypothesis fails."""
 
 
 def rational_root(value: Fraction) -> Fraction:
@@ -41,16 +41,17 @@ def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | 
             continue
         refuted = statement | {"kind": "refutation"}
         new = {s["new"] for s in refuted["steps"] if s["step"] in ("root", "inverse")}
-        found = {"point": {n: str(v) for n, v in sorted(values.items()) if n in new.union(statement["variables"])}}
-        if kernel.check(refuted, found) is None:
-            return refuted, found
+        names = new.union(statement["variables"])
+        certificate = {"point": {n: str(v) for n, v in sorted(values.items()) if n in names}}
+        if kernel.check(refuted, certificate) is None:
+            return refuted, certificate
     return None
 
 
 def _complete(statement, at):
     """Return the values {name: Fraction} of every name of a derivation; KeyError where a name has none.
 
-    What is defined has the value of its definition: none of `at` is it.
+    A defined name has the value of its definition, not one of `at`.
     """
     defined = {step.get("new") for step in statement["steps"]}
     at = {name: value for name, value in at.items() if name not in defined}

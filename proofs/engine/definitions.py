@@ -1,8 +1,8 @@
-"""What a relation says beside what is given and the lines of its program. This file is trusted.
+"""Relations that hold by definition, by the hypotheses and the program's lines alone. This file is trusted.
 
-What says nothing reads 0 = 0 once the lines are put in, or compares two numbers, or is given then. Terms are moved, the
-order of sums and products is none, and a product, a power or a root of terms that cancel is 0. Nothing is multiplied
-out, no quotient cancels, and no other value is simplified.
+With the lines substituted, such a relation reads 0 = 0, or compares two numbers, or is a hypothesis. Reading moves
+terms, disregards the order of sums and products, and takes a product, a power or a root of terms that cancel for 0. It
+multiplies nothing out, cancels no quotient, and simplifies nothing else.
 """
 
 from collections import Counter
@@ -13,7 +13,7 @@ from sympy.core.relational import Relational
 
 
 class Reading:
-    """What expressions read once the lines are put in: sums of parts, which have one name where they read the same."""
+    """Expressions with the program's lines substituted: sums of parts, of which equal ones have one name."""
 
     def __init__(self) -> None:
         self.sums: dict = {}
@@ -24,7 +24,7 @@ class Reading:
         self.sums[symbol], self.factors[symbol] = self.sum(expression), self._factors(expression)
 
     def difference(self, relation: Relational) -> Expr:
-        """Return what left − right reads."""
+        """Return the reading of left − right."""
         return self.sum(relation.lhs) - self.sum(relation.rhs)
 
     def sum(self, e: Basic) -> Expr:

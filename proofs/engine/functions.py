@@ -18,7 +18,7 @@ def hull(lowest: Callable, highest: Callable) -> Callable:
 
 
 class Function(NamedTuple):
-    """A function, and what it is called.
+    """A function, and its name in each language.
 
     made: SymPy's class. kernel: its name in kernels, and in every table of numbers. coq: of real numbers, if it has no
     form of its own. coq_float64: of float64 numbers. text, mpmath, arb: in a formula's text, in mpmath and in FLINT,

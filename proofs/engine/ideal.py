@@ -1,4 +1,4 @@
-"""Finding cofactors: p = Σ q_i g_i, by division by a Gröbner basis that remembers where it came from.
+"""Cofactors of a polynomial in an ideal: p = Σ q_i g_i, by a Gröbner basis that records its own cofactors.
 
 Nothing here is trusted: the kernel multiplies every answer out.
 """
@@ -19,7 +19,7 @@ class Ideal:
     """The ideal of equations g_i = 0 in named variables, the latest name the largest, with cofactors."""
 
     def __init__(self, names: Sequence[str], equations: Mapping[int, Polynomial]):
-        """equations: {index: kernel polynomial}. Beyond MAX_PAIRS and MAX_TERMS the basis stays incomplete."""
+        """Compute the basis of equations, {index: kernel polynomial}: incomplete beyond MAX_PAIRS and MAX_TERMS."""
         self.names = list(reversed(names))
         self.ring, *_ = ring(self.names, QQ, lex)
         equations = {i: g for i, p in equations.items() if (g := self.element(p))}

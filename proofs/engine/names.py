@@ -1,4 +1,4 @@
-"""What a claim's names may be: plain real symbols, each with a name of its own. This file is trusted."""
+"""The rules for names in a claim: plain real symbols, no two of one name. This file is trusted."""
 
 import re
 from collections.abc import Iterable
@@ -14,7 +14,7 @@ NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 
 def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
     """Raise Untranslatable unless every symbol is real, or of such a kind, no more, and has a name of its own."""
-    seen = set()
+    taken = set()
     for symbol in sorted(symbols, key=str):
         if not NAME.fullmatch(symbol.name):
             raise Untranslatable(f"{symbol.name!r} is no name, or one that the translation makes itself")
@@ -22,9 +22,9 @@ def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
             raise Untranslatable(
                 f"{symbol} is not a plain real symbol: what is known of it is a hypothesis to be stated"
             )
-        if symbol.name in seen:
+        if symbol.name in taken:
             raise Untranslatable(f"two symbols are called {symbol}")
-        seen.add(symbol.name)
+        taken.add(symbol.name)
 
 
 @cache
@@ -34,7 +34,7 @@ def _weight(e):
 
 
 def symbols_of(expressions: Iterable[Basic]) -> set[Symbol]:
-    """Return every symbol of some expressions, bound ones too; refuse what is too deep or too long, and powers 0."""
+    """Return every symbol of some expressions, bound ones too; refuse those too deep or too long, and powers 0."""
     expressions = [*expressions]
     small(sum(map(_weight, expressions)) // 10)
     if zeroth := [power for e in expressions for power in e.atoms(Pow) if power.exp == 0]:

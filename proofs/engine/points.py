@@ -1,4 +1,4 @@
-"""What is found for a certificate beside its proofs: which hypotheses they use, and a point where these hold.
+"""The hypotheses that a certificate's proofs use, and a rational point at which these hold.
 
 Nothing here is trusted: the kernels check the shorter certificate, and the point.
 """
@@ -56,16 +56,16 @@ def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] 
 
     example: coordinates of it that are known.
     """
-    said, rng = consistency(statement), random.Random(0)
-    *facts, _ = kernel.derive(said, lambda *_: None)
-    new = [step["new"] for step in said["steps"] if step["step"] in ("root", "inverse")]
-    names = [*said["variables"], *new]
+    refutation, rng = consistency(statement), random.Random(0)
+    *facts, _ = kernel.derive(refutation, lambda *_: None)
+    new = [step["new"] for step in refutation["steps"] if step["step"] in ("root", "inverse")]
+    names = [*refutation["variables"], *new]
     fixed = {name: value for name, value in example.items() if name in names}
     for _ in range(TRIES * USUAL // max(USUAL, len(names) * len(facts))):
         with suppress(NotRational):
             values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
             point = {name: str(value) for name, value in sorted(values.items())}
-            if kernel.check(said, {"point": point}) is None:
+            if kernel.check(refutation, {"point": point}) is None:
                 return point
     return None
 
@@ -73,10 +73,10 @@ def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] 
 def _attempt(names, facts, fixed, rng, pool):
     """Return values of all names: some as fixed, or solved for where an equation allows it, the others at random."""
     values, new = dict(fixed), dict(fixed)
-    known = {name: kernel.variable(name) for name in names}
+    numbers = {name: kernel.variable(name) for name in names}
     while True:
-        known |= {name: kernel.multiply(value) for name, value in new.items()}
-        facts = [(p if new.keys().isdisjoint(_names(p)) else kernel.substitute(p, known), r) for p, r in facts]
+        numbers |= {name: kernel.multiply(value) for name, value in new.items()}
+        facts = [(p if new.keys().isdisjoint(_names(p)) else kernel.substitute(p, numbers), r) for p, r in facts]
         if not all(kernel.HOLDS[r](p.get((), 0)) for p, r in facts if not any(p)):
             raise NotRational
         facts = [(p, r) for p, r in facts if any(p)]

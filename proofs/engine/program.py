@@ -7,13 +7,22 @@ they need.
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import wraps
-from typing import Annotated, Any
+from typing import Any
 
 from sympy import Expr, Symbol, evaluate
 
 
 def evaluated(make: Callable) -> Callable:
-    """Let a function make the same formulas in a theorem, where SymPy evaluates nothing, as for a kernel."""
+    """Let a function make the same formulas in a theorem, where SymPy evaluates nothing, as for a kernel.
+
+    >>> from sympy import evaluate
+    >>> from proofs.theorems.language import evaluated, real
+    >>> def twice(x):
+    ...     return x + x
+    >>> with evaluate(False):
+    ...     print(twice(real("x")), evaluated(twice)(real("x")))
+    x + x 2*x
+    """
 
     @wraps(make)
     def making(*arguments, **named):
@@ -23,19 +32,30 @@ def evaluated(make: Callable) -> Callable:
     return making
 
 
-Some = Annotated[Any, "or several"]  # one thing, or several in tuples, lists and iterators, one in another
+Some = Any  # one thing, or several in tuples, lists and iterators, one in another
 
 
 def flat(part: Some) -> tuple:
-    """Return one thing, or several, however they stand in one another, as one tuple."""
+    """Return one thing, or several, however they stand in one another, as one tuple.
+
+    >>> from proofs.theorems.language import flat
+    >>> flat(1), flat((1, [2, (3,)]))
+    ((1,), (1, 2, 3))
+    """
     several = isinstance(part, tuple | list | Iterator)
     return tuple(thing for each in part for thing in flat(each)) if several else (part,)
 
 
-def pairs(given: Any) -> tuple[tuple, ...]:
+def pairs(lines: Any) -> tuple[tuple, ...]:
     """Return ((symbol, value), …) of {symbol or vector: value or values}, or of such pairs."""
-    items = given.items() if isinstance(given, Mapping) else given
+    items = lines.items() if isinstance(lines, Mapping) else lines
     return tuple(pair for names, values in items for pair in zip(flat(names), flat(values), strict=True))
+
+
+def put(record: Any, **values: Any) -> None:
+    """Set fields of a frozen dataclass, while it is made."""
+    for name, value in values.items():
+        object.__setattr__(record, name, value)
 
 
 @dataclass(frozen=True)
@@ -45,6 +65,15 @@ class Program:
     A vector may be an input, or defined at once: {symbols: expressions}. Without `outputs`, the last line's are.
     Raises ValueError where a line uses a name that is neither an input nor defined above it, where a name is
     defined twice, or where an output is not defined.
+
+    >>> from proofs.theorems.language import Program, real, sqrt
+    >>> x, square, root = real("x square root")
+    >>> program = Program("length", x, {square: x**2 + 1, root: sqrt(square)})
+    >>> program.outputs, program.expand(root), program.keep(square).outputs
+    ((root,), sqrt(x**2 + 1), (square,))
+    >>> Program("length", x, {root: sqrt(square)})
+    Traceback (most recent call last):
+    ValueError: length: root uses ['square'] before any definition
     """
 
     name: str
@@ -54,16 +83,16 @@ class Program:
 
     def __post_init__(self):
         outputs = [*dict(self.definitions)][-1] if self.outputs is None else self.outputs
-        vars(self).update(inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
-        known = set(self.inputs)
+        put(self, inputs=flat(self.inputs), definitions=pairs(self.definitions), outputs=flat(outputs))
+        defined = set(self.inputs)
         for symbol, expression in self.definitions:
-            unknown = expression.free_symbols - known
+            unknown = expression.free_symbols - defined
             if unknown:
                 raise ValueError(f"{self.name}: {symbol} uses {sorted(map(str, unknown))} before any definition")
-            if symbol in known:
+            if symbol in defined:
                 raise ValueError(f"{self.name}: {symbol} is defined twice")
-            known.add(symbol)
-        missing = set(self.outputs) - known
+            defined.add(symbol)
+        missing = set(self.outputs) - defined
         if missing:
             raise ValueError(f"{self.name}: outputs {sorted(map(str, missing))} are not defined")
 
@@ -115,6 +144,12 @@ def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program
 
     Between them may stand lines alone, {symbol or vector: expression or expressions}. A line that an earlier program
     already has, letter for letter, is not repeated.
+
+    >>> from proofs.theorems.language import Program, chain, real
+    >>> x, square, inverse = real("x square inverse")
+    >>> both = chain("inverse_square", Program("square", x, {square: x**2}), {inverse: 1 / square})
+    >>> both.inputs, both.expand(inverse)
+    ((x,), x**(-2))
     """
     lines: dict[Symbol, Expr] = {}
     inputs: dict[Symbol, None] = {}
@@ -128,7 +163,7 @@ def chain(name: str, *parts: Program | Mapping, outputs: Some = None) -> Program
 
 
 def _of_lines(name, lines):
-    """Return the program of some lines: its inputs are what they use, line by line, and do not define."""
+    """Return the program of some lines: its inputs are the names that they use and do not define, in order of use."""
     each = pairs(lines)
     defined = {symbol for symbol, _ in each}
     used = [symbol for _, line in each for symbol in sorted(line.free_symbols - defined, key=str)]

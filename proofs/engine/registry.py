@@ -1,4 +1,4 @@
-"""What an entry in a list of the chapter may be called."""
+"""Names of entries in the chapter's lists (fields, programs, models): the rules for them, and errors that say which."""
 
 from collections.abc import Iterable
 from keyword import iskeyword
@@ -32,8 +32,8 @@ def check_name(name: str) -> None:
 
 def by_name(entries: Iterable[Any]) -> dict[str, Any]:
     """Return {name: entry}. Raises ValueError where two have one name."""
-    found: dict[str, Any] = {}
+    named: dict[str, Any] = {}
     for entry in entries:
-        if found.setdefault(entry.name, entry) is not entry:
+        if named.setdefault(entry.name, entry) is not entry:
             raise not_allowed("name", entry.name, "a name that no other entry has")
-    return found
+    return named

@@ -1,4 +1,4 @@
-"""Finding certificates. Nothing here is trusted: the kernel checks what it finds, and what it misses may be true."""
+"""The search for certificates. Nothing here is trusted: the kernel checks each, and a claim without one may be true."""
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
@@ -29,7 +29,7 @@ def search(statement: dict, squares: Iterable = (), effort: int = MAX_EFFORT) ->
                 proofs = _proofs(kernel.carry, statement)
                 return {"base": proofs[::2], "step": proofs[1::2]}
         return {"proofs": _proofs(kernel.derive, statement, [polynomial_data(s) for s in squares], effort)}
-    except kernel.Rejected as why:  # what is too long
+    except kernel.Rejected as why:  # it is too long
         raise NotFound(f"no certificate found: {why}") from None
 
 

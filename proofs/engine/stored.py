@@ -1,4 +1,4 @@
-"""What a theorem says now, and its stored certificates, if they still say so. This file is trusted."""
+"""Stored certificates, accepted only if they prove the statements of today's formulas. This file is trusted."""
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -48,9 +48,9 @@ def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 def _statements(claim, theorems):
     if isinstance(claim, Separation):
-        known = {*claim.lines.inputs, *dict(claim.lines.definitions)}
-        plain(known, "extended_real")
-        if unknown := {*claim.outputs, *claim.avoid} - known:
+        defined = {*claim.lines.inputs, *dict(claim.lines.definitions)}
+        plain(defined, "extended_real")
+        if unknown := {*claim.outputs, *claim.avoid} - defined:
             raise Untranslatable(f"{claim.name}: the program has no {', '.join(sorted(map(str, unknown)))}")
         lines = [[s.name, sorted(t.name for t in e.free_symbols)] for s, e in claim.lines.definitions]
         outputs, avoid = (sorted(s.name for s in names) for names in (claim.outputs, claim.avoid))
@@ -61,7 +61,7 @@ def _statements(claim, theorems):
 
 
 def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
-    """Return the derivations of what a Claim shows, each of one conclusion alone.
+    """Return the derivations of a Claim's conclusions, one each.
 
     A lemma that the claim cites is left out: where its conditions fail, the claim need not.
     """
@@ -70,7 +70,7 @@ def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
 
 
 def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
-    """Return what refutes a claim at the point ((symbol, value), …); raises NotFound."""
+    """Return the refutation of a claim at the point ((symbol, value), …); raises NotFound."""
     pair = refutation(each_shown(claim, theorems), dict(point))
     if pair is None:
         raise NotFound(f"no certificate found: {claim.name}")
@@ -78,7 +78,7 @@ def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[
 
 
 def evidence(theorem: Theorem, theorems: Theorems, prove: Callable) -> Found:
-    """Return what `prove` finds for each claim of a theorem, or what refutes it; raises NotFound."""
+    """Return the proofs that `prove` finds of each claim of a theorem, or its refutation; raises NotFound."""
     point = theorem.refuted_at
     return [(c, prove(c, theorems) if point is None else refute(c, point, theorems)) for c in theorem.claims]
 
@@ -89,7 +89,7 @@ def path_of(theorem: Theorem) -> Path:
 
 
 def stored(theorem: Theorem, theorems: Theorems) -> Found:
-    """Return [(claim, what proves or refutes it)] from the file, or raise Stale.
+    """Return [(claim, its proofs or refutation)] from the file, or raise Stale.
 
     The statements are translated afresh from the formulas; the file's must be the same, or assume less.
     """
@@ -102,27 +102,27 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
         raise Stale(f"{theorem.id}: of its stored certificates: {error}") from None
     result = []
     for claim in theorem.claims:
-        kept = entries.pop(claim.name, [])
+        old = entries.pop(claim.name, [])
         if theorem.expected == "refuted":
             now = [s for s, *_ in refute(claim, theorem.refuted_at or (), theorems)]
         else:
             now = statements(claim, theorems)
-        if len(now) != len(kept) or not all(_still_said(claim, *pair) for pair in zip(now, kept, strict=True)):
+        if len(now) != len(old) or not all(_still_proves(claim, *pair) for pair in zip(now, old, strict=True)):
             raise Stale(
                 f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "
                 f"if the theorem still holds, python -m proofs.engine.certificate {theorem.id} finds a new one"
             )
-        result.append((claim, [(entry["statement"], entry["certificate"], entry["point"]) for entry in kept]))
+        result.append((claim, [(entry["statement"], entry["certificate"], entry["point"]) for entry in old]))
     if entries:
         raise Stale(f"{theorem.id}: the stored certificates have other claims: {', '.join(sorted(entries))}")
     return result
 
 
-def _still_said(claim, now, entry):
-    kept, less = entry["statement"], now
-    steps = kept["steps"] if isinstance(kept, dict) and isinstance(kept.get("steps"), list) else []
+def _still_proves(claim, now, entry):
+    old, less = entry["statement"], now
+    steps = old["steps"] if isinstance(old, dict) and isinstance(old.get("steps"), list) else []
     if now["kind"] == "derivation":  # what follows from fewer assumptions follows from all of them
         less = now | {"steps": [step for step in now["steps"] if step["step"] != "assume" or step in steps]}
-    # that a case cannot occur is not said of what a lemma adds: its conditions are shown, and not assumed
+    # a cited lemma's conditions are shown, not assumed: a case of its claim is never stored as one that cannot occur
     empty = [contradiction(less)] if now["kind"] == "derivation" and not claim.cited else []
-    return digest(kept) == entry["sha256"] and kept in [less, *empty]
+    return digest(old) == entry["sha256"] and old in [less, *empty]

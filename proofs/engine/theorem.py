@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Symbol
 
 from proofs.engine.claim import AnyClaim, Claim, Parts, point
-from proofs.engine.program import Some, flat
+from proofs.engine.program import Some, flat, put
 from proofs.engine.project import PROJECT
 
 GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
@@ -21,7 +21,7 @@ Point = tuple[tuple[Symbol, object], ...]
 
 @dataclass(frozen=True)
 class Step(Parts):
-    """One step of the argument as the reader sees it: what, and why. uses: ids of the theorems that it cites."""
+    """A step of the argument for the reader: `what` is concluded, and `why`. uses: ids of theorems that it cites."""
 
     what: str
     why: str
@@ -45,7 +45,11 @@ class SideCondition(Parts):
     """A condition without which the claim named `claim` is not claimed, and points on, or just past, its edge.
 
     holds, fails, undefined (a division by zero, the root of a negative number, a comparison with infinity): the points
-    {symbol or vector: value or values} for every input with what becomes of the claim there, as tested in every run.
+    {symbol or vector: value or values} for every input, by the outcome of the claim there, which every run tests.
+
+    >>> from proofs.theorems.language import SideCondition, real
+    >>> SideCondition("x > 0", "root_is_positive", fails={real("x"): 0}).edges
+    [(((x, 0),), 'fails')]
     """
 
     text: str
@@ -75,11 +79,18 @@ class Mutant:
     at: Any = ()
 
     def __post_init__(self):
-        vars(self).update(at=point(self.at))
+        put(self, at=point(self.at))
 
 
 def variant(text: str, claim: AnyClaim, *shows: Some, at: Any = (), **changes: Any) -> Mutant:
-    """Return the mutant of a claim with other conclusions, if any are given, and other changes."""
+    """Return the mutant of a claim with other conclusions, if any are given, and other changes.
+
+    >>> from proofs.theorems.language import Claim, equation, real, variant
+    >>> x = real("x")
+    >>> square = Claim("square", equation((x + 1) ** 2, x**2 + 2 * x + 1))
+    >>> variant("without the product", square, equation((x + 1) ** 2, x**2 + 1), at={x: 1}).claim.shows
+    (Eq((x + 1)**2, x**2 + 1),)
+    """
     return Mutant(text, claim.but(**(changes | ({"shows": shows} if shows else {}))), at)
 
 
@@ -89,7 +100,7 @@ class Theorem(Parts):
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
     statement may be {text: the claims that say it, or as a text why it is argued}, or Clauses; where one is argued, so
-    is the theorem. claims: what is checked; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
+    is the theorem. claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
     theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
     steps use are added. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
@@ -98,6 +109,21 @@ class Theorem(Parts):
     verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
     float64's own operations.
+
+    >>> from proofs.theorems.language import Claim, Theorem, equation, real, variant
+    >>> x = real("x")
+    >>> square = Claim("square", equation((x + 1) ** 2, x**2 + 2 * x + 1))
+    >>> theorem = Theorem(
+    ...     "binomial",
+    ...     "The square of a sum",
+    ...     {"$(x + 1)^2 = x^2 + 2x + 1$ for every real $x$.": square},
+    ...     mutants=(
+    ...         variant("without 2x", square, equation((x + 1) ** 2, x**2 + 1)),
+    ...         variant("without 1", square, equation((x + 1) ** 2, x**2 + 2 * x)),
+    ...     ),
+    ... )
+    >>> theorem.expected, theorem.claims == (square,)
+    ('proved', True)
     """
 
     id: str
@@ -116,16 +142,16 @@ class Theorem(Parts):
 
     def __post_init__(self):
         hypotheses = tuple(map(_line, flat(self.hypotheses)))
-        vars(self).update(statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
+        put(self, statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
         super().__post_init__()
         if not isinstance(self.statement, str):
-            said = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
-            vars(self).update(claims=tuple(said))
+            claims = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
+            put(self, claims=tuple(claims))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
-            vars(self).update(refuted_at=point(self.refuted_at))
+            put(self, refuted_at=point(self.refuted_at))
             shown = "refuted"
-        vars(self).update(uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
+        put(self, uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
@@ -176,21 +202,21 @@ def _line(text):
     return " ".join(text.split())
 
 
-def _clauses(said):
-    """Return Clauses of {text: its claims, or as a text why it has none}; or what is given as a text or Clauses."""
-    if isinstance(said, str):
-        return _line(said)
-    if not isinstance(said, Mapping):
-        return said
-    parts = [(_line(text), by) for text, by in said.items()]
+def _clauses(statement):
+    """Return Clauses of {text: its claims, or as a text why it has none}; or a text or Clauses as they are."""
+    if isinstance(statement, str):
+        return _line(statement)
+    if not isinstance(statement, Mapping):
+        return statement
+    parts = [(_line(text), by) for text, by in statement.items()]
     return tuple(Clause(text, argued=_line(by)) if isinstance(by, str) else Clause(text, by) for text, by in parts)
 
 
 def _steps(taken):
-    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or what is given as Steps."""
+    """Return Steps of {what: why, or why and the ids of theorems that it cites}; or Steps as they are."""
     if not isinstance(taken, Mapping):
         return taken
-    return tuple(Step(_line(what), _line(why), uses) for what, given in taken.items() for why, *uses in [flat(given)])
+    return tuple(Step(_line(what), _line(why), uses) for what, reason in taken.items() for why, *uses in [flat(reason)])
 
 
 Theorems = dict[str, Theorem]
@@ -239,18 +265,18 @@ def borrowed(claim: Claim, theorems: Theorems) -> Claim:
     return claim.but(given=claim.given + added) if added else claim
 
 
-def _supplies(other, claim, given):
+def _supplies(other, claim, hypotheses):
     """Return whether a claim may take another's conclusions, given some relations: its names mean the same there."""
     mine = dict(claim.lines.definitions) if claim.lines else {}
-    _, kept = other.names()
-    needed = dict(kept.definitions) if kept else {}
-    return set(other.given) <= given and needed.items() <= mine.items()
+    _, program = other.names()
+    needed = dict(program.definitions) if program else {}
+    return set(other.given) <= hypotheses and needed.items() <= mine.items()
 
 
 def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
-    """Return what is wrong with `uses`, or could be borrowed and is assumed instead.
+    """Return the faults of `uses`, and the hypotheses that could be borrowed instead.
 
-    `uses` may add theorems that conclude what a claim is given, about the same names, and no others.
+    `uses` may add theorems that conclude a claim's hypothesis, about the same names, and no others.
     """
     circular = [id for id in theorem.uses if id in theorems and _rests_on(id, theorem.id, theorems)]
     if circular:
@@ -270,7 +296,7 @@ def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
 
 
 def _concluding(theorem, other):
-    """Return [(claim, conclusion, relations)]: what a claim of `theorem` is given and `other` concludes."""
+    """Return [(claim, conclusion, relations)]: the hypotheses of a claim of `theorem` that `other` concludes."""
     return [
         (claim, conclusion, relations)
         for claim in theorem.claims

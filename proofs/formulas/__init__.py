@@ -1,1 +1,1 @@
-"""What is true of the picture: every formula of the chapter, as straight-line programs."""
+"""The formulas of the picture, as straight-line programs."""

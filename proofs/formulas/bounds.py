@@ -1,4 +1,4 @@
-"""How far a sphere reaches, seen from a point above it: the interval between its two tangents in a vertical plane.
+"""The extent of a sphere, seen from a point above it: the interval between its two tangents in a vertical plane.
 
 Seen from the eye it bounds the sphere's image; seen from a light, its shadow on the floor and on whatever stands in
 the shadow's way. A renderer need look for neither outside the interval.

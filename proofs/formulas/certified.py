@@ -1,4 +1,4 @@
-"""How far what kernels compute can be off: what theorems say of it, and bounds are made of."""
+"""Error bounds of the kernels, as theorems state them and as the enclosing machine charges them."""
 
 from fractions import Fraction
 
@@ -13,7 +13,7 @@ PROVED = {
     "power": Fraction(5, 2),
 }
 POWER_RATE = Fraction(3, 100)
-"""{Coq's addition to that theorem: how far a function can be off}, in the same units, all but atan2pi of what it is;
+"""{Coq's addition to that theorem: the bound of a function's error}, in the same units, all but atan2pi's relative;
 a power xᵖ by POWER_RATE |p ln x| more."""
 
 ROUNDINGS = {
@@ -25,16 +25,16 @@ ROUNDINGS = {
     "power": Fraction(3),
     "small_power": Fraction("22.06"),
 }
-"""{function: what the enclosing machine charges a result with}, of itself, in the same units: more than what is PROVED,
+"""{function: the relative error that the enclosing machine charges}, in the same units: more than that PROVED,
 or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules, but for powers."""
 
 SMALL_POWER = Fraction(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""
 
 GENERAL_GRADIENT, ALGEBRAIC_GRADIENT = 10, 50
-"""How far a slope can be off, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy (which
-is measured) and algebraic_gradient_accuracy."""
+"""Bounds of the error of a slope, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy
+(which is measured) and algebraic_gradient_accuracy."""
 
 NORMAL, COSINE, BLINN, SQUARED, PHONG, SHARE = 12, 45, 32, 80, 56, 8
-"""How far a component of N', a light's cosine, the base of Blinn's highlight, its square, the base of Phong's and a
-channel can be off, in units of 2⁻⁵³: theorem colour_accuracy."""
+"""Bounds of the errors of a component of N', a light's cosine, the base of Blinn's highlight, its square, the base of
+Phong's and a channel, in units of 2⁻⁵³: theorem colour_accuracy."""

@@ -1,4 +1,4 @@
-"""How far a gradient's error can move a colour, as a program: theorem difference_bound states it, pages compute it."""
+"""The bound of a colour's change by a gradient's error, as a program (theorem difference_bound)."""
 
 from proofs.engine.program import Program
 from proofs.engine.vectors import real

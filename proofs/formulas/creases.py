@@ -1,4 +1,4 @@
-"""Where a height field is creased: the kink flag that the views show, and the pixels whose difference straddles.
+"""Creases of a height field: the kink flag that the views show, and the pixels whose difference straddles a crease.
 
 A crease factor is sinpi(w) with w linear in u and v; it is zero where w is a whole number.
 """

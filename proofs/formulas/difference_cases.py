@@ -46,5 +46,5 @@ def at_pole(field: HeightField) -> Program:
 def of_heights(heights: Mapping[Symbol, Expr]) -> Program:
     """Return the central difference with its heights given, {h_v_plus: expression, …}; the others are inputs."""
     lines = [(name, heights.get(name, line)) for name, line in central(HEIGHT_FIELDS["sine"]).definitions]
-    kept = {name: line for name, line in lines if name in heights or name not in HEIGHTS}
-    return chain("central_of_heights", kept, outputs=(h_u, h_v))
+    needed = {name: line for name, line in lines if name in heights or name not in HEIGHTS}
+    return chain("central_of_heights", needed, outputs=(h_u, h_v))

@@ -1,7 +1,7 @@
 """Our own exp, log and power for float64: from + − × ÷, selections and two operations on the bits.
 
 As in `elementary`, every constant is an exact rational that float64 holds, and a line that must round in a given order
-is a line of its own. What is short has so few bits that its products are exact. Theorem: elementary_functions.
+is a line of its own. A short part has so few bits that its products are exact. Theorem: elementary_functions.
 """
 
 from sympy import And, Eq, Expr, Function, Integer, Piecewise, Rational, factorial, log, nan, oo, sqrt

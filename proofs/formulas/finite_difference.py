@@ -35,7 +35,7 @@ def _moved(names, step):
 
 
 def _heights(field, names, moved):
-    """Return the lines of the heights at what is moved: u up and down, then v."""
+    """Return the lines of the heights at the moved coordinates: u up and down, then v."""
     samples = [(at, v) for at in moved[:2]] + [(u, at) for at in moved[2:]]
     return {name: field.at(*sample) for name, sample in zip(names, samples, strict=True)}
 

@@ -43,7 +43,7 @@ PERIODIC = [
     {v: Rational(number % 6 + 1, 7), k_u: even, k_v: whole}
     for number, (even, whole) in enumerate(product((2, 4, -6), (1, 2, -3)))
 ]
-"""Where an entry has to be at u = 1 what it is at u = 0, unless it has a seam: k_u is even, k_v whole."""
+"""Points at which an entry's height at u = 1 has to be that at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
 
 def _is_straight(factor):
@@ -52,10 +52,18 @@ def _is_straight(factor):
 
 @dataclass(frozen=True)
 class HeightField:
-    """One height field; what is said of it is derived from its expression.
+    """A height field, by its expression, from which all the rest is derived.
 
     name: identifier. expression: h in u, v, k_u, k_v. seam: whether h may differ at u = 0 and u = 1 where k_u is even
     and k_v whole. Raises ValueError where the name or the expression is not allowed, or the creases are not known.
+
+    >>> from proofs.formulas.height_fields import HeightField, k_u, sinpi, u
+    >>> waves = HeightField("waves", abs(sinpi(k_u * u)))
+    >>> waves.creases, waves.depends_on_u
+    ((sinpi(k_u*u),), True)
+    >>> HeightField("slope", u)
+    Traceback (most recent call last):
+    ValueError: expression = u is not allowed: it is 0 at u = 0 and 1 at u = 1, ...
     """
 
     name: str
@@ -84,7 +92,7 @@ class HeightField:
                 raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
 
     def largest(self, ku: Any = CHART[k_u], kv: Any = CHART[k_v]) -> list[float]:
-        """Return what |h|, |∂h/∂u| and |∂h/∂v| are at most, at wave numbers or in intervals of them.
+        """Return upper bounds of |h|, |∂h/∂u| and |∂h/∂v|, at wave numbers or in intervals of them.
 
         Raises ValueError where they are not shown to be finite.
         """
@@ -110,7 +118,7 @@ class HeightField:
 
     @property
     def depends_on_u(self) -> bool:
-        """Whether h depends on u."""
+        """True if h depends on u."""
         return self.expression.has(u)
 
     @cached_property
@@ -120,33 +128,33 @@ class HeightField:
 
         Raises ValueError where one may jump elsewhere.
         """
-        whole = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
-        found = []
-        for choice in ordered(whole.atoms(Piecewise)):
+        piecewise = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
+        jumping = []
+        for choice in ordered(piecewise.atoms(Piecewise)):
             zeros = {relation.lhs - relation.rhs for relation in choice.atoms(Relational)}
             factors = {part.as_base_exp()[0] for zero in zeros for part in Mul.make_args(zero)}
             for (one, _), (other, _) in combinations(choice.args, 2):
-                apart = whole.xreplace({choice: one}) - whole.xreplace({choice: other})
+                apart = piecewise.xreplace({choice: one}) - piecewise.xreplace({choice: other})
                 jumps = [f for f in ordered(factors) if denom(cancel(apart / f**2)).has(u, v)]  # elsewhere slopes agree
                 if jumps and (len(zeros) > 1 or apart.has(Piecewise) or not all(map(_is_straight, jumps))):
-                    known = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
-                    raise self._refused(f"{known}; one may be where {jumps[0]} = 0")
-                found += jumps
-        return tuple(dict.fromkeys(found))
+                    allowed = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
+                    raise self._refused(f"{allowed}; one may be where {jumps[0]} = 0")
+                jumping += jumps
+        return tuple(dict.fromkeys(jumping))
 
     @cached_property
     @evaluated
     def wave_numbers(self) -> tuple[Expr, Expr] | None:
         """(a, b) if h depends on u and v through the sine and cosine of πa u and πb v alone, else None.
 
-        0 where it does not depend on that coordinate. What has them has the algebraic form.
+        0 where it does not depend on that coordinate. A field that has them has the algebraic form.
         """
         waves = self.expression.atoms(sinpi, cospi)
         rates = [{wave.args[0] / c for wave in waves if wave.has(c)} for c in (u, v)]
         if self.expression.xreplace({wave: Dummy() for wave in waves}).has(u, v) or max(map(len, rates)) > 1:
             return None
-        found = tuple(rate.pop() if rate else S.Zero for rate in rates)
-        return None if any(rate.has(u, v) for rate in found) else found
+        numbers = tuple(rate.pop() if rate else S.Zero for rate in rates)
+        return None if any(rate.has(u, v) for rate in numbers) else numbers
 
 
 class AnyField(HeightField):

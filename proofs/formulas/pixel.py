@@ -1,6 +1,6 @@
 """The whole pixel as one straight-line program: from (column, row) and the scene to its chamber and its colour.
 
-The same programs that the kernels print, joined: what a theorem about a pixel speaks of, and the 50-digit reference.
+The same programs that the kernels print, joined: the subject of a theorem about a pixel, and the 50-digit reference.
 """
 
 from collections.abc import Collection, Mapping
@@ -61,7 +61,7 @@ def _by_surface(on_a, on_b, on_floor, otherwise=0):
 
 
 def _each_by_surface(names, *on_each):
-    """Return the lines of names, each by what it is on A, on B and on the floor."""
+    """Return the lines of names, each by its values on A, on B and on the floor."""
     return {name: _by_surface(*on) for name, *on in zip(names, *on_each, strict=True)}
 
 

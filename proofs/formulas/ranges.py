@@ -1,4 +1,4 @@
-"""What a height field is made of, its values, and intervals that enclose it where its symbols lie in intervals."""
+"""Intervals that enclose a height field over a box of its symbols, the operations that it may have, and its values."""
 
 import operator
 from collections.abc import Callable, Iterable, Mapping
@@ -19,7 +19,7 @@ ENCLOSURES = {
     Piecewise: hull(min, max),
     **{function.made: function.enclosed for function in FUNCTIONS if function.enclosed},
 }
-"""{what a height field is made of: the same of intervals}; of a selection, whichever value is selected"""
+"""{operation of height fields: the same of intervals}; of a selection, the hull of its values"""
 
 
 LARGEST = 2.0**1000  # a larger number may be no float64
@@ -60,7 +60,7 @@ def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
     parts = [enclosure(part, box) for part in expression.args]
     if kind is Pow and not expression.exp.is_Integer and not parts[0].a >= 0:
         raise ValueError(f"on the chart {shown(expression)} is not shown to be real")
-    found = ENCLOSURES[kind](*parts)
-    if not abs(found).b < LARGEST:
+    interval = ENCLOSURES[kind](*parts)
+    if not abs(interval).b < LARGEST:
         raise ValueError(f"on the chart {shown(expression)} is not shown to be finite")
-    return found
+    return interval

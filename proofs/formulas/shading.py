@@ -84,7 +84,7 @@ squared_highlight = Program(
 
 @dataclass(frozen=True)
 class LightModel:
-    """One model of light: what a light at L does at P, seen from the direction v̂.
+    """A model of light: the share of a light at L in the colour at P, seen from the direction v̂.
 
     name: identifier. program: (P, L, N', v̂) → μ, the cosine that scatters light (0 where it is negative), and the
     base of the highlight. squared: the same for the square of the base, where that is cheaper, or None. Raises

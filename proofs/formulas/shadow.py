@@ -25,7 +25,7 @@ shadow = Program(
         occluded: where(And(shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared), 1, 0),
     },
 )
-"""Whether a sphere stands between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
+"""The test for a sphere between a point P and a light L: |P + s (L − P) − C| = r for some s in (0, 1).
 
 Both ends lie outside the sphere, so the quadratic in s is positive at 0 and 1 and has a root between them exactly if
 its discriminant is not negative and its vertex lies between them. The discriminant is written by Lagrange's identity.
@@ -39,4 +39,4 @@ checker = Program(
         dark: where(And(Ne(square, 2 * floor(square / 2)), Ne(_x, floor(_x)), Ne(_y, floor(_y))), 1, 0),
     },
 )
-"""Whether the floor square is dark: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""
+"""The test for a dark floor square: sin πx · sin πy < 0, by the parity of ⌊x⌋ + ⌊y⌋. A grid line is light."""

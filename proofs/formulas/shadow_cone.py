@@ -1,4 +1,4 @@
-"""Whether a sphere can cast a shadow on a ball at all: how far it clears the cone of light that ends on the ball."""
+"""The clearance of a sphere from the cone of light that ends on a ball: where it is positive, there is no shadow."""
 
 from sympy import Piecewise
 

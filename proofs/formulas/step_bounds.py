@@ -10,7 +10,7 @@ from proofs.engine.vectors import real
 from proofs.formulas.symbols import epsilon, v
 
 TERMS = ("truncation", "argument rounding", "roundoff", "straddling", "one-sided")
-"""What the error is made of. Truncation is that of the quotient in exact arithmetic; where a crease or the seam lies
+"""The parts of the error. Truncation is that of the quotient in exact arithmetic; where a crease or the seam lies
 between the samples, or one of them is clamped at a pole, it is straddling or one-sided instead. Argument rounding is
 that of u ± ε and v ± ε, roundoff that of the heights and of the quotient."""
 

@@ -1,4 +1,4 @@
-"""Print a program as Coq definitions over its real numbers: a module, each line a definition of what it depends on."""
+"""Programs as Coq definitions over its real numbers: a module, each line a function of the names that it reads."""
 
 from collections.abc import Iterable
 from typing import ClassVar
@@ -17,11 +17,11 @@ COMPARISONS = {
     "==": ("Req_EM_T", 1),
     "!=": ("differ", 1),
 }
-"""{relation: (what decides it, 1, or -1 where its sides change places)}"""
+"""{relation: (its decision, 1, or -1 where its sides change places)}"""
 
 
 class CoqPrinter(KernelPrinter):
-    """Prints an expression as a term of Coq's real numbers.
+    """A printer of an expression as a term of Coq's real numbers.
 
     A symbol that may be infinite (a hit that is missed) is of Coquelicot's type Rbar; where it is computed with, its
     real part is taken.
@@ -125,6 +125,6 @@ def module_of(program: Program) -> str:
 def in_module(name: str, inside: Iterable[str]) -> str:
     """Return definitions as a Coq module, with a tactic that puts them in their place, the last one first."""
     lines = [*inside]
-    given = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
-    unfolded = f"Ltac lines := unfold {given}."
+    defined = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
+    unfolded = f"Ltac lines := unfold {defined}."
     return "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])

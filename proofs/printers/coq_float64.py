@@ -1,12 +1,10 @@
-"""Print what is carried out on float64 numbers as Coq definitions: by kernels, and by a machine that counts roundings.
+"""The float64 operations of kernels, and of the machine that counts roundings, as Coq definitions.
 
-Both run on numbers that write down what is done: whatever is carried out on float64 numbers is carried out on these,
-and the text of a result is what it was made by.
+Both are run on numbers that record each operation as text: the text of a result is the expression that computed it.
 """
 
 import math
 from collections.abc import Callable, Mapping
-from functools import partialmethod
 from typing import Any
 
 from proofs.engine.functions import FUNCTIONS
@@ -39,7 +37,7 @@ def applied(name: str, *arguments: Any) -> str:
 
 
 class Decision:
-    """What a selection asks: Coq's decision of it, or of its negation."""
+    """The condition of a selection: Coq's decision of it, or of its negation."""
 
     def __init__(self, text: str, negated: bool = False):
         self.text, self.negated = text, negated
@@ -59,8 +57,32 @@ class Decision:
         return ~(~self | ~other) if self.negated else self._joined("both", other)
 
 
+def _operation(sign):
+    """Return the methods of an operation of Terms, and of it with the operands in the other order."""
+
+    def operation(self, other):
+        return type(self)(f"rounded ({self.operand(self)} {sign} {self.operand(other)})")
+
+    def reflected(self, other):
+        return type(self)(f"rounded ({self.operand(other)} {sign} {self.operand(self)})")
+
+    return operation, reflected
+
+
+def _comparison(decision):
+    """Return the methods of a comparison of Terms, and of it with the operands in the other order."""
+
+    def compare(*sides):
+        if any(side is math.inf for side in sides):  # which is no real number
+            extended = ("p_infty" if side is math.inf else f"(Finite {argument(side)})" for side in sides)
+            return Decision(" ".join([f"Rbar_{decision[1:]}", *extended]))
+        return Decision(applied(decision, *sides))
+
+    return compare, lambda *sides: compare(*sides[::-1])
+
+
 class Term:
-    """A float64 number, as the text of what it was made by: each operation is rounded.
+    """A float64 number, as the text of the operations that made it, each rounded.
 
     Its machine, which `renderer.operations` asks, is its class.
     """
@@ -87,14 +109,10 @@ class Term:
         """Return a root, rounded."""
         return type(self)(f"rounded ({applied('sqrt', self)})")
 
-    def _operation(sign):
-        def operation(self, other, swap=False):
-            left, right = map(self.operand, (other, self) if swap else (self, other))
-            return type(self)(f"rounded ({left} {sign} {right})")
-
-        return operation, partialmethod(operation, swap=True)
-
-    (__add__, __radd__), (__sub__, __rsub__), (__mul__, __rmul__), (__truediv__, __rtruediv__) = map(_operation, "+-*/")  # type: ignore[arg-type]
+    __add__, __radd__ = _operation("+")
+    __sub__, __rsub__ = _operation("-")
+    __mul__, __rmul__ = _operation("*")
+    __truediv__, __rtruediv__ = _operation("/")
 
     def __abs__(self):
         return type(self)(applied("Rabs", self))
@@ -102,31 +120,24 @@ class Term:
     def __neg__(self):
         return type(self)(f"- {self.operand(self)}")
 
-    def _compare(decision):
-        def compare(*sides):
-            if any(side is math.inf for side in sides):  # which is no real number
-                extended = ("p_infty" if side is math.inf else f"(Finite {argument(side)})" for side in sides)
-                return Decision(" ".join([f"Rbar_{decision[1:]}", *extended]))
-            return Decision(applied(decision, *sides))
-
-        return compare, lambda *sides: compare(*sides[::-1])
-
-    (__lt__, __gt__), (__le__, __ge__), (__eq__, _) = map(_compare, ("Rlt_dec", "Rle_dec", "Req_EM_T"))  # type: ignore[arg-type]
+    __lt__, __gt__ = _comparison("Rlt_dec")
+    __le__, __ge__ = _comparison("Rle_dec")
+    __eq__, _ = _comparison("Req_EM_T")
 
 
 def rule(program: Program, names: Mapping[str, Any], counted: Callable) -> list[str]:
-    """Return Coq's lines of what the machine makes of a program of one line: its value, and the count of its error.
+    """Return Coq's lines of the machine's result for a program of one line: its value, and the count of its error.
 
     names: the kernels. counted: (value, count) → a number of the machine.
     """
     inputs = [symbol.name for symbol in program.inputs]
     ((output, _),) = program.definitions
-    found = function_of(program, names)(*(counted(Term(name), Term(f"{name}_error")) for name in inputs))
+    result = function_of(program, names)(*(counted(Term(name), Term(f"{name}_error")) for name in inputs))
     variables = " ".join(f"{name} {name}_error" for name in inputs)
     return [
         f"Variables {variables} : R.",
-        f"Definition {output.name} := {found.value.text}.",
-        f"Definition {output.name}_error := {found.error.text}.",
+        f"Definition {output.name} := {result.value.text}.",
+        f"Definition {output.name}_error := {result.error.text}.",
     ]
 
 
@@ -146,7 +157,7 @@ class Line(Term):
 
 NAMES = {function.kernel: function.coq_float64 for function in FUNCTIONS if function.coq_float64}
 NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")}
-"""{what is called: Coq's function}, none of which is rounded but as it says itself"""
+"""{kernel: Coq's function}; each rounds as its definition says, and no more"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 
 
@@ -166,7 +177,7 @@ CALLED |= {name: getattr(Line, name) for name in (*NAMES, "two_product", "where"
 
 
 def carried_out(program: Program, operations: Mapping[str, Any]) -> list[str]:
-    """Return Coq's lines of what a kernel carries out, in its order; operations: what kernels call."""
+    """Return Coq's lines of a kernel's operations, in its order; operations: the functions that kernels call."""
     printer, scope = KernelPrinter(), {**operations, **CALLED} | {s.name: Line(s.name) for s in program.inputs}
     lines = [f"Variables {' '.join(s.name for s in program.inputs)} : R."]
     for symbol, expression in program.definitions:

@@ -1,13 +1,13 @@
-"""Print claims as propositions for Coq to prove.
+"""Claims as propositions for Coq to prove.
 
-    Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> what it needs, and what it shows.
+    Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> needs and conclusions.
 
-Coq divides by 0, takes the root of −1, and has some number for the derivative of what has none. No claim is about such
-a value: what is divided by is not 0, what has a root is not negative, a derivative exists. The kernel asks it by name,
-and here it stands before what is shown (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
-hypotheses and needs hold somewhere, and what is said does not. Neither a cited lemma nor what a claim borrows is a
-hypothesis: Coq has to prove them. A Separation, about what a program reads and not about numbers, is the kernel's
-alone.
+Coq divides by 0, takes the root of −1, and has some number for a derivative that does not exist. No claim is about such
+a value: divisors are not 0, radicands not negative, and derivatives exist. The kernel asks it by name, and here each
+such need stands before the conclusions (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
+hypotheses and needs hold somewhere, and the conclusion does not. Neither a cited lemma nor a borrowed conclusion is a
+hypothesis: Coq has to prove them. A Separation, about the names that a program reads and not about numbers, is the
+kernel's alone.
 """
 
 from collections.abc import Iterable
@@ -32,7 +32,7 @@ OPERATORS = {"==": "=", "!=": "<>"}  # where Coq has another sign
 COQ_WORDS = """as at by cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set then
     Type using where with"""
 CORNERS = Abs, Max, Min, Piecewise, floor, sign
-"""What may lack a derivative at a point, where Coq has some number for it: of that a second one would be said."""
+"""Functions that may lack a derivative at a point, where Coq's `Derive` is some number all the same."""
 MEANT = """R Rbar nat S INR IZR Int_part Finite is_finite p_infty real sin cos PI sqrt Rabs Rmax Rmin sign power exp ln
     atan2 atan2pi both either differ Rle_dec Rlt_dec Req_EM_T Rbar_le_dec Rbar_lt_dec Rbar_le Rbar_lt
     Derive Derive_n ex_derive ex_derive_n"""
@@ -41,9 +41,9 @@ TAKEN = frozenset(f"{COQ_WORDS} {MEANT}".split())
 
 
 class StatementPrinter(CoqPrinter):
-    """Prints terms, relations, and what has to be for an expression to have a value.
+    """A printer of terms, relations, and the conditions for an expression to have a value.
 
-    spelled: {symbol: term} of those that are not printed by their own name. own: {symbol: the name that binds it}.
+    spelled: {symbol: term} of those not printed by their own name. coq_names: {symbol: the name that binds it}.
     """
 
     def __init__(self, symbols: Iterable[Symbol], spelled: dict[Symbol, str] | None = None):
@@ -51,7 +51,7 @@ class StatementPrinter(CoqPrinter):
         names = {s: f"{s.name}_" if s.name in TAKEN else s.name for s in symbols}
         if len(set(names.values())) < len(names):
             raise ValueError(f"two of {', '.join(sorted(names.values()))} have one name in Coq")
-        self.own = names
+        self.coq_names = names
         self.spelled = names | (spelled or {})
 
     def _print_Symbol(self, symbol):
@@ -63,13 +63,13 @@ class StatementPrinter(CoqPrinter):
     def _print_Derivative(self, expr):
         return f"({self._of_derivative('Derive', expr)})"
 
-    def _of_derivative(self, said, expr):
-        """Return what is said of an expression as a function of a symbol, at that symbol: Derive, or ex_derive."""
+    def _of_derivative(self, function, expr):
+        """Return `function`, Derive or ex_derive, of an expression as a function of a symbol, at that symbol."""
         (x, count), *others = expr.variable_count
         if others or (count > 1 and expr.expr.has(*CORNERS)):
             raise ValueError(f"no proposition for a derivative by several symbols, or a second one of corners: {expr}")
         name, times = self.spelled[x], "" if count == 1 else f" {count}"
-        return f"{said}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
+        return f"{function}{'_n' if times else ''} (fun {name} : R => {self._print(expr.expr)}){times} {name}"
 
     def relation(self, relation: Basic) -> str:
         """Return a relation, or several, as a proposition."""
@@ -86,37 +86,38 @@ class StatementPrinter(CoqPrinter):
         return f"{self._print(relation.lhs)} {sign} {self._print(relation.rhs)}"
 
     def needs(self, expression: Basic) -> list[str]:
-        """Return what has to be for an expression to have a value, from the inside out, as the kernel asks it.
+        """Return the conditions for an expression to have a value, from the inside out, as the kernel asks them.
 
         A derivative has to exist, and not at the edge of a root: beyond it Coq's root is 0.
         """
         if isinstance(expression, Piecewise):
             return self._needs_of_cases(expression)
-        found = [need for argument in expression.args for need in self.needs(argument)]
+        conditions = [need for argument in expression.args for need in self.needs(argument)]
         if isinstance(expression, Pow):
-            found += self._needs_of_power(expression.base, expression.exp)
+            conditions += self._needs_of_power(expression.base, expression.exp)
         elif isinstance(expression, Derivative):
             roots = sorted((p.base for p in expression.atoms(Pow) if not p.exp.is_Integer), key=str)
-            found += [*(f"{self._print(base)} > 0" for base in roots), self._of_derivative("ex_derive", expression)]
-        return found
+            conditions += [f"{self._print(base)} > 0" for base in roots]
+            conditions.append(self._of_derivative("ex_derive", expression))
+        return conditions
 
     def _needs_of_power(self, base, exponent):
         if not (exponent.is_Rational and (2 * exponent).is_Integer):
             raise ValueError(f"what {base} to the power {exponent} needs is not known")
-        known = base.is_number and base.is_positive
-        radicand = [] if known or exponent.is_Integer else [f"{self._print(base)} >= 0"]
-        return radicand + ([] if known or exponent > 0 else [f"{self._print(base)} <> 0"])
+        positive = base.is_number and base.is_positive
+        radicand = [] if positive or exponent.is_Integer else [f"{self._print(base)} >= 0"]
+        return radicand + ([] if positive or exponent > 0 else [f"{self._print(base)} <> 0"])
 
     def _needs_of_cases(self, cases):
-        """Each case is reached where no earlier condition holds, and needs something there alone."""
-        found, before = [], []
+        """Return the needs of cases: each case is reached, and needs something, where no earlier condition holds."""
+        conditions, before = [], []
         for value, condition in cases.args:
             asked = [] if condition == true else self.needs(condition)
-            found += [_implied(before, need) for need in asked]
+            conditions += [_implied(before, need) for need in asked]
             here = before if condition == true else [*before, self.relation(condition)]
-            found += [_implied(here, need) for need in self.needs(value)]
+            conditions += [_implied(here, need) for need in self.needs(value)]
             before = [*before, f"~ ({self.relation(condition)})"] if condition != true else before
-        return found
+        return conditions
 
 
 def _implied(conditions, need):
@@ -146,8 +147,8 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
     printer = StatementPrinter(symbols)
     defined = {symbol for symbol, _ in lines}
     inputs = [s for s in symbols if s not in defined]
-    opening = [_forall([printer.own[s] for s in inputs], "R")]
-    opening += [f"let {printer.own[s]} := {printer.doprint(e)} in" for s, e in lines]
+    opening = [_forall([printer.coq_names[s] for s in inputs], "R")]
+    opening += [f"let {printer.coq_names[s]} := {printer.doprint(e)} in" for s, e in lines]
     needs = [need for e in (*(e for _, e in lines), *claim.given, *claim.shows) for need in printer.needs(e)]
     needs = list(dict.fromkeys(needs))
     hypotheses, conclusions = (list(map(printer.relation, relations)) for relations in (claim.given, claim.shows))
@@ -162,14 +163,14 @@ def induction_proposition(claim: Induction) -> str:
     expressions = (*claim.given, *claim.shows, *(e for state in states for e in state))
     symbols = _symbols([*expressions, claim.n])
     plain = StatementPrinter(symbols)
-    n = plain.own[claim.n]
-    at = {claim.n: f"INR {n}"} | {state: f"{plain.own[state]} {n}" for state, *_ in states}
+    n = plain.coq_names[claim.n]
+    at = {claim.n: f"INR {n}"} | {state: f"{plain.coq_names[state]} {n}" for state, *_ in states}
     printer = StatementPrinter(symbols, at)
-    opening = [_forall([plain.own[s] for s in symbols if s not in at], "R")]
-    opening += [_forall([plain.own[state] for state, *_ in states], "nat -> R")]
+    opening = [_forall([plain.coq_names[s] for s in symbols if s not in at], "R")]
+    opening += [_forall([plain.coq_names[state] for state, *_ in states], "nat -> R")]
     given = [plain.relation(relation) for relation in claim.given]
     for state, start, following in states:
-        name = plain.own[state]
+        name = plain.coq_names[state]
         given.append(f"{name} 0%nat = {plain.doprint(start)}")
         given.append(f"(forall {n} : nat, {name} (S {n}) = {printer.doprint(following)})")
     if any(map(printer.needs, expressions)):
@@ -179,22 +180,22 @@ def induction_proposition(claim: Induction) -> str:
 
 
 def rounded_proposition(claim: Rounded) -> str:
-    """Return a Rounded as a proposition: of float64 inputs, what is printed twice is near itself."""
+    """Return a Rounded as a proposition: of float64 inputs, the program in float64 is near that in real numbers."""
     program = claim.program
     inputs = [s for s in program.inputs if s in program.reaches(*(output for output, _ in claim.bounds))]
     printer = StatementPrinter(inputs)
-    names = [printer.own[s] for s in inputs]
+    names = [printer.coq_names[s] for s in inputs]
     given = [*(f"float64 {name}" for name in names), *map(printer.relation, claim.given)]
     shown = []
     for output, bound in claim.bounds:
-        arguments = " ".join(printer.own[s] for s in inputs if s in program.reaches(output))
+        arguments = " ".join(printer.coq_names[s] for s in inputs if s in program.reaches(output))
         computed, exact = (f"{program.name}{kind}.{output.name} {arguments}" for kind in ("_float64", ""))
         shown.append(f"Rabs ({computed} - {exact}) <= {printer.doprint(bound)}")
     return _implication([_forall(names, "R")], given, shown)
 
 
 SLACK = "(1 + 1 / 2 ^ 49)"
-"""By what part of itself a count of roundings is too small after one more operation, as `renderer.machines` says."""
+"""The share by which a count of roundings is too small after one more operation, as `renderer.machines` says."""
 
 
 def enclosing_proposition(claim: Encloses) -> str:

@@ -1,4 +1,4 @@
-"""Print expressions for any kind of number, such as mpmath's or balls: a table of names says what it calls."""
+"""Expressions for any kind of number, such as mpmath's or balls, by a table of the names that it calls."""
 
 from sympy import Rational, S
 
@@ -6,7 +6,7 @@ from proofs.printers.python import KernelPrinter
 
 
 class NumberPrinter(KernelPrinter):
-    """Prints for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
+    """A printer for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
 
     Of a choice the side that is not taken is not computed.
     """

@@ -1,6 +1,6 @@
-"""Print a straight-line program as a Python function, for NumPy's arrays, traced values (LLVM) and numbers that count.
+"""Straight-line programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
-What is printed fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
+The printed text fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
 """
 
@@ -19,7 +19,7 @@ from proofs.engine.program import Program
 
 
 class KernelPrinter(StrPrinter):
-    """Prints one definition for `renderer.operations`; `NumberPrinter` prints the same for any other kind of number."""
+    """A printer of a definition for `renderer.operations`; `NumberPrinter` is that for any other kind of number."""
 
     names: ClassVar = {function.made.__name__: function.kernel for function in FUNCTIONS}
     names |= {"Infinity": "inf", "NegativeInfinity": "-inf"}
@@ -100,7 +100,7 @@ class KernelPrinter(StrPrinter):
     _print_Min = _print_Max
 
     def _print_sign(self, expr):
-        """The sign of a product is the product of the signs, which does not underflow."""
+        """Return a product's sign as the product of the signs, which does not underflow."""
         text = " * ".join(self._call("sign", [factor]) for factor in Mul.make_args(expr.args[0]))
         return f"({text})" if expr.args[0].is_Mul else text
 
@@ -149,7 +149,7 @@ class KernelPrinter(StrPrinter):
         return self._print_And(expr, " | ")
 
 
-OPTIONAL = "product_error"  # an input that is 0 unless it is given: of what is called with two_product
+OPTIONAL = "product_error"  # an input of functions of two_product, 0 by default
 
 
 def print_function(name: str, program: Program, printer: KernelPrinter, before: str = "") -> str:
@@ -172,15 +172,15 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
 def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
-    names: what the printed text may call.
+    names: those that the printed text may call.
     """
     scope = dict(names)
     exec(print_function(program.name, program, KernelPrinter()), scope)
     return scope[program.name]
 
 
-def refuse_unknown_calls(known: dict[str, Any]) -> None:
-    """Raise ValueError where a function that was made in the scope `known` calls what is not there."""
-    for kernel in (f for f in known.values() if isfunction(f) and f.__globals__ is known):
-        if unknown := {*kernel.__code__.co_names} - known.keys() - {*dir(builtins)}:
+def refuse_unknown_calls(scope: dict[str, Any]) -> None:
+    """Raise ValueError where a function that was made in the scope calls a name that is not there."""
+    for kernel in (f for f in scope.values() if isfunction(f) and f.__globals__ is scope):
+        if unknown := {*kernel.__code__.co_names} - scope.keys() - {*dir(builtins)}:
             raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

@@ -1,4 +1,4 @@
-"""Print a claim as mathematics, in TeX, from the object that the kernel checks: its lines, what is given and shown."""
+"""Claims as mathematics, in TeX, from the object that the kernel checks: its lines, hypotheses and conclusions."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -14,14 +14,14 @@ DIGIT = re.compile(r"(?<!cases)([)}]|\\pi) (?=\d)")  # a factor that begins with
 
 
 class Row(NamedTuple):
-    """A line of a printed claim: what it is to the claim, and itself in TeX."""
+    """A line of a printed claim: its role, and its TeX."""
 
     role: str
     tex: str
 
 
 class ClaimPrinter(LatexPrinter):
-    """Prints a term as its file writes it: no sum or product is put in another order.
+    """A printer of a term as its file writes it: no sum or product is put in another order.
 
     names: {symbol's name: its TeX} of those that a chapter has a letter for.
     """
@@ -57,9 +57,9 @@ class ClaimPrinter(LatexPrinter):
     def rows(
         self, claim: AnyClaim | Rounded | Encloses, by_definition: tuple[str, ...] = (), refuted: bool = False
     ) -> list[Row]:
-        """Return a claim's rows: lines and states, what is given, what is cited, and what it shows.
+        """Return a claim's rows: lines and states, hypotheses, cited lemmas, and conclusions.
 
-        by_definition: relations, as text, that say nothing. refuted: what is shown is what a counterexample denies.
+        by_definition: conclusions, as text, that hold by definition. refuted: a counterexample denies the conclusion.
         """
         shown, tex = "false" if refuted else "shows", self.tex
         if isinstance(claim, Separation):

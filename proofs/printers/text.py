@@ -1,4 +1,4 @@
-"""Print a formula as text that reads back as it was, and read one by a list of what is allowed.
+"""Formulas as text: a printer whose text reads back as it was, and a reader of a list of allowed parts.
 
 A text from a file, a command line or a picture may be anybody's. It has to be short and of few letters; Python's parser
 makes a tree of it, of which nothing is run: a walk makes SymPy's expression of the nodes that it knows.
@@ -50,11 +50,11 @@ _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
-_BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # what SymPy may raise too
+_BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
 
 class _Reader:
-    """Reads one text."""
+    """A reader of one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol]):
         self.text, self.names = text, {**names, "pi": pi}
@@ -64,20 +64,20 @@ class _Reader:
         """Return the error that says so of the text, of which it shows the beginning."""
         return not_allowed("expression", self.text if len(self.text) < 80 else f"{self.text[:60]}...", why)
 
-    def whole(self) -> Expr:
+    def expression(self) -> Expr:
         """Return the expression of the whole text."""
         if len(self.text) > LONGEST:
             raise self.refused(f"a text of at most {LONGEST} letters, and it has {len(self.text)}")
-        known = _LETTERS.match(self.text).end()  # type: ignore[union-attr]
-        if known < len(self.text):
-            raise self.refused(f"no formula has the letter {self.text[known]!r}")
+        allowed = _LETTERS.match(self.text).end()  # type: ignore[union-attr]
+        if allowed < len(self.text):
+            raise self.refused(f"no formula has the letter {self.text[allowed]!r}")
         try:
             tree = ast.parse(self.text, mode="eval")
         except _BROKEN as error:
             raise self.refused(f"it is no formula ({getattr(error, 'msg', type(error).__name__)})") from None
         return self.read(tree.body, 0)
 
-    def said(self, node: ast.expr) -> str:
+    def text_of(self, node: ast.expr) -> str:
         """Return the text of a node."""
         return self.text[node.col_offset : node.end_col_offset]
 
@@ -86,21 +86,21 @@ class _Reader:
         if depth > DEEPEST:
             raise self.refused(f"it is nested more than {DEEPEST} deep")
         try:
-            found = self._of(node, depth + 1)
+            value = self._of(node, depth + 1)
         except _BROKEN as error:
             if str(error).startswith("expression = "):
                 raise
-            raise self.refused(f"{self.said(node)[:60]} is not defined") from None
-        if next(known for known in (Expr, Tuple, Boolean) if isinstance(found, known)) is not kind:
-            raise self.refused(f"{self.said(node)[:60]!r} is not of the kind that belongs there")
-        return self._bounded(found, node)
+            raise self.refused(f"{self.text_of(node)[:60]} is not defined") from None
+        if next(one for one in (Expr, Tuple, Boolean) if isinstance(value, one)) is not kind:
+            raise self.refused(f"{self.text_of(node)[:60]!r} is not of the kind that belongs there")
+        return self._bounded(value, node)
 
     def _of(self, node, depth):
         match node:
             case ast.Name(name) if name in self.names:
                 return self.names[name]
-            case ast.Constant() if _NUMBER.fullmatch(self.said(node)):
-                return Rational(self.said(node))
+            case ast.Constant() if _NUMBER.fullmatch(self.text_of(node)):
+                return Rational(self.text_of(node))
             case ast.UnaryOp(ast.UAdd() | ast.USub() as operation, operand):
                 return self.read(operand, depth) * (-1 if isinstance(operation, ast.USub) else 1)
             case ast.BinOp(_, ast.Add() | ast.Sub(), _):
@@ -117,9 +117,9 @@ class _Reader:
                     raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
                 self.inside += 1
                 kind = Tuple if name == "Piecewise" else Expr
-                found = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
+                choice = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
                 self.inside -= 1
-                return found
+                return choice
             case ast.Tuple([value, condition]):
                 return Tuple(self.read(value, depth), self.read(condition, depth, Boolean))
             case ast.Constant(True):
@@ -130,7 +130,7 @@ class _Reader:
             case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
                 return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
         allowed = ", ".join([*self.names, *_OF_ONE, *_CHOICES])
-        raise self.refused(f"{self.said(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
+        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
 
     def _chained(self, node, join, part_from, inverse, depth):
         """Return the terms of a sum, or the factors of a product: all at once, or SymPy would multiply some out."""
@@ -148,23 +148,23 @@ class _Reader:
         """Return the exponent of a node, or refuse it."""
         if not (power.is_Integer and abs(power) <= LARGEST_POWER) and abs(power) != S.Half:
             allowed = f"whole and at most {LARGEST_POWER}, or a half"
-            raise self.refused(f"a power in {self.said(node)[:60]} is not {allowed}")
+            raise self.refused(f"a power in {self.text_of(node)[:60]} is not {allowed}")
         return power
 
-    def _bounded(self, found, node):
-        """Return what is found at a node, or refuse it: numbers and powers are small, and all is real and finite."""
-        for part in (found, *found.args):
+    def _bounded(self, value, node):
+        """Return a node's value, or refuse it: numbers and powers have to be small, and all real and finite."""
+        for part in (value, *value.args):
             if part.is_Rational and max(abs(part.p), part.q) > LARGEST_NUMBER:
-                raise self.refused(f"{self.said(node)[:60]} has a number above 2**256")
+                raise self.refused(f"{self.text_of(node)[:60]} has a number above 2**256")
             if part.is_Pow:
                 self._power(part.exp, node)
-        if found.has(S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, S.ImaginaryUnit):
-            raise self.refused(f"{self.said(node)[:60]} is no real number")
-        return found
+        if value.has(S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, S.ImaginaryUnit):
+            raise self.refused(f"{self.text_of(node)[:60]} is no real number")
+        return value
 
 
 class _Writer(StrPrinter):
-    """Writes a product factor by factor, as it is read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
+    """A printer of products by factors, as they are read: 1/4/(v + 3), where 1/(4*(v + 3)) would be multiplied out."""
 
     def _print_Mul(self, expr):
         first, *factors = expr.args if expr.args[0].is_Rational else (S.One, *expr.args)
@@ -185,7 +185,7 @@ def _operations(expression: Basic) -> int:
 
 
 def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> None:
-    """Raise ValueError, which names what they are of, where the expressions of a text are too much for a kernel."""
+    """Raise ValueError, with an argument's name and value, where expressions have too many operations for a kernel."""
     if (count := sum(map(_operations, expressions))) > MOST_OPERATIONS:
         raise not_allowed(name, value, f"at most {MOST_OPERATIONS} operations, slopes included, and here are {count}")
 
@@ -198,7 +198,7 @@ def parse_expression(text: str, names: Mapping[str, Symbol]) -> Expr:
     """
     if not isinstance(text, str):
         raise not_allowed("expression", text, "a text")
-    return _Reader(text.strip(), names).whole()
+    return _Reader(text.strip(), names).expression()
 
 
 def expression_text(expression: Expr, names: Mapping[str, Symbol]) -> str:

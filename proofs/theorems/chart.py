@@ -6,7 +6,7 @@ from proofs.formulas.tangent_frame import unit_normal
 from proofs.theorems.frame import at_angle, on_circles
 from proofs.theorems.language import *
 
-turn = real("turn")  # θ/π in (−1, 1]: what atan2pi is
+turn = real("turn")  # θ/π in (−1, 1], the value of atan2pi
 _of_angles = {atan2pi(sin_theta, cos_theta): turn, atan2pi(sin_phi, cos_phi): phi / pi}
 _by_turns = chain("by_turns", {s: e.xreplace(_of_angles) for s, e in chart.definitions})
 _range = Claim(

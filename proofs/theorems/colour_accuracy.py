@@ -1,4 +1,4 @@
-"""What float64 loses at B's hit, and between the gradient and the colour: the normal, a cosine, a share, the clip."""
+"""The error of float64 at B's hit, and between the gradient and the colour: the normal, a cosine, a share, the clip."""
 
 from proofs.formulas import camera
 from proofs.formulas.bump import g, perturbed

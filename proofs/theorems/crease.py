@@ -1,4 +1,4 @@
-"""The central difference beside a crease of |sin πku|: what it is instead of a derivative, and its mean square."""
+"""The central difference beside a crease of |sin πku|: its value in place of a derivative, and its mean square."""
 
 from proofs.formulas.difference_cases import inside
 from proofs.formulas.step_bounds import (

@@ -1,4 +1,4 @@
-"""The rules by which the enclosing machine bounds what it computes: theorems about its own float64 operations."""
+"""The rules by which the enclosing machine bounds its results: theorems about its own float64 operations."""
 
 from proofs.formulas.enclosed import RULES
 from proofs.theorems.language import *

@@ -1,4 +1,4 @@
-"""The rays' hits with both spheres: the near roots of their quadratics, and what the seed's for B draws (F1)."""
+"""The rays' hits with both spheres: the near roots of their quadratics, and the seed's quadratic for B (F1)."""
 
 from proofs.formulas import camera
 from proofs.formulas.camera import (

@@ -1,4 +1,4 @@
-"""Where the creases of a field are seen: meridians are rays, parallels are circles; and how many parallels are seen."""
+"""The images of a field's creases: meridians are rays, parallels are circles; and how many parallels are seen."""
 
 from proofs.formulas import height_fields
 from proofs.formulas.camera import parallel_radius, point_on_a

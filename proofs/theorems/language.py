@@ -1,4 +1,4 @@
-"""What theorems are written in, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
+"""The language of theorems, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
 
 from collections.abc import Sequence
 
@@ -24,9 +24,9 @@ from proofs.formulas.symbols import *
 from proofs.theorems.cited import cosine_above, sine_above, sine_below, sine_inside_half_turn, sine_of_half_turn
 
 sine, ridges, rings = (HEIGHT_FIELDS[name] for name in ("sine", "ridges", "rings"))
-SIDES = ("above", 1), ("below", -1)  # of a crease of an absolute value: the sign of what that is taken of
+SIDES = ("above", 1), ("below", -1)  # of a crease of an absolute value: the sign of its argument
 HALF, QUARTER = Rational(1, 2), Rational(1, 4)
-lengths_of_a = (eye > 0, radius > 0, eye > radius)  # what the spheres' lengths have to be, as hypotheses
+lengths_of_a = (eye > 0, radius > 0, eye > radius)  # the hypotheses on the spheres' lengths
 lengths_of_b = (eye > 0, ball_radius > 0)
 
 
@@ -75,6 +75,6 @@ def without(factor: Expr, product: Expr) -> Expr:
     def factors(e):
         return [f for part in e.args for f in factors(part)] if e.is_Mul else [e]
 
-    found = factors(product)
-    found.remove(factor)
-    return Mul(*found)
+    rest = factors(product)
+    rest.remove(factor)
+    return Mul(*rest)

@@ -1,4 +1,4 @@
-"""What is measured and not proved: the float64 programs, the seed's formulas in them, what it says of its pictures.
+"""Statements that are measured and not proved: the float64 programs, the seed's formulas in them, its pictures.
 
 The measurements are in verify/measurements."""
 
@@ -63,7 +63,7 @@ pixels = Theorem(
 
 
 def _slopes_in_float64(field, rates):
-    """Return what Coq proves of a field's general form: each slope, and the rate by which its error is bounded."""
+    """Return the claim that Coq proves of a field's general form: each slope, and the rate in its error's bound."""
     program, given = gradient(field), []
     near = {slope: GENERAL_GRADIENT * Pow(2, -53) * (pi * Max(1, Abs(rate))) for slope, rate in rates.items()}
     for coordinate, rate in ((u, k_u), (v, k_v)):

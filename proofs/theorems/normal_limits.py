@@ -1,4 +1,4 @@
-"""How far the bump turns the normal: the angle, the limits β → 0 and β → ±∞, and what that leaves of a shadow line."""
+"""The angle by which the bump turns the normal, its limits β → 0 and β → ±∞, and the shadow line that they leave."""
 
 from proofs.formulas.bump import g, m_length, perturbed
 from proofs.theorems.language import *

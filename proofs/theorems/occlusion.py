@@ -63,7 +63,7 @@ _only_if = Claim(
 
 
 def _lagrange(apex):
-    """Return what B's discriminant is, by Lagrange's identity, where rays start at the apex."""
+    """Return B's discriminant, by Lagrange's identity, where rays start at the apex."""
     return toward_b**2 - squared(ray_direction) * (distance_squared(apex, ball_center) - ball_radius**2)
 
 

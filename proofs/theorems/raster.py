@@ -1,4 +1,4 @@
-"""How near the pole the pixels of a raster come: the seed's fallback at the pole touches none of 256² (F10)."""
+"""The distance of a raster's pixels from the pole: the seed's fallback at the pole touches none of 256² (F10)."""
 
 from proofs.formulas.camera import image_extent, image_point, parallel_radius
 from proofs.theorems.language import *

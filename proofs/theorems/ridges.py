@@ -1,4 +1,4 @@
-"""Where ridges is differentiable on its creases: at their crossings, and nowhere else on them."""
+"""The points of its creases at which ridges is differentiable: their crossings, and no others."""
 
 from proofs.theorems.language import *
 

@@ -1,4 +1,4 @@
-"""What it costs to take powers of cos t + i sin t by rounded squarings and products, and a gradient from them."""
+"""The error of powers of cos t + i sin t by rounded squarings and products, and of a gradient made of them."""
 
 from proofs.formulas.algebraic_form import complex_product, complex_square
 from proofs.formulas.step_bounds import excess, unit

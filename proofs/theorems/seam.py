@@ -1,4 +1,4 @@
-"""Across the seam u = 0: which fields are continuous there, and which are differentiable (F11)."""
+"""The seam u = 0: the fields that are continuous across it, and those that are differentiable there (F11)."""
 
 from proofs.engine.half_turns import sinpi
 from proofs.theorems.language import *

@@ -1,4 +1,4 @@
-"""How far a gradient's error can move a colour: one light's share of a channel, normalising, and means of samples."""
+"""The change of a colour by a gradient's error: one light's share of a channel, normalising, and means of samples."""
 
 from proofs.formulas.bump import g, m, perturbed
 from proofs.formulas.colour_bounds import diffuse_share, light_bound, most, q, specular_share
@@ -163,7 +163,7 @@ _moved = Claim(
 
 
 def _pair(length):
-    """Return two orthogonal vectors of equal length, with what is derived from them."""
+    """Return two orthogonal vectors of equal length, with the lines derived from them."""
     vectors = {a: (length, 0, 0), b: (0, length, 0), (length_a, length_b): length}
     return {**vectors, product: 0, apart: length * sqrt(2), turned: sqrt(2)}
 

@@ -1,4 +1,4 @@
-"""Which points of sphere A are seen: the silhouette's radius, and cos φ > R/e."""
+"""The points of sphere A that are seen: the silhouette's radius, and cos φ > R/e."""
 
 from proofs.formulas.camera import discriminant_a, ray_direction, root_a, tangent_squared
 from proofs.theorems.hits import along, eye_outside_a, hit_of_a, off_the_axis, ray_meets_a, t_a

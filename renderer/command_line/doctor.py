@@ -16,8 +16,8 @@ from renderer.threads import available_cores
 EXTRAS = {"plot": "matplotlib", "tiff": "tifffile", "dask": "distributed", "checker": "python-flint"}
 
 
-def found() -> list[tuple[str, str]]:
-    """Return [(what, found)], both text."""
+def report() -> list[tuple[str, str]]:
+    """Return [(name, value)], both text."""
     return [
         ("symbolic-rendering", renderer.__version__),
         ("Python", f"{platform.python_version()} ({platform.python_implementation()}, {platform.platform()})"),

@@ -42,7 +42,7 @@ def version() -> str:
 
 
 def _record(task):
-    """Return what JSON can say of a Task."""
+    """Return a Task as a record for JSON."""
     return vars(task) | {"scene": task.scene.as_record(), "method": asdict(task.method)}
 
 
@@ -82,14 +82,14 @@ class Checkpoint(AbstractContextManager):
         """Return the results, and drop a last line without an end."""
         content = self.path.read_bytes()
         *lines, torn = content.split(b"\n")
-        found = [json.loads(line) for line in lines]
+        results = [json.loads(line) for line in lines]
         if not (torn.startswith(b'{"key": ') or b'{"key": '.startswith(torn)):
             raise ValueError
         if torn:
             os.truncate(self.path, len(content) - len(torn))
-        return {line["key"]: SweepRow(**line["row"]) for line in found}
+        return {line["key"]: SweepRow(**line["row"]) for line in results}
 
-    def kept(self, tasks: Iterable[Task]) -> dict[Task, SweepRow]:
+    def rows_of(self, tasks: Iterable[Task]) -> dict[Task, SweepRow]:
         """Return {task: row} of those of the tasks that are kept."""
         keys = {task: key_of(task) for task in tasks}
         return {task: self.rows[key] for task, key in keys.items() if key in self.rows}
@@ -148,7 +148,7 @@ def run(
     not been started are cancelled. threads: for each frame. progress: wraps the iterable of the finished batches,
     of which there are `total`.
     """
-    rows = checkpoint.kept(tasks) if checkpoint else {}
+    rows = checkpoint.rows_of(tasks) if checkpoint else {}
     missing = batches(task for task in tasks if task not in rows)
     futures = [executor.submit(compare_batch, batch, version(), threads) for batch in missing]
     try:

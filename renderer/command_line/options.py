@@ -1,4 +1,4 @@
-"""What the command line is given: the options of each verb, and the scene, the size and the method that they say."""
+"""The options of each verb of the command line, and the scene, the size and the method that they give."""
 
 import argparse
 import hashlib
@@ -11,15 +11,15 @@ from functools import partial
 from typing import Any, NoReturn
 
 from renderer.checks import not_allowed
+from renderer.scene.fields import field_from_record
 from renderer.scene.methods import DECADES, DIFFERENCES, METHODS, GradientMethod, warned
-from renderer.scene.own import field_from_record
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene
 
-Option = dict[str, Any]  # what argparse is told of one
+Option = dict[str, Any]  # the arguments of argparse's add_argument
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that says what is wrong in one line, and takes -1e-3, -6,2,8 and -v**2 for values, not for options."""
+    """A parser whose errors are one line, and takes -1e-3, -6,2,8 and -v**2 for values, not for options."""
 
     def __init__(self, *arguments: Any, **options: Any):
         super().__init__(*arguments, **options | {"allow_abbrev": False})
@@ -51,10 +51,10 @@ def numbers(kind: Callable[[str], Any], lengths: Collection[int], form: str, met
     """Return argparse's options for a tuple of numbers, "a,b,c", of one of the lengths."""
 
     def read(text):
-        found = tuple(kind(item) for item in text.split(","))
-        if len(found) not in lengths:
+        values = tuple(kind(item) for item in text.split(","))
+        if len(values) not in lengths:
             raise ValueError
-        return found
+        return values
 
     return value(read, form, metavar)
 
@@ -109,37 +109,37 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
         "--scene", metavar="FILE", help="a .toml to take what is not given from, as Scene.to_file writes"
     )
     for field in fields(Scene):
-        option, kind, what = field.name.replace("_", "-"), KINDS[type(field.default)], field.metadata["help"]
+        option, kind, text = field.name.replace("_", "-"), KINDS[type(field.default)], field.metadata["help"]
         if field.name == "lights":
             option, kind = "light", LIGHT | {"action": "append"}
         elif field.type is bool:
             option = f"no-{option}"
         else:
-            what += f" (default: {field.default})"
+            text += f" (default: {field.default})"
         if lists and field.name in MOVE_NO_BOUNDARY:
             kind = several(kind)
         either = group.add_mutually_exclusive_group() if field.name == "field" else group
-        either.add_argument(f"--{option}", dest=field.name, help=what, **kind)
+        either.add_argument(f"--{option}", dest=field.name, help=text, **kind)
         if field.name == "field":
-            what = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sinpi(k_u*u))'"
-            either.add_argument("--field-expression", metavar="FORMULA", help=what)
+            text = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sinpi(k_u*u))'"
+            either.add_argument("--field-expression", metavar="FORMULA", help=text)
             group.add_argument("--field-seam", action="store_true", help="let it differ at u = 0 and u = 1")
 
 
 def scene_of(options: Namespace) -> Scene:
     """Return the Scene of the options."""
-    given = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
-    if "lights" in given:
-        given["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in given["lights"]]
+    values = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
+    if "lights" in values:
+        values["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in values["lights"]]
     scene, seam = Scene.from_file(options.scene) if "scene" in options else Scene(), "field_seam" in options
     if "field_expression" not in options:
         if seam:
             raise not_allowed("field-seam", True, "given with --field-expression")
-        return replace(scene, **given)
+        return replace(scene, **values)
     text = options.field_expression
     name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
     try:
-        return replace(scene, **given, field=field_from_record({"name": name, "expression": text, "seam": seam}))
+        return replace(scene, **values, field=field_from_record({"name": name, "expression": text, "seam": seam}))
     except ValueError as error:  # in the words of Python, and by a name that nobody gave
         told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
         raise ValueError(told) from None
@@ -158,9 +158,9 @@ def method_of(options: Namespace) -> GradientMethod:
 
 
 def progress_bar(**options: Any) -> Callable:
-    """Return what wraps an iterable with a bar on stderr, where that is a terminal, if it takes more than a second.
+    """Return a function that adds a bar on stderr to an iterable, if that is a terminal and takes more than a second.
 
-    Without tqdm the terminal is told alone what is under way.
+    Without tqdm the terminal shows the description alone.
     """
     is_shown = bool(sys.stderr and sys.stderr.isatty())
     try:

@@ -1,4 +1,4 @@
-"""What a command does when it is told to stop."""
+"""Signals that stop a command, and its last line and exit status after one."""
 
 import signal
 import sys
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 
 class Terminated(KeyboardInterrupt):
-    """What SIGTERM does: the same as Ctrl-C, by its own name and exit status."""
+    """SIGTERM as an exception: it stops a command as Ctrl-C does, with another word and exit status."""
 
 
 STOPS = {signal.SIGINT: (signal.default_int_handler, KeyboardInterrupt), signal.SIGTERM: (signal.SIG_DFL, Terminated)}
@@ -20,7 +20,7 @@ def disregard(number: int, frame: object) -> None:
 
 @contextmanager
 def first_signal_stops() -> Iterator[None]:
-    """Let SIGTERM stop what is done here as Ctrl-C does: nothing half-written is left behind.
+    """Let SIGTERM stop the block as Ctrl-C does: nothing half-written is left behind.
 
     The first of them is enough; the next would hinder the cleaning up, and is ignored.
     """
@@ -44,8 +44,8 @@ def first_signal_stops() -> Iterator[None]:
 
 
 def say_stopped(prog: str, stop: KeyboardInterrupt) -> int:
-    """Print in one line on stderr what stopped a command, and return its exit status: 130 after Ctrl-C, 143 after
-    SIGTERM.
+    """Print in one line on stderr which signal stopped a command, and return its exit status: 130 after Ctrl-C, 143
+    after SIGTERM.
     """
     told, status = ("terminated", 143) if isinstance(stop, Terminated) else ("interrupted", 130)
     print(": ".join([f"{prog}: {told}", *map(str, stop.args)]), file=sys.stderr)

@@ -40,32 +40,32 @@ def print_sweep(options: Namespace) -> None:
         print(f"wrote {target}")
     if of_one and not options.no_facts:
         print()
-        for what, found in facts(scene, width, height):
-            print(f"{what + ' ':.<60} {found}")
+        for name, value in facts(scene, width, height):
+            print(f"{name + ' ':.<60} {value}")
 
 
 def _of_grid(tasks, options):
-    """Return the {Task: SweepRow} of a grid of frames, by workers; an error says what the checkpoint keeps."""
+    """Return the {Task: SweepRow} of a grid of frames, by workers; an error says how many the checkpoint keeps."""
     with nullcontext() if options.checkpoint is None else grid.Checkpoint(options.checkpoint) as checkpoint:
         try:
             with _workers(options) as executor:
                 progress = progress_bar(desc="batches of frames", unit="batch")
                 return grid.run(tasks, executor, checkpoint, options.threads or 1, progress)
         except (KeyboardInterrupt, BrokenExecutor, CancelledError) as stop:
-            kept = "nothing is kept without --checkpoint"
+            told = "nothing is kept without --checkpoint"
             if checkpoint:
-                done = f"{len(checkpoint.kept(tasks))} of {len(tasks)} frames are in {checkpoint.path}"
-                kept = f"{done}, and the same command goes on from there"
+                done = f"{len(checkpoint.rows_of(tasks))} of {len(tasks)} frames are in {checkpoint.path}"
+                told = f"{done}, and the same command goes on from there"
             if isinstance(stop, KeyboardInterrupt):
-                raise type(stop)(kept) from None
-            raise OSError(f"the workers are gone; {kept}") from None
+                raise type(stop)(told) from None
+            raise OSError(f"the workers are gone; {told}") from None
 
 
 @contextmanager
 def _workers(options):
     """Yield the executor that the options ask for: threads here, or a Dask cluster.
 
-    What Dask would log is said in one line when it is the end of the sweep.
+    Dask's log is silenced: an error that ends the sweep is one line.
     """
     if options.dask is None:
         with ThreadPoolExecutor(checked_threads(options.workers, "workers")) as executor:

@@ -34,7 +34,7 @@ from renderer.threads import checked_threads
 from renderer.whole_files import checked_target, named
 
 PIPE = "-"
-OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # what a picture remembers beside its scene
+OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # of a picture's record, beside its scene
 
 
 def draw_image(options: Namespace) -> None:
@@ -70,17 +70,17 @@ def draw_image(options: Namespace) -> None:
 
 
 def _drawn_again(options):
-    """Return the scene, the method and the raster of a picture's file; say where what drew it is not what draws now."""
+    """Return the scene, the method and the raster of a picture's file; say where another version or machine drew it."""
     of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
-    given = vars(options).keys() & of_scene
-    given |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
-    if given:
-        raise not_allowed("again", options.again, f"no --{min(given).replace('_', '-')} beside it")
-    said = record.read(options.again)
-    for what, then, now in (("version", said.version, renderer.__version__), ("machine", said.machine, machine().NAME)):
+    beside = vars(options).keys() & of_scene
+    beside |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
+    if beside:
+        raise not_allowed("again", options.again, f"no --{min(beside).replace('_', '-')} beside it")
+    old = record.read(options.again)
+    for name, then, now in (("version", old.version, renderer.__version__), ("machine", old.machine, machine().NAME)):
         if then != now:
-            print(f"{options.again} was drawn by {what} {then}; this is {now}", file=sys.stderr)
-    return said[:3]
+            print(f"{options.again} was drawn by {name} {then}; this is {now}", file=sys.stderr)
+    return old[:3]
 
 
 def _checked_out(out):
@@ -126,7 +126,7 @@ def print_sweep(options: Namespace) -> None:
     Lists of values, such as --field sine,ridges --beta 0.1,0.35 --size 256,1024, make a grid of frames, a line each,
     computed by several workers.
     """
-    from renderer.command_line import sweep_verb  # what it needs would make the start of a picture longer
+    from renderer.command_line import sweep_verb  # its imports would make the start of a picture longer
 
     sweep_verb.print_sweep(options)
 
@@ -135,8 +135,8 @@ def diagnose(options: Namespace) -> None:
     """Say what draws here: machine, lanes, threads, versions, and where compiled code is kept."""
     from renderer.command_line import doctor
 
-    for what, found in doctor.found():
-        print(f"{what + ' ':.<24} {found}")
+    for name, value in doctor.report():
+        print(f"{name + ' ':.<24} {value}")
 
 
 VERBS: dict[str, tuple] = {
@@ -153,20 +153,20 @@ def _parser(prog, arguments):
     version = f"%(prog)s {renderer.__version__}"
     parser.add_argument("--version", action="version", version=version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
-    for name, (run, own) in VERBS.items():
+    for name, (run, verb_options) in VERBS.items():
         verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)
-        if own and name in arguments:
-            for option, of_argparse in own.items():
+        if verb_options and name in arguments:
+            for option, of_argparse in verb_options.items():
                 verb.add_argument(option, **of_argparse)
             add_scene(verb, lists=run is print_sweep)
     return parser
 
 
 def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering") -> int:
-    """Run the command line and return its exit status: 0; 2 with one line on stderr about what is not allowed;
+    """Run the command line and return its exit status: 0; 2 with one line on stderr about the error;
     130 with one line after Ctrl-C, 143 after SIGTERM.
 
-    prog: what the user typed, which usage and errors begin with.
+    prog: the command's name, with which usage and errors begin.
     """
     for pipe in (sys.stdout, sys.stderr):
         if hasattr(pipe, "reconfigure"):
@@ -184,7 +184,7 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
             warnings.showwarning = lambda told, *place: print(f"{prog}: warning: {told}", file=sys.stderr)
             VERBS[options.verb][0](options)
         print(end="", flush=True)  # where there is a standard output
-    except BrokenPipeError:  # whoever read has what was wanted; Python would complain once more at its end
+    except BrokenPipeError:  # the reader closed the pipe; Python would complain again at its end
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:

@@ -1,1 +1,1 @@
-"""What is drawn, in files: pictures and tables, and pictures larger than memory."""
+"""Files of pictures, also of pictures larger than memory, and the record of how each was drawn."""

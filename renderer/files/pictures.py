@@ -28,7 +28,7 @@ BAND = 2**19  # bytes that are filtered and deflated at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
-FAIR = 0.87  # of noise a slower way has to leave less than this share of what a quicker one leaves
+FAIR = 0.87  # in noise a slower way has to be shorter than this share of a quicker one
 
 
 def _filter(image, start, lines):
@@ -38,19 +38,19 @@ def _filter(image, start, lines):
     farther from the third, or the third itself where it lies well between them.
     """
     rows, channels, width = len(lines), image.shape[2], image.shape[1] * image.shape[2]
-    seen = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
-    known = image[max(0, start - 1) : start + rows].reshape(-1)
-    seen[-known.size :] = known
-    left, up, corner = seen[width:-channels], seen[channels:-width], seen[: -width - channels]
+    padded = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
+    image_rows = image[max(0, start - 1) : start + rows].reshape(-1)
+    padded[-image_rows.size :] = image_rows
+    left, up, corner = padded[width:-channels], padded[channels:-width], padded[: -width - channels]
     high, low = np.maximum(left, up), np.minimum(left, up)
     guess = np.minimum(np.maximum(corner, low), high)
     rise, fall = np.subtract(high, guess, out=high), np.subtract(guess, low, out=low)
     to_high, to_low = (rise >> 1 >= fall).view(np.uint8), (fall >> 1 >= rise).view(np.uint8)
-    rest = np.subtract(seen[channels + width :], guess, out=guess)
+    rest = np.subtract(padded[channels + width :], guess, out=guess)
     rest -= np.multiply(rise, to_high, out=to_high)
     rest += np.multiply(fall, to_low, out=to_low)
     lines[:, 0], lines[:, 1:] = PAETH, rest.reshape(rows, width)
-    of_first = seen[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
+    of_first = padded[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
     np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
 
 
@@ -63,7 +63,7 @@ def _deflate(data, way):
 def _way(lines):
     """Return how a band is deflated, as a sample of it says.
 
-    Paeth's filter leaves so little that runs alone are nearly as short as what a quick search finds, in less time.
+    Paeth's filter leaves so little that runs alone are nearly as short as the result of a quick search, in less time.
     Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
     """
     middle = lines.size // 2
@@ -112,7 +112,7 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
 
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
-    """Write what `png_of` returns; the file appears whole or not at all."""
+    """Write the PNG of `png_of`; the file appears whole or not at all."""
     write_whole(Path(path), *_parts(image, text))
 
 

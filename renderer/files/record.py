@@ -1,4 +1,4 @@
-"""What a picture's file says of how it was drawn, so that it can be drawn again: JSON, in a PNG or an NPZ."""
+"""The record in a picture's file by which it can be drawn again: JSON, in a PNG or an NPZ."""
 
 import json
 import struct
@@ -22,7 +22,7 @@ NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
 
 
 class Drawing(NamedTuple):
-    """What is drawn and how; read from a file, the version and the machine that drew it too."""
+    """A scene, the gradient method and the raster; read from a file, also the version and the machine that drew it."""
 
     scene: Scene
     method: GradientMethod
@@ -44,7 +44,7 @@ def text_of(drawing: Drawing) -> str:
 
 
 def read(path: str | Path) -> Drawing:
-    """Return what a PNG or an NPZ says of how it was drawn. Nothing that it says is run.
+    """Return the Drawing of a PNG or an NPZ. Nothing in it is run.
 
     Raises ValueError of one sentence unless the file carries one whole record.
     """
@@ -65,7 +65,7 @@ def read(path: str | Path) -> Drawing:
         if check_kind("gradient", record["gradient"], dict).keys() != {"name", "eps", "form"}:
             raise ValueError("other names than a gradient has")
         made_by = [record[name] for name in ("version", "machine")]
-        if not all(isinstance(said, str) and len(said) < 100 and said.isprintable() for said in made_by):
+        if not all(isinstance(name, str) and len(name) < 100 and name.isprintable() for name in made_by):
             raise ValueError("no version and machine")
         raster = Raster(record["width"], record["height"], record["crop"])
         return Drawing(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster, *made_by)
@@ -73,7 +73,7 @@ def read(path: str | Path) -> Drawing:
 
 def _of_png(path):
     """Return the texts under KEYWORD. Raises ValueError where the file is cut, or a text is damaged or too long."""
-    found, at, kind, begins = [], len(SIGNATURE), b"", b"tEXt" + KEYWORD + b"\0"
+    texts, at, kind, begins = [], len(SIGNATURE), b"", b"tEXt" + KEYWORD + b"\0"
     with open(path, "rb") as file:
         size = file.seek(0, SEEK_END)
         file.seek(0)
@@ -89,8 +89,8 @@ def _of_png(path):
             if chunk.startswith(begins):
                 if len(chunk) == 4 + length and zlib.crc32(chunk) != int.from_bytes(file.read(4)):
                     raise ValueError("a damaged text")
-                found.append(chunk.removeprefix(begins))
-    return found
+                texts.append(chunk.removeprefix(begins))
+    return texts
 
 
 def _of_npz(path):
@@ -101,5 +101,5 @@ def _of_npz(path):
             if any(one.compress_type not in (ZIP_STORED, ZIP_DEFLATED) for one in members):
                 raise ValueError("compressed in a way that NumPy has not")
             return [zipped.open(one).read(LARGEST + 1) for one in members]
-    except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # the third of what is encrypted, or unheard of
+    except (BadZipFile, zlib.error, RuntimeError, EOFError) as error:  # RuntimeError: encrypted, or an unknown method
         raise ValueError(f"it is no whole .npz: {error}") from None

@@ -54,7 +54,7 @@ def _encode(channels, into):
 
 
 def to_bytes(rgb: np.ndarray, threads: int | None = None) -> np.ndarray:
-    """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8; what is outside is clipped. threads: as many."""
+    """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8, clipped. threads: at most as many."""
     rgb = np.asarray(rgb, dtype=np.float64)
     encoded = np.empty(rgb.shape, np.uint8)
     linear, into = (one if one.ndim > 1 else one.reshape(-1, 1) for one in (rgb, encoded))

@@ -9,7 +9,7 @@ from proofs.engine.project import PROJECT
 from renderer.whole_files import write_whole
 
 PRINTED = {PROJECT.root / path: resolve_name(source) for path, source in PROJECT.printed.items()}
-"""{file: what returns its text}"""
+"""{file: the function that returns its text}"""
 
 
 def write_all(printed: Mapping[Path, Callable[[], str]]) -> None:

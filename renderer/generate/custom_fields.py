@@ -23,7 +23,7 @@ _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step
 def made_field(field: HeightField) -> str | HeightField:
     """Return a field once its kernels are made, or the name of the chapter's that it is.
 
-    Raises ValueError where the chapter has another formula by its name, or what is not allowed.
+    Raises ValueError where the chapter has another formula by its name, or the field is not allowed.
     """
     if field.name not in HEIGHT_FIELDS:
         field_kernels(field)
@@ -35,7 +35,7 @@ def made_field(field: HeightField) -> str | HeightField:
 
 @cache
 def field_kernels(field: HeightField) -> dict[str, Any]:
-    """Return the entry of a custom field, as in `kernels.FIELDS`. Raises ValueError on what is not allowed."""
+    """Return the entry of a custom field, as in `kernels.FIELDS`. Raises ValueError where it is not allowed."""
     printed = [print_function(p.name, p, OwnPrinter()) for p in programs.field_programs(field).values()]
     entry = made("\n".join([*printed, "ENTRIES = {", field_entry(field), "}"]))["ENTRIES"][field.name]
     return entry | ({"wave_numbers": exact_waves(field)} if field.wave_numbers else {})
@@ -57,7 +57,7 @@ def check_size(field: HeightField, ku: float, kv: float, beta: float) -> None:
 
 
 def as_record(field: HeightField) -> dict[str, Any]:
-    """Return what JSON can say of a field. Raises ValueError where it has no text."""
+    """Return a field as a record for JSON. Raises ValueError where it has no text."""
     return {"name": field.name, "expression": _text_of(field)} | ({"seam": True} if field.seam else {})
 
 

@@ -21,7 +21,7 @@ CALLED = vars(kernels)
 
 
 class OwnPrinter(KernelPrinter):
-    """Prints a part without a symbol as the float64 nearest to it, which has a bound: of floats nobody takes one."""
+    """A printer of a part without a symbol as the float64 nearest to it, with a bound of its error."""
 
     def _print(self, expr: Any, **settings: Any) -> str:
         fixed = isinstance(expr, Expr) and not expr.free_symbols and not expr.is_Rational
@@ -29,7 +29,7 @@ class OwnPrinter(KernelPrinter):
 
     @staticmethod
     def _nearest(constant):
-        """Of an interval around a constant both ends are nearest to one float64, or the error says how far apart."""
+        """Return the text of a constant as the float64 nearest to it, with its error where an enclosure leaves two."""
         usual, iv.dps = iv.dps, 4 * DIGITS
         try:
             low, high = (to_float(end, rnd="n") for end in enclosure(constant, {S.Exp1: iv.e})._mpi_)
@@ -51,7 +51,7 @@ class OwnPrinter(KernelPrinter):
 
 
 def made(source: str) -> dict[str, Any]:
-    """Return what a text of kernels defines, beside the kernels that are there."""
+    """Return the names that a text of kernels defines, beside the printed kernels."""
     scope = dict(CALLED)
     exec(source, scope)
     refuse_unknown_calls(scope)

@@ -1,11 +1,11 @@
-"""Print for Coq the operations that our machines carry out."""
+"""The text for Coq of the operations that our machines carry out."""
 
 from proofs import coq_files
 
 
 def float64_source() -> str:
     """Return the text of proofs/formal/Float64.v."""
-    from renderer import kernels, operations  # not above: kernels may be what is about to be printed
+    from renderer import kernels, operations  # not above: kernels may be about to be printed
     from renderer.machines.enclosing import Enclosed
 
     return coq_files.float64_source(vars(operations), vars(kernels), Enclosed.counted)

@@ -1,4 +1,4 @@
-"""Which programs of `proofs/` become kernels."""
+"""The programs of `proofs/` that become kernels, by name."""
 
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
@@ -71,11 +71,11 @@ KERNELS = (
 
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
-    found: dict[str, Program] = {}
+    by_method: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
         program = difference(height_fields.ANY_FIELD)
-        found |= {method: program, f"{method}_in_v": program.keep(h_v)}
-    return found
+        by_method |= {method: program, f"{method}_in_v": program.keep(h_v)}
+    return by_method
 
 
 def difference_of(method: str, field: HeightField) -> str:
@@ -90,7 +90,7 @@ def height_evaluations(method: str, field: HeightField) -> int:
 
 
 def field_programs(field: HeightField) -> dict[str, Program]:
-    """Return {role: program} of a height field: height, exact gradient, creases, and what its algebraic form needs."""
+    """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
     programs = {
         "height": height_fields.height(field),
         "gradient": height_fields.gradient(field),

@@ -1,4 +1,4 @@
-"""Read the formula of a custom field from a text, and write it."""
+"""Formulas of custom fields as text: a reader and its inverse."""
 
 from functools import partial
 

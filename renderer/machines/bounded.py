@@ -1,7 +1,6 @@
-"""How bounds propagate: how far a sum, a product or a quotient is off, where what it is made of is off.
+"""Propagation of error bounds through sums, products and quotients.
 
-What rounding adds is for a kind of numbers to say. An error that is the float 0.0 is of an exact number, and costs
-nothing.
+Each subclass of Bounded says how much rounding adds. The error of an exact number is the float 0.0, and costs nothing.
 """
 
 from typing import Any
@@ -21,7 +20,7 @@ def plus(*bounds: Any) -> Any:
 
 
 def times(size: Any, bound: Any) -> Any:
-    """Return a bound times what it is of."""
+    """Return a size times a bound, 0.0 where that is."""
     return 0.0 if is_zero(bound) else size * bound
 
 
@@ -30,7 +29,7 @@ class Bounded:
 
     A kind of them has `of`, which makes one of any number; `size`, which no exact number exceeds; `inverse`, which no
     inverse of one exceeds; `size_of_quotient`, the same of a quotient as computed; and `rounded`, which is given a
-    result's value, how far it is moved, and what `lost_in_sum`, `lost_in_product` or `lost_in_quotient` says of its
+    result's value, how far it is moved, and the value of `lost_in_sum`, `lost_in_product` or `lost_in_quotient` for its
     rounding.
     """
 
@@ -60,7 +59,7 @@ class Bounded:
         return self.rounded(product, self.product_moves(other), self.lost_in_product(other, product))
 
     def __truediv__(self, other):
-        """|a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|)/|b'|."""
+        """Return the quotient: |a/b − a'/b'| ≤ (|a − a'| + |a/b| |b − b'|)/|b'|."""
         other = self.of(other)
         quotient = self.value / other.value
         size = self.size_of_quotient(quotient)

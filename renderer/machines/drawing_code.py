@@ -13,7 +13,7 @@ BEFORE = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "light
 
 
 def arguments(planes: Sequence[str]) -> tuple[str, ...]:
-    """Return what the code is given: addresses and whole numbers, one array of int64. `columns` is (rows, 2) int64."""
+    """Return the names of the code's arguments, addresses and whole numbers in an array of int64, in its order."""
     return (*BEFORE, *planes, "x_bound", "y_bound", "scene_bounds")
 
 
@@ -24,7 +24,7 @@ class Pixels:
         self.x, self.y, self._tracer, self._at = x, y, tracer, at
 
     def _place(self, name):
-        return self._tracer.given[name], self._at, BYTE if name in BYTES else None
+        return self._tracer.arguments[name], self._at, BYTE if name in BYTES else None
 
     def load(self, name: str) -> Value:
         """Return a plane's numbers as a Value."""
@@ -36,26 +36,26 @@ class Pixels:
 
 
 def emit(module: ir.Module, name: str, want: Any, lanes: int) -> None:
-    """Emit the function `name` that draws rows of what is wanted, its one parameter the address of its arguments."""
+    """Emit the function `name` that draws rows of a want, its one parameter the address of its arguments."""
     shader = want.shader
     tracer = Tracer(module, name, lanes, arguments(shader.planes), shader=shader)
-    builder, given = tracer.builder, tracer.given
-    scene = tracer.numbers(given["scene"], shader.scene, WHOLE(0))
+    builder, inputs = tracer.builder, tracer.arguments
+    scene = tracer.numbers(inputs["scene"], shader.scene, WHOLE(0))
     with tracer.rows() as (row, begin, end):
-        y, row_begin = tracer.everywhere(given["y"], row), builder.mul(row, given["pitch"])
+        y, row_begin = tracer.everywhere(inputs["y"], row), builder.mul(row, inputs["pitch"])
         with tracer.loop(builder.and_(begin, WHOLE(-lanes)), end, lanes) as column:
-            pixels = Pixels(tracer, tracer.load(given["x"], column), y, builder.add(row_begin, column))
+            pixels = Pixels(tracer, tracer.load(inputs["x"], column), y, builder.add(row_begin, column))
             group = shader.group(tracer, scene, want, pixels)
             if want.bounds:
                 from renderer.machines.enclosing_machine import (
                     enclosed_group,
                 )  # what most pictures never need to import
 
-                bounds = tracer.numbers(given["scene_bounds"], shader.scene, WHOLE(0))
-                x_bound, y_bound = tracer.load(given["x_bound"], column), tracer.everywhere(given["y_bound"], row)
+                bounds = tracer.numbers(inputs["scene_bounds"], shader.scene, WHOLE(0))
+                x_bound, y_bound = tracer.load(inputs["x_bound"], column), tracer.everywhere(inputs["y_bound"], row)
                 group = enclosed_group(group, bounds, x_bound, y_bound)
             group.draw()
     for number, kind in enumerate(shader.counted):
         count = builder.load(tracer.counts[kind])
-        builder.store(count, tracer.place(given["counts"], WHOLE(number), WHOLE))
+        builder.store(count, tracer.place(inputs["counts"], WHOLE(number), WHOLE))
     builder.ret_void()

@@ -2,21 +2,20 @@
 
 The machine is `renderer.machines.enclosing_machine`.
 
-What is enclosed is the same formula in real arithmetic, of the exact numbers that are given. The inner machine's values
-are its own, to the last bit. A mask says where something holds, and where the bounds leave that open; a selection
-whose mask is open covers both of its sides. A bound that is the float 0.0 is of an exact number, and costs nothing.
+The bound encloses the value of the same formula in real arithmetic, at the exact numbers that a scene gives. The
+inner machine's values stay as they are, to the last bit. A mask says where a condition holds, and where the bounds
+leave it open; a selection whose mask is open covers both of its sides. The bound of an exact number is the float 0.0,
+and costs nothing.
 
-A bound is kept as a number of roundings, of 2⁻⁵³ each: a result's own rounding is then at most its size. These counts
-are rounded too, and an operation makes its own too small by less than 2⁻⁴⁹ of it. What it adds up or multiplies by
-sizes are counts of its operands, which are as much too small as their own operations made them. A pixel has fewer than
-2²⁸ operations one after another, so that ROUNDING, the unit by which a count becomes a bound, makes up for all of them:
-where a bound is asked for, compared, or multiplied by another bound. The elementary functions ask for bounds, and each
-one makes up for its own roundings by SLACK. So says theorem enclosing_rules, which Coq proves of what sums, products,
-quotients, roots, whole numbers, selections, sinpi, cospi, atan2pi, exp and log do here: `add_half_turns` it leaves
-out.
+A bound is stored as a count of roundings, of 2⁻⁵³ each: the rounding of a result then adds at most its size. The counts
+are computed in float64 too, and each operation may leave its count too small, by a share of less than 2⁻⁴⁹. Along a
+chain of operations these shares add up. A pixel's longest chain has fewer than 2²⁸ operations, so ROUNDING, the unit
+that turns a count into a bound, exceeds 2⁻⁵³ by the share 2⁻²⁰ > 2²⁸ · 2⁻⁴⁹, wherever a bound is read, compared, or
+multiplied by another bound. The elementary functions read bounds, and each makes up for its own roundings by SLACK.
+Theorem enclosing_rules states this, and Coq proves it of sums, products, quotients, roots, floor, rint, selections,
+sinpi, cospi, atan2pi, exp and log as written here, not of `add_half_turns`.
 
-What is lost below the normal range is less than LEAST, or as a count than LEAST_COUNT. A bound that is NaN decides
-nothing.
+Underflow loses less than LEAST, as a count less than LEAST_COUNT. A bound that is NaN decides nothing.
 """
 
 import math
@@ -42,12 +41,12 @@ at_work: ContextVar[Any] = ContextVar("at_work")  # the machine whose steps an o
 
 
 def _scales(number):
-    """Return whether a number is a literal power of two, which moves no bit of what it multiplies."""
+    """Return whether a number is a literal power of two, which changes no bit of a factor."""
     return type(number.value) is float and abs(math.frexp(number.value)[0]) == 0.5
 
 
 def _least(*factors):
-    """Return what is lost below the normal range: nothing where a factor is an exact 0 that is to stay one."""
+    """Return the loss below the normal range: none where a factor is an exact 0 that is to stay one."""
     least = LEAST_COUNT
     for factor in factors:
         if type(factor.value) is float:
@@ -58,14 +57,14 @@ def _least(*factors):
 
 
 class Mask:
-    """For which numbers something holds as computed (`holds`), and for which it is open; None: for none."""
+    """A condition of numbers: where it `holds` as computed, and where the bounds leave it `open` (None: nowhere)."""
 
     def __init__(self, holds: Any, open_: Any = None):
         self.holds, self.open = holds, open_
 
     @property
     def maybe(self) -> Any:
-        """For which it may hold."""
+        """The mask of where it may hold."""
         return self.holds if self.open is None else self.holds | self.open
 
     def __and__(self, other):
@@ -86,10 +85,27 @@ def _either(one, other):
     return other if one is None else one if other is None else one | other
 
 
+def _comparison(compare):
+    """Return the method by which two Enclosed are compared: a Mask, open where their bounds overlap."""
+
+    def compared(self, other):
+        if self is other:  # x = x, which asks for NaN
+            return Mask(compare(self.value, self.value))
+        other = enclosed(other)
+        roundings = plus(self.error, other.error)
+        holds = compare(self.value, other.value)
+        if is_zero(roundings):
+            return Mask(holds)
+        apart = abs(self.value - other.value) > roundings * ROUNDING
+        return Mask(holds, ~apart & ~(roundings == 0.0))
+
+    return compared
+
+
 class Enclosed(Bounded):
     """A number of the inner machine, and a bound on its distance from the exact one.
 
-    stays_exact: whether it is looked for what is exact, at some cost: a product with an exact 0, as on the picture's
+    stays_exact: whether exact results are detected, at some cost: a product with an exact 0, as on the picture's
     middle line, and a sum without rounding, as of whole numbers. Its `error` is a count of roundings.
     """
 
@@ -106,17 +122,17 @@ class Enclosed(Bounded):
 
     @property
     def bound(self) -> Any:
-        """The bound itself."""
+        """The bound, from the count."""
         return times(ROUNDING, self.error)
 
     @property
     def size(self) -> Any:
-        """At least the exact number's."""
+        """An upper bound of the exact number's size."""
         return plus(abs(self.value), self.bound)
 
     @property
     def is_zero(self) -> Any:
-        """Where it is an exact 0."""
+        """The mask of where it is an exact 0."""
         return plus(abs(self.value), self.error) == 0.0
 
     @classmethod
@@ -132,11 +148,11 @@ class Enclosed(Bounded):
     @classmethod
     def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
         """Return a result that is moved so far; lost: by its own rounding, and whether it stays exact."""
-        own, stays_exact = lost
-        return cls.counted(value, plus(moved, own), stays_exact)
+        rounding, stays_exact = lost
+        return cls.counted(value, plus(moved, rounding), stays_exact)
 
     def lost_in_sum(self, other: "Enclosed", total: Any) -> tuple[Any, bool]:
-        """Return what rounding takes from a sum: where it may be none, a number that two more sums find (Knuth)."""
+        """Return a bound of a sum's rounding error; where that may be 0 the error itself, by two more sums (Knuth)."""
         stays_exact = self.stays_exact and other.stays_exact
         if not (stays_exact or is_zero(plus(self.error, other.error))):
             return abs(total), False
@@ -144,7 +160,7 @@ class Enclosed(Bounded):
         return abs((self.value - (total - part)) + (other.value - part)) * (1.0 / UNIT), stays_exact
 
     def lost_in_product(self, other: "Enclosed", product: Any) -> tuple[Any, bool]:
-        """Return the same of a product: a literal power of two takes nothing from what is large enough."""
+        """Return the same of a product: with a literal power of two it is 0 above the subnormal range."""
         stays_exact = self.stays_exact or other.stays_exact
         for literal, scaled in ((self, other), (other, self)):
             if _scales(literal):
@@ -159,7 +175,7 @@ class Enclosed(Bounded):
         return plus(abs(quotient), _least(self))
 
     def lost_in_quotient(self, size: Any) -> tuple[Any, bool]:
-        """Return what rounding takes from a quotient of that size."""
+        """Return a bound of the rounding error of a quotient of that size."""
         return size, self.stays_exact
 
     def inverse(self) -> Any:
@@ -175,31 +191,19 @@ class Enclosed(Bounded):
     def __abs__(self):
         return Enclosed.counted(abs(self.value), self.error, self.stays_exact)
 
-    def _compare(compare):
-        def compared(self, other):
-            if self is other:  # x = x, which asks for NaN
-                return Mask(compare(self.value, self.value))
-            other = enclosed(other)
-            roundings = plus(self.error, other.error)
-            holds = compare(self.value, other.value)
-            if is_zero(roundings):
-                return Mask(holds)
-            apart = abs(self.value - other.value) > roundings * ROUNDING
-            return Mask(holds, ~apart & ~(roundings == 0.0))
-
-        return compared
-
-    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(  # type: ignore[assignment]
-        _compare,  # type: ignore[arg-type]
-        (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne),
-    )
+    __lt__ = _comparison(operator.lt)
+    __le__ = _comparison(operator.le)
+    __gt__ = _comparison(operator.gt)
+    __ge__ = _comparison(operator.ge)
+    __eq__ = _comparison(operator.eq)
+    __ne__ = _comparison(operator.ne)
 
 
 enclosed = Enclosed.of
 
 
 def _ends(number):
-    """Return between what the exact number is: a number that is exact, or two of the inner machine's."""
+    """Return the ends of an interval around the exact number: one end where it is exact, else two."""
     if is_zero(number.bound):
         return (number.value,)
     reach = (number.bound + 2.0 * UNIT * abs(number.value)) * SLACK
@@ -207,7 +211,7 @@ def _ends(number):
 
 
 def _rarely(mask, value, otherwise):
-    """Return what `value` returns where a mask holds; it is called for no group for which it holds nowhere."""
+    """Return `value()` where a mask holds; it is called for no group for which it holds nowhere."""
     machine = getattr(mask, "machine", None)
     if machine is None:
         return inner_where(mask, value(), otherwise)
@@ -231,7 +235,7 @@ def where(mask: Mask, value: Any, otherwise: Any) -> Enclosed:
 
 
 def sqrt(number: Enclosed) -> Enclosed:
-    """|√a − √b| is at most |a − b|/√a, and where |a − b| is larger than a, also at most √|a − b|, which is less."""
+    """Return √a: |√a − √b| ≤ |a − b|/√a, and where |a − b| exceeds a, also ≤ √|a − b|, which is less."""
     root, moved = operations.sqrt(number.value), 0.0
     if not is_zero(number.error):
         near_zero = ~(number.error < number.value * (1.0 / UNIT))
@@ -239,35 +243,35 @@ def sqrt(number: Enclosed) -> Enclosed:
     return Enclosed.counted(root, plus(moved, root), number.stays_exact)
 
 
-def _whole(number, found, away):
-    """Return a whole number that is found, which may be the next one where what changes it is in reach."""
+def _integer(number, integer, away):
+    """Return an integer with its bound: it may be the next one where a jump, so far `away`, is within the bound."""
     if is_zero(number.error):
-        return Enclosed(found, stays_exact=True)
+        return Enclosed(integer, stays_exact=True)
     reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
     further = operations.floor(number.bound)
-    return Enclosed(found, inner_where(reaches, 1.0 + further, further), True)
+    return Enclosed(integer, inner_where(reaches, 1.0 + further, further), True)
 
 
 def floor(number: Enclosed) -> Enclosed:
-    """A whole number within the bound of the number may be either one's."""
+    """Return ⌊a⌋; a whole number within the bound of `a` may be on either side of it."""
     away = abs(number.value - operations.rint(number.value))
-    return _whole(number, operations.floor(number.value), away)
+    return _integer(number, operations.floor(number.value), away)
 
 
 def rint(number: Enclosed) -> Enclosed:
-    """The same of halves."""
+    """Return the whole number nearest to a; a half within the bound of `a` may be on either side of it."""
     nearest = operations.rint(number.value)
-    return _whole(number, nearest, abs(abs(number.value - nearest) - 0.5))
+    return _integer(number, nearest, abs(abs(number.value - nearest) - 0.5))
 
 
 def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     """Return a product in two parts, for sinpi and cospi: they lose nothing of it, unless it vanishes."""
     a, b = enclosed(a), enclosed(b)
-    whole, rest = kernels.two_product(a.value, b.value)
+    product, rest = kernels.two_product(a.value, b.value)
     stays_exact, lost = a.stays_exact or b.stays_exact, 0.0
     if stays_exact:
-        lost = inner_where((abs(whole) < KEPT) & (operations.minimum(a.size, b.size) > 0.0), LEAST_COUNT, 0.0)
-    return Enclosed.counted(whole, a.product_moves(b), stays_exact), Enclosed.counted(rest, lost, True)
+        lost = inner_where((abs(product) < KEPT) & (operations.minimum(a.size, b.size) > 0.0), LEAST_COUNT, 0.0)
+    return Enclosed.counted(product, a.product_moves(b), stays_exact), Enclosed.counted(rest, lost, True)
 
 
 def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
@@ -277,18 +281,18 @@ def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
     return Enclosed.counted(total, plus(a.error, b.error), a.stays_exact and b.stays_exact), Enclosed(lost, 0.0, True)
 
 
-def _of_half_turns(kernel: Any, whole: Any, rest: Any = 0.0) -> Enclosed:
+def _of_half_turns(kernel: Any, turns: Any, rest: Any = 0.0) -> Enclosed:
     """Return sin πx or cos πx of a number in two parts: its slope is at most π, and it moves by 2 at most."""
-    whole, rest = enclosed(whole), enclosed(rest)
-    moved = times(ROUNDING, plus(whole.error, rest.error))
-    found = kernel(whole.value, rest.value)
-    own = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(found) + LEAST
-    if whole.stays_exact:  # what the parts lose is counted: 0 is no smaller number
-        own = inner_where(found == 0.0, 0.0, own)
+    turns, rest = enclosed(turns), enclosed(rest)
+    moved = times(ROUNDING, plus(turns.error, rest.error))
+    result = kernel(turns.value, rest.value)
+    rounding = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(result) + LEAST
+    if turns.stays_exact:  # what the parts lose is counted: 0 is no smaller number
+        rounding = inner_where(result == 0.0, 0.0, rounding)
     if is_zero(moved):
-        return Enclosed(found, own * SLACK)
+        return Enclosed(result, rounding * SLACK)
     turned = math.pi * SLACK * moved
-    return Enclosed(found, (inner_where(turned < 2.0, turned, 2.0) + own) * SLACK)
+    return Enclosed(result, (inner_where(turned < 2.0, turned, 2.0) + rounding) * SLACK)
 
 
 sinpi = partial(_of_half_turns, kernels.sinpi)
@@ -296,54 +300,54 @@ cospi = partial(_of_half_turns, kernels.cospi)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
-    """The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below a quarter within 1.02 s.
+    """Return atan2(y, x)/π. The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below 1/4 within 1.02 s.
 
     Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
     exact.
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
-    found = kernels.atan2pi(y.value, x.value)
-    own = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(found) + LEAST
+    angle = kernels.atan2pi(y.value, x.value)
+    rounding = kernels.ROUNDINGS["atan2pi"] * UNIT * abs(angle) + LEAST
     moved = plus(y.bound, x.bound)
     if is_zero(moved):
-        return Enclosed(found, own * SLACK)
+        return Enclosed(angle, rounding * SLACK)
     radius = operations.sqrt(x.value * x.value + y.value * y.value)
     across = plus(times(abs(x.value), y.bound), times(abs(y.value), x.bound))
     sine = across / (radius * (radius - moved))
     near = (moved < 0.5 * radius) & (sine < 0.249)
-    bound = inner_where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + own
+    bound = inner_where(near, sine * (1.02 / math.pi) * SLACK, 2.0) + rounding
     over_the_cut = (x.value < 0.0) & (abs(y.value) <= y.bound * SLACK)
     bound = inner_where(over_the_cut, 2.0, bound) * SLACK
     if not (x.stays_exact and y.stays_exact):
-        return Enclosed(found, bound)
+        return Enclosed(angle, bound)
     on_axis = (y.is_zero & (abs(x.value) > x.bound)) | (x.is_zero & (abs(y.value) > y.bound))
-    return Enclosed(found, inner_where(on_axis, 0.0, bound), True)
+    return Enclosed(angle, inner_where(on_axis, 0.0, bound), True)
 
 
-def _monotone(kernel, roundings, found, arguments, vanishing=0.0):
-    """Return `found`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
+def _monotone(kernel, roundings, result, arguments, vanishing=0.0):
+    """Return `result`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
 
-    The roundings are charged at that end, and for `found` again: with SLACK an end may be off by as many more, up to 8.
+    The roundings are charged at that end, and for `result` again: with SLACK an end may be off by up to 8 more.
     """
 
-    def own(result):
-        return roundings(result) * UNIT * abs(result) + vanishing
+    def rounding_of(value):
+        return roundings(value) * UNIT * abs(value) + vanishing
 
     moved, furthest = plus(*(argument.bound for argument in arguments)), 0.0
     if is_zero(moved):
-        return Enclosed(found, 2.0 * own(found) * SLACK)
+        return Enclosed(result, 2.0 * rounding_of(result) * SLACK)
     for ends in product(*map(_ends, arguments)):
         end = kernel(*ends)
-        away = abs(end - found) + own(end)
+        away = abs(end - result) + rounding_of(end)
         furthest = inner_where(away > furthest, away, furthest)
-    return Enclosed(found, (inner_where(moved < math.inf, furthest, math.inf) + own(found)) * SLACK)
+    return Enclosed(result, (inner_where(moved < math.inf, furthest, math.inf) + rounding_of(result)) * SLACK)
 
 
 def exp(product: Any, factor: Any = 1.0) -> Enclosed:
     """Return exp ab."""
     a, b = enclosed(product), enclosed(factor)
-    found = kernels.exp(*kernels.two_product(a.value, b.value))
-    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], found, [a * b], VANISHING)
+    result = kernels.exp(*kernels.two_product(a.value, b.value))
+    return _monotone(kernels.exp, lambda _: kernels.ROUNDINGS["exp"], result, [a * b], VANISHING)
 
 
 def log(number: Enclosed) -> Enclosed:
@@ -362,9 +366,9 @@ def power(number: Any, exponent: Any) -> Enclosed:
     def roundings(result):
         return inner_where(result < kernels.SMALL_POWER, kernels.ROUNDINGS["small_power"], kernels.ROUNDINGS["power"])
 
-    found = kernels.power(number.value, exponent.value)
+    result = kernels.power(number.value, exponent.value)
     vanishing = inner_where(_ends(number)[-1] > 0.0, VANISHING, 0.0)
-    return _monotone(kernels.power, roundings, found, [number, exponent], vanishing)
+    return _monotone(kernels.power, roundings, result, [number, exponent], vanishing)
 
 
 def sign(number: Any) -> Enclosed:
@@ -373,4 +377,4 @@ def sign(number: Any) -> Enclosed:
     return operations.sign.kernel(number)
 
 
-Mask.machine = Enclosed.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # what `renderer.operations` asks
+Mask.machine = Enclosed.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # `renderer.operations` asks it

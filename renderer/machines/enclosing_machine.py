@@ -11,7 +11,7 @@ from renderer.operations import where
 
 
 class Variable:
-    """A value that changes: two of the inner machine's."""
+    """A variable: two of the inner machine's, for the number and its error."""
 
     def __init__(self, machine: Any, number: Any):
         number = enclosed(number)
@@ -30,7 +30,7 @@ class Variable:
 
 
 class Enclosing:
-    """The machine around another one. It counts what the other one computes, not what that is needed for."""
+    """The machine around another one. It counts work by the masks as computed, not where they are open."""
 
     def __init__(self, inner: Any):
         self.inner, self._mask = inner, None
@@ -47,7 +47,7 @@ class Enclosing:
         return Variable(self.inner, number)
 
     def count(self, kind: str, mask: Mask) -> None:
-        """Add the number of pixels for which a mask holds to what is counted of a kind."""
+        """Add the number of pixels for which a mask holds to the count of a kind."""
         self.inner.count(kind, mask.holds)
 
     def when(self, mask: Mask, body: Callable[[], None]) -> None:
@@ -70,7 +70,7 @@ class Enclosing:
         return [Enclosed.counted(*flat[at : at + 2]) for at in range(0, len(flat), 2)]
 
     def by_squaring(self, exponent: Enclosed, first: Callable, square: Callable, multiply: Callable) -> None:
-        """As the inner machine."""
+        """Run the steps of repeated squaring, as the inner machine does."""
         self.inner.by_squaring(exponent.value, first, square, multiply)
 
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
@@ -82,13 +82,13 @@ def enclosed_numbers(
     numbers: SimpleNamespace, bounds: SimpleNamespace | None = None, rounded: Iterable[str] = ()
 ) -> SimpleNamespace:
     """Return numbers of a form as Enclosed; those that are `rounded` have `bounds`."""
-    own = of_form(numbers, repeat(0.0))
-    vars(own).update({name: getattr(bounds, name) for name in rounded})
-    return of_form(numbers, map(Enclosed, flat(numbers), flat(own)))
+    errors = of_form(numbers, repeat(0.0))
+    vars(errors).update({name: getattr(bounds, name) for name in rounded})
+    return of_form(numbers, map(Enclosed, flat(numbers), flat(errors)))
 
 
 class Pixels:
-    """The pixels of a group, as the inner machine has them: the colours' bounds and what is open stored beside."""
+    """The pixels of a group, as the inner machine has them, with the colours' bounds and `open` stored beside."""
 
     def __init__(self, machine: Enclosing, pixels: Any, x_bound: Any, y_bound: Any, planes: Sequence[str]):
         self._machine, self._planes = machine, planes
@@ -99,7 +99,7 @@ class Pixels:
         return Enclosed(self._pixels.load(name))
 
     def store(self, name: str, number: Any) -> None:
-        """Write a plane's numbers, and what is known of them."""
+        """Write a plane's numbers, and of colours their bounds."""
         number = enclosed(number)
         self._pixels.store(name, number.value)
         if name == "code":

@@ -1,4 +1,4 @@
-"""What machines and a shader have in common: numbers in a form, values that change together, and what a shader is."""
+"""The interface of machines and a shader: numbers in a form, variables that change together, and the class Shader."""
 
 from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
@@ -12,11 +12,11 @@ Numbers = Sequence[Number]
 
 
 class Shader(NamedTuple):
-    """What a machine is given to run. What is drawn by it, a want, has it as `shader`, `bounds` and `is_long`.
+    """A shader, as machines run it: a want, which chooses the code, has it as `shader`, and has `bounds` and `is_long`.
 
-    group: (machine, scene, want, pixels) → what has `draw()`, and these as attributes. scene, light: the forms of their
-    numbers. rounded: which of a scene's numbers are; the others are exact. counted: the kinds of work. planes: the
-    names of what is stored.
+    group: (machine, scene, want, pixels) → an object with `draw()`, and these as attributes. scene, light: the forms of
+    their numbers. rounded: the names of a scene's numbers that are not exact. counted: the kinds of work. planes: the
+    names of the stored planes.
     """
 
     group: Callable
@@ -41,7 +41,7 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
 
 
 class Variables:
-    """Several values that change, and do so together."""
+    """Several variables that change together."""
 
     def __init__(self, machine: Any, values: Iterable[Number]):
         self._each = [machine.variable(value) for value in values]

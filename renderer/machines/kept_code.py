@@ -15,7 +15,7 @@ from renderer.whole_files import write_whole
 
 VARIABLE = "SYMBOLIC_RENDERING_CODE"
 OFF = ("", "off")
-LARGEST = 2**27  # bytes of all files: some thousand pictures' code; what was not used for longest goes
+LARGEST = 2**27  # bytes of all files: some thousand pictures' code; the least recently used goes
 _DIGEST = hashlib.sha256().digest_size
 
 
@@ -26,8 +26,8 @@ def folder() -> Path | None:
         return None if named in OFF else Path(named)
     from platformdirs import user_cache_path
 
-    found = user_cache_path("symbolic-rendering", appauthor=False) / "compiled"
-    return found if found.is_absolute() else None  # not, where the user has no home
+    cache = user_cache_path("symbolic-rendering", appauthor=False) / "compiled"
+    return cache if cache.is_absolute() else None  # not, where the user has no home
 
 
 def trusted(path: Path) -> bool:
@@ -44,7 +44,7 @@ def _is_own(status):
 
 
 def load(key: str) -> bytes | None:
-    """Return what is kept under a key (a file name), None if that is nothing whole."""
+    """Return the code of a key (a file name), None where there is none, or a damaged one."""
     kept_in = folder()
     if kept_in is None or not trusted(kept_in):
         return None
@@ -63,7 +63,7 @@ def load(key: str) -> bytes | None:
 
 
 def save(key: str, code: bytes) -> None:
-    """Keep code under a key, and let go what was not used for longest where all is more than LARGEST."""
+    """Keep code under a key; where all is more than LARGEST, remove the least recently used."""
     kept_in = folder()
     if kept_in is None:
         return
@@ -81,13 +81,13 @@ def _digest(key, code):
 
 def _make_room(kept_in):
     """Remove the files that were not used for longest; another process may do the same."""
-    found = []
+    files = []
     for path in kept_in.glob("*.o"):
         with suppress(OSError):
             status = path.lstat()
-            found.append((status.st_mtime, status.st_size, path))
+            files.append((status.st_mtime, status.st_size, path))
     total = 0
-    for _, size, path in sorted(found, reverse=True):
+    for _, size, path in sorted(files, reverse=True):
         total += size
         if total > LARGEST:
             with suppress(OSError):

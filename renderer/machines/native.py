@@ -57,7 +57,7 @@ def optimized(module: ir.Module | str, target: llvm.TargetMachine) -> llvm.Modul
 
 
 def _processor():
-    """Return this processor's name and what it can do."""
+    """Return this processor's name and features."""
     return llvm.get_host_cpu_name() + llvm.get_host_cpu_features().flatten()
 
 
@@ -73,11 +73,11 @@ def _object_code(text, target):
     return code
 
 
-def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function of one address that emit_into(module, name, *what) emits; what it lives as long as)."""
+def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+    """Return (the function of one address that emit_into(module, name, *arguments) emits; the owner of its memory)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
-    emit_into(module, name, *what)
+    emit_into(module, name, *arguments)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
@@ -86,24 +86,24 @@ def machine_code(emit_into: Callable, *what: Any) -> tuple[Callable[[int], None]
 
 @cache
 def compiled(want: Any, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function that draws what is wanted, given the address of its arguments; what it lives as long as)."""
+    """Return (the function that draws a want, of the address of its arguments; the owner of its memory)."""
     return machine_code(emit, want, lanes)
 
 
 def drawer(
     want: Any, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
 ) -> Callable[[slice], list[int]]:
-    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the shader's order.
+    """Return the function that draws rows (a slice) of a Job and returns the counts, in the shader's order.
 
     lanes: how many pixels at a time (default: `host_lanes`). code: the function to call, if it is not to be kept.
     """
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    given = {name: array.ctypes.data for name, array in job.items()}
-    given |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
+    addresses = {name: array.ctypes.data for name, array in job.items()}
+    addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
     names, kinds = arguments(want.shader.planes), len(want.shader.counted)
-    shared = [given.get(name, 0) for name in names]
+    shared = [addresses.get(name, 0) for name in names]
     first, last, counts = (names.index(name) for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):

@@ -15,7 +15,7 @@ NAME = "numpy"
 
 
 class Variable:
-    """A value that changes."""
+    """A variable: an array that is replaced."""
 
     def __init__(self, value: Number):
         self.value = np.asarray(value)
@@ -35,7 +35,7 @@ class Rows:
         self.counts = dict.fromkeys(shader.counted, 0)
 
     def count(self, kind: str, mask: Mask) -> None:
-        """Add the number of a mask's pixels to what is counted of a kind."""
+        """Add the number of a mask's pixels to the count of a kind."""
         self.counts[kind] += int(np.count_nonzero(mask))
 
     def when(self, mask: Mask, body: Step) -> None:
@@ -48,7 +48,7 @@ class Rows:
         return result_of(alternatives[int(index)])
 
     def by_squaring(self, exponent: Number, first: Step, square: Step, multiply: Step) -> None:
-        """As `renderer.machines.traced.Tracer.by_squaring`."""
+        """Run the steps of repeated squaring, as `renderer.machines.traced.Tracer.by_squaring` does."""
         remaining = int(exponent)
         if not remaining:
             return
@@ -68,7 +68,7 @@ class Rows:
 
 
 class Block:
-    """The pixels of some rows, a slice: what the shader reads and writes of the frame's planes."""
+    """The pixels of some rows, a slice: the part of the frame's planes that the shader reads and writes."""
 
     def __init__(self, job: Job, rows: slice):
         begin, end = job["columns"][rows].T
@@ -85,7 +85,7 @@ class Block:
 
 
 def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
-    """Return the function that draws rows (a slice) of a Job and returns what was counted, in the shader's order."""
+    """Return the function that draws rows (a slice) of a Job and returns the counts, in the shader's order."""
     shader = want.shader
     scene = of_form(shader.scene, job["scene"])
 

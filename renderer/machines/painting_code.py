@@ -1,4 +1,4 @@
-"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: what `picture.views` does, by table.
+"""The code that paints planes as a canvas's bytes, for any of LLVM's targets: `picture.views` by table.
 
 A level, of sRGB or of a scale of colours, begins at a threshold. A table says which level holds where a cell of numbers
 begins; cells are so small that at most one threshold lies inside. One pixel is painted after another, as an int32:
@@ -15,10 +15,10 @@ from renderer.operations import maximum, minimum, rint
 
 PAINTING = ("columns", "first_row", "last_row", "pitch", "pixels", "level_at", "threshold", "palette", "numbers",
             "plane", *COLORS, *(f"other_{color}" for color in COLORS))  # fmt: skip
-"""What the code is given, one array of int64: as `drawing_code.arguments` are. level_at: uint8, threshold: float64,
-palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
+"""The names of the code's arguments, in an array of int64 as `drawing_code.arguments` are. level_at: uint8, threshold:
+float64, palette: int32, by level. plane: float64. numbers: float64, by NUMBERS."""
 NUMBERS = ("gain", "largest", "squares")
-"""The gain is given; what is found is the largest difference of a channel, and the sum of their squares."""
+"""The gain is read; the largest difference of a channel, and the sum of their squares, are written."""
 SRGB_CELLS = 2**12  # equal parts of [0, 1]
 SIZE_BITS = 16  # of a float64's upper ones: a cell is a sixteenth of an octave
 PIXEL = ir.IntType(32)
@@ -29,30 +29,30 @@ class Pixel:
     """The pixel that is painted: its place among the planes, and the tables. Whole numbers are int64."""
 
     def __init__(self, tracer: Tracer, at: ir.Value):
-        self.tracer, self.builder, self.given, self.at = tracer, tracer.builder, tracer.given, at
+        self.tracer, self.builder, self.arguments, self.at = tracer, tracer.builder, tracer.arguments, at
 
     def load(self, plane: str) -> Value:
         """Return a plane's number."""
-        return self.tracer.load(self.given[plane], self.at)
+        return self.tracer.load(self.arguments[plane], self.at)
 
     def number(self, name: str) -> tuple[ir.Value, ir.Value]:
         """Return where one of NUMBERS is: an array, and a place in it."""
-        return self.given["numbers"], WHOLE(NUMBERS.index(name))
+        return self.arguments["numbers"], WHOLE(NUMBERS.index(name))
 
-    def whole(self, argument: str, at: ir.Value, kind: ir.Type = PIXEL) -> ir.Value:
+    def integer(self, argument: str, at: ir.Value, kind: ir.Type = PIXEL) -> ir.Value:
         """Return a whole number of an array."""
-        return self.builder.zext(self.builder.load(self.tracer.place(self.given[argument], at, kind)), WHOLE)
+        return self.builder.zext(self.builder.load(self.tracer.place(self.arguments[argument], at, kind)), WHOLE)
 
     def level(self, number: Value, cell: ir.Value) -> ir.Value:
         """Return the level of a number in a cell of the table."""
-        level = self.whole("level_at", cell, BYTE)
-        above = number >= self.tracer.load(self.given["threshold"], self.builder.add(level, WHOLE(1)))
+        level = self.integer("level_at", cell, BYTE)
+        above = number >= self.tracer.load(self.arguments["threshold"], self.builder.add(level, WHOLE(1)))
         return self.builder.add(level, self.builder.zext(above.vector, WHOLE))
 
     def scaled(self, number: Value, share: float) -> ir.Value:
         """Return a number times the gain, at most `share`, as the nearest of 255 levels."""
         product = minimum(number * self.tracer.load(*self.number("gain")), share)
-        return self.tracer.whole(rint(product * (255 / share)))
+        return self.tracer.integer(rint(product * (255 / share)))
 
     def packed(self, levels: Iterable[ir.Value]) -> ir.Value:
         """Return the pixel of red, green and blue."""
@@ -65,39 +65,39 @@ class Pixel:
         """Return the sizes of the three differences and the largest of them, and take them into the account."""
         red, green, blue = sizes = [abs(self.load(color) - self.load(f"other_{color}")) for color in COLORS]
         largest = maximum(maximum(red, green), blue)
-        found, total = (self.tracer.load(*self.number(name)) for name in NUMBERS[1:])
-        self.tracer.store(maximum(found, largest), *self.number("largest"))
+        before, total = (self.tracer.load(*self.number(name)) for name in NUMBERS[1:])
+        self.tracer.store(maximum(before, largest), *self.number("largest"))
         self.tracer.store(total + red * red + green * green + blue * blue, *self.number("squares"))
         return sizes, largest
 
 
 def colors(pixel: Pixel) -> ir.Value:
-    """The colours, as sRGB."""
+    """Return the colours as sRGB."""
     channels = map(pixel.load, COLORS)
-    return pixel.packed(pixel.level(linear, pixel.tracer.whole(linear * SRGB_CELLS)) for linear in channels)
+    return pixel.packed(pixel.level(linear, pixel.tracer.integer(linear * SRGB_CELLS)) for linear in channels)
 
 
 def difference_logarithmic(pixel: Pixel) -> ir.Value:
-    """The largest difference of a channel, in the palette's colours by level; 0 is black."""
+    """Return the largest difference of a channel, in the palette's colours by level; 0 is black."""
     (_, largest), builder = pixel.apart(), pixel.builder
     cell = builder.lshr(builder.bitcast(largest.vector, WHOLE), WHOLE(64 - SIZE_BITS))
-    return builder.select((largest > 0.0).vector, pixel.whole("palette", pixel.level(largest, cell)), OPAQUE)
+    return builder.select((largest > 0.0).vector, pixel.integer("palette", pixel.level(largest, cell)), OPAQUE)
 
 
 def difference_linear(pixel: Pixel) -> ir.Value:
-    """The differences of the channels times the gain."""
+    """Return the differences of the channels times the gain."""
     sizes, _ = pixel.apart()
     return pixel.packed(pixel.scaled(size, 1.0) for size in sizes)
 
 
 def levels(pixel: Pixel) -> ir.Value:
-    """A plane times the gain as a level, at most 255, in the palette's colours."""
-    return pixel.whole("palette", pixel.scaled(pixel.load("plane"), 255.0))
+    """Return a plane times the gain as a level, at most 255, in the palette's colours."""
+    return pixel.integer("palette", pixel.scaled(pixel.load("plane"), 255.0))
 
 
 def flags(pixel: Pixel) -> ir.Value:
-    """What is there, dimmed to a third; white where the plane is 1."""
-    builder, there = pixel.builder, pixel.whole("pixels", pixel.at)
+    """Return the pixel that is there, dimmed to a third; white where the plane is 1."""
+    builder, there = pixel.builder, pixel.integer("pixels", pixel.at)
     bytes_there = (builder.and_(builder.lshr(there, WHOLE(8 * channel)), WHOLE(255)) for channel in range(3))
     dimmed = pixel.packed(builder.udiv(level, WHOLE(3)) for level in bytes_there)
     return builder.select((pixel.load("plane") > 0.0).vector, WHOLE(-1), dimmed)
@@ -112,11 +112,11 @@ PAINTERS = {
 def emit_painter(module: ir.Module, name: str, painter: Callable[[Pixel], ir.Value]) -> None:
     """Emit the function `name` that paints some columns of some rows, its one parameter the address of PAINTING."""
     tracer = Tracer(module, name, 1, PAINTING)
-    builder, given = tracer.builder, tracer.given
+    builder, arguments = tracer.builder, tracer.arguments
     with tracer.rows() as (row, begin, end):
-        row_begin = builder.mul(row, given["pitch"])
+        row_begin = builder.mul(row, arguments["pitch"])
         with tracer.loop(begin, end) as column:
             at = builder.add(row_begin, column)
             painted = builder.trunc(painter(Pixel(tracer, at)), PIXEL)
-            builder.store(painted, tracer.place(given["pixels"], at, PIXEL))
+            builder.store(painted, tracer.place(arguments["pixels"], at, PIXEL))
     builder.ret_void()

@@ -9,7 +9,7 @@ from renderer.machines.traced import FLOAT, WHOLE, Tracer
 
 
 def inputs_of(kernel: Callable) -> tuple[str, ...]:
-    """Return the names of what a kernel takes at each point: its parameters, but those that only a name can give."""
+    """Return the names of a kernel's inputs at each point: its parameters that are not keyword-only."""
     return tuple(p.name for p in inspect.signature(kernel).parameters.values() if p.kind != p.KEYWORD_ONLY)
 
 
@@ -21,8 +21,8 @@ def emit_points(module: ir.Module, name: str, kernel: Callable, lanes: int, numb
     """
     tracer, inputs = Tracer(module, name, lanes, number=number), len(inputs_of(kernel))
     with tracer.loop(WHOLE(0), tracer.argument(0), lanes) as at:
-        found = kernel(*(tracer.load(tracer.argument(1 + array), at) for array in range(inputs)))
-        outputs = found if isinstance(found, tuple) else (found,)
+        result = kernel(*(tracer.load(tracer.argument(1 + array), at) for array in range(inputs)))
+        outputs = result if isinstance(result, tuple) else (result,)
         for array, output in enumerate(outputs, start=1 + inputs):
             tracer.store(output, tracer.argument(array), at)
     tracer.builder.ret_void()

@@ -1,6 +1,6 @@
 """Traced values: the shader and its kernels run on them once, and every operator emits LLVM's instruction for a vector.
 
-Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only what a literal 0 or 1 does to a number
+Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only an operation with a literal 0 or 1
 is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
 """
 
@@ -25,19 +25,19 @@ def constant(vector: ir.VectorType, digits: str) -> ir.Constant:
 
 
 class _Traced:
-    """What every pixel of a group has, as a vector of LLVM's."""
+    """A value of every pixel of a group, as a vector of LLVM's."""
 
     def __init__(self, machine: "Tracer", vector: ir.Value, literal: float | None = None):
         self.machine, self.vector, self.literal = machine, vector, literal
 
     def _emit(self, instruction, *operands):
-        """Return what an instruction makes of operands of this kind."""
+        """Return the result of an instruction on operands of this kind."""
         vectors = [self.machine.value(operand).vector for operand in operands]
         return type(self)(self.machine, getattr(self.machine.builder, instruction)(*vectors))
 
 
 class Mask(_Traced):
-    """For which pixels of a group something holds."""
+    """A condition of every pixel of a group."""
 
     def __and__(self, other):
         return self._emit("and_", self, other)
@@ -47,6 +47,17 @@ class Mask(_Traced):
 
     def __invert__(self):
         return self._emit("not_", self)
+
+
+def _comparison(operator):
+    """Return the method by which two Values are compared: a Mask."""
+
+    def compared(self, other):
+        machine = self.machine
+        compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
+        return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
+
+    return compared
 
 
 class Value(_Traced):
@@ -85,21 +96,18 @@ class Value(_Traced):
     def __abs__(self):
         return self.machine.call("fabs", self)
 
-    def _compare(operator):
-        def compare(self, other):
-            machine = self.machine
-            compare = machine.builder.fcmp_unordered if operator == "!=" else machine.builder.fcmp_ordered
-            return Mask(machine, compare(operator, self.vector, machine.value(other).vector))
-
-        return compare
-
     __radd__, __rmul__ = __add__, __mul__
-    __lt__, __le__, __gt__, __ge__, __eq__, __ne__ = map(_compare, ("<", "<=", ">", ">=", "==", "!="))  # type: ignore[arg-type]
+    __lt__ = _comparison("<")
+    __le__ = _comparison("<=")
+    __gt__ = _comparison(">")
+    __ge__ = _comparison(">=")
+    __eq__ = _comparison("==")
+    __ne__ = _comparison("!=")
     __hash__ = None  # type: ignore[assignment]
 
 
 class Variable:
-    """A value that changes: memory that LLVM turns into registers."""
+    """A variable: memory that LLVM turns into registers."""
 
     def __init__(self, machine: "Tracer", value: Value | float):
         self.machine, self.place = machine, machine.reserve(machine.vector)
@@ -120,7 +128,7 @@ class Tracer:
     """A machine whose values are traced: it emits a function that `lanes` pixels at a time go through.
 
     The function's one parameter is the address of an array of int64, its arguments: addresses of arrays, and numbers.
-    given: those that have names, by them. shader: what is traced, where that is one.
+    arguments: those that have names, by them. shader: the Shader that is traced, if it is one.
     """
 
     def __init__(
@@ -133,10 +141,10 @@ class Tracer:
         shader: Any = None,
     ):
         function = ir.Function(module, ir.FunctionType(ir.VoidType(), [WHOLE.as_pointer()]), name)
-        (self._arguments,), self.lanes, self.module = function.args, lanes, module
+        (self._address,), self.lanes, self.module = function.args, lanes, module
         self.number, self.builder = number, ir.IRBuilder(function.append_basic_block())
         self.vector = self._all(number)
-        self.given = {argument: self.argument(place) for place, argument in enumerate(names)}
+        self.arguments = {argument: self.argument(place) for place, argument in enumerate(names)}
         self.shader = shader
         self.counts = {kind: self.reserve(WHOLE) for kind in (shader.counted if shader else ())}
         for place in self.counts.values():
@@ -148,7 +156,7 @@ class Tracer:
 
     def argument(self, number: int) -> ir.Value:
         """Return one of the function's arguments."""
-        return self.builder.load(self.builder.gep(self._arguments, [WHOLE(number)]))
+        return self.builder.load(self.builder.gep(self._address, [WHOLE(number)]))
 
     def reserve(self, kind: ir.Type) -> ir.Value:
         """Return memory for one value, reserved where the function begins."""
@@ -196,13 +204,13 @@ class Tracer:
         first = self.builder.mul(row, WHOLE(len(flat(form))))
         return of_form(form, (self.everywhere(array, self.builder.add(first, WHOLE(n))) for n in count()))
 
-    def whole(self, value: Value) -> ir.Value:
+    def integer(self, value: Value) -> ir.Value:
         """Return the one whole number that is everywhere in a Value."""
         first = self.builder.extract_element(value.vector, WHOLE(0)) if self.lanes > 1 else value.vector
         return self.builder.fptosi(first, WHOLE)
 
     def call(self, intrinsic: str, argument: Value | float) -> Value:
-        """Return what one of LLVM's own functions makes of a Value."""
+        """Return the result of one of LLVM's intrinsic functions."""
         name = f"llvm.{intrinsic}.{f'v{self.lanes}' if self.lanes > 1 else ''}{self.number.intrinsic_name}"
         function = self.module.declare_intrinsic(name, fnty=ir.FunctionType(self.vector, [self.vector]))
         return Value(self, self.builder.call(function, [self.value(argument).vector]))
@@ -212,13 +220,13 @@ class Tracer:
     rint = partialmethod(call, "rint")
 
     def bits(self, number: Value, operation: str, other: int) -> Value:
-        """As `renderer.operations.bits`."""
-        builder, whole = self.builder, ir.VectorType(WHOLE, self.lanes)
-        changed = getattr(builder, operation)(builder.bitcast(number.vector, whole), whole([other] * self.lanes))
+        """Return the result of `renderer.operations.bits`."""
+        builder, integer = self.builder, ir.VectorType(WHOLE, self.lanes)
+        changed = getattr(builder, operation)(builder.bitcast(number.vector, integer), integer([other] * self.lanes))
         return Value(self, builder.bitcast(changed, self.vector))
 
     def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        """As `renderer.operations.where`."""
+        """Return the selection of `renderer.operations.where`."""
         return Value(self, self.builder.select(*(self.value(part).vector for part in (mask, value, otherwise))))
 
     def variable(self, value: Value | float) -> Variable:
@@ -226,7 +234,7 @@ class Tracer:
         return Variable(self, value)
 
     def count(self, kind: str, mask: Mask) -> None:
-        """Add the number of a mask's pixels to what is counted of a kind."""
+        """Add the number of a mask's pixels to the count of a kind."""
         pixels = self.builder.zext(self.builder.ctpop(self._bits(mask)), WHOLE)
         self.builder.store(self.builder.add(self.builder.load(self.counts[kind]), pixels), self.counts[kind])
 
@@ -243,12 +251,12 @@ class Tracer:
         """Return `result_of` the alternative of an index that is the same everywhere."""
         if len(alternatives) == 1:
             return result_of(alternatives[0])
-        chosen, results = self.whole(index), Variables(self, ())
+        chosen, results = self.integer(index), Variables(self, ())
         for number, alternative in enumerate(alternatives):
             with self.builder.if_then(self.builder.icmp_signed("==", chosen, WHOLE(number))):
-                found = result_of(alternative)
-                results = results if number else Variables(self, found)
-                results.set(found)
+                values = result_of(alternative)
+                results = results if number else Variables(self, values)
+                results.set(values)
         return results.value
 
     @contextmanager
@@ -271,19 +279,19 @@ class Tracer:
     @contextmanager
     def rows(self) -> Iterator[tuple[ir.Value, ir.Value, ir.Value]]:
         """Emit a loop over rows; the block is its body and is given the row, and where its columns begin and end."""
-        builder, given = self.builder, self.given
-        with self.loop(given["first_row"], given["last_row"]) as row:
+        builder, arguments = self.builder, self.arguments
+        with self.loop(arguments["first_row"], arguments["last_row"]) as row:
             ends = builder.mul(row, WHOLE(2))
-            places = (self.place(given["columns"], builder.add(ends, WHOLE(n)), WHOLE) for n in (0, 1))
+            places = (self.place(arguments["columns"], builder.add(ends, WHOLE(n)), WHOLE) for n in (0, 1))
             yield row, *map(builder.load, places)
 
     def by_squaring(self, exponent: Value, first: Step, square: Step, multiply: Step) -> None:
-        """Run what raises something to a whole power that is everywhere the same: nothing for 0.
+        """Run the steps that raise a number to a whole power, the same for every pixel: none for 0.
 
         `square` as often as the exponent's lowest bit says, `first`; then for each higher bit `square`, and `multiply`
         where it is set.
         """
-        builder, exponent = self.builder, self.whole(exponent)
+        builder, exponent = self.builder, self.integer(exponent)
         with builder.if_then(builder.icmp_signed(">", exponent, WHOLE(0))):
             zeros = builder.cttz(exponent, BIT(0))
             with self.loop(WHOLE(0), zeros):
@@ -298,5 +306,5 @@ class Tracer:
 
     def each_light(self, body: Callable[[SimpleNamespace], None]) -> None:
         """Run `body` on the numbers of one light after another."""
-        with self.loop(WHOLE(0), self.given["light_count"]) as number:
-            body(self.numbers(self.given["lights"], self.shader.light, number))
+        with self.loop(WHOLE(0), self.arguments["light_count"]) as number:
+            body(self.numbers(self.arguments["lights"], self.shader.light, number))

@@ -27,7 +27,7 @@ def compiled_module(
 ) -> tuple[bytes, dict[str, int]]:
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
-    wants: {name: what is drawn}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
+    wants: {name: want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
     {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
     (`renderer.machines.painting_code`). The module imports `env.__linear_memory`.
     """

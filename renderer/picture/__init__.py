@@ -1,1 +1,1 @@
-"""A picture and what is known of it: drawing, frames, stages, single pixels, the ε-table."""
+"""A picture and its data: drawing, frames, stages, single pixels, the ε-table."""

@@ -1,4 +1,4 @@
-"""How far two pictures are apart on sphere A: the numbers, and the ends between which the truth certainly lies."""
+"""The distance of two pictures on sphere A: as computed, and the ends between which the exact one certainly lies."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Draw a scene, band by band: everything from nothing, or sphere A alone on a stage."""
+"""`render`, the way from a scene to a picture: everything from nothing, or sphere A alone on a stage."""
 
 import numpy as np
 
@@ -16,6 +16,12 @@ def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, th
     """Return the Stage of a scene on a raster: give it to `render` to draw sphere A alone, again and again.
 
     Raises ValueError that names what is not allowed.
+
+    >>> from renderer import Scene, render, stage_of
+    >>> stage = stage_of(Scene(), 16, 16)
+    >>> flat, bumped = (render(Scene(beta=beta), 16, 16, stage=stage) for beta in (0.0, 0.35))
+    >>> bool((flat.rgb == bumped.rgb)[~stage.on_a].all()), int(stage.on_a.sum())
+    (True, 115)
     """
     stage = Stage(scene, Raster(width, height, crop))
     stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
@@ -41,6 +47,13 @@ def render(
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
     earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
     drawn whole. Raises ValueError that names what is not allowed.
+
+    >>> from renderer import Scene, central, render
+    >>> symbolic, numeric = (render(Scene(), 16, 16, method) for method in (None, central(1e-3)))
+    >>> symbolic.rgb.shape, symbolic.chambers.dtype
+    ((16, 16, 3), dtype('uint8'))
+    >>> bool((symbolic.chambers == numeric.chambers).all()), bool((symbolic.rgb == numeric.rgb).all())
+    (True, False)
     """
     method = checked_method("gradient", gradient if gradient is not None else exact())
     check_kind("scene", scene, Scene)
@@ -51,14 +64,14 @@ def render(
     fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
-    whole = bounds or stage is None
+    complete = bounds or stage is None
     stage = Stage(scene, raster) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
     named, enclosure = dict(zip(COLORS, planes, strict=True)), None
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    if whole:
+    if complete:
         counts = stage.draw(scene, method, threads, named, bounds=bounds)
     else:
         counts = _draw_on(stage, scene, method, threads, named, None if into else planes)
@@ -66,7 +79,7 @@ def render(
 
 
 def _draw_on(stage, scene, method, threads, named, fresh):
-    """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return what was counted."""
+    """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
     copy, counts = None, 0
     if fresh is not None:
         rest, counts = stage.elsewhere(scene, method, threads)

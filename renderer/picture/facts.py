@@ -22,11 +22,11 @@ def flips_everywhere(scene: Scene, width: int, height: int) -> tuple[int, int]:
 
     A field of one's own is one of the fields.
     """
-    own, flips = render(scene, width, height).chambers, []
+    chambers, flips = render(scene, width, height).chambers, []
     fields, steps = dict.fromkeys((*FIELDS, scene.field)), (1e-1, 1e-3, 1e-6, 1e-12)
     for field, beta, eps, model in product(fields, (-1.0, 0.0, 0.35, 2.0), steps, MODELS):
         other = render(replace(scene, field=field, beta=beta, model=model), width, height, central(eps))
-        flips.append(int(np.count_nonzero(other.chambers != own)))
+        flips.append(int(np.count_nonzero(other.chambers != chambers)))
     return len(flips), sum(flips)
 
 
@@ -43,7 +43,7 @@ def pixels_near_the_pole(scene: Scene, width: int, height: int) -> tuple[int, fl
 
 
 def facts(scene: Scene, width: int, height: int) -> list[tuple[str, str]]:
-    """Return [(what, value)], both text: the facts of the chapter's table that the ε-table does not show."""
+    """Return [(name, value)], both text: the facts of the chapter's table that the ε-table does not show."""
     sine, ridges = replace(scene, field="sine"), replace(scene, field="ridges")
     right = gradient_at(sine, *SMOOTH_POINT, exact())[0]
     errors = {eps: abs(gradient_at(sine, *SMOOTH_POINT, central(eps))[0] - right) for eps in (1e-3, 1e-4, 1e-6)}

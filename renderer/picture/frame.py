@@ -1,4 +1,4 @@
-"""A rendered picture, with what is known of its pixels; views are made when they are first asked for."""
+"""A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,8 +14,8 @@ from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
 from renderer.picture.stage import SURFACE_BITS, Stage
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
-from renderer.scene.own import field_kernels
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import read_only, way_of
@@ -29,7 +29,14 @@ class Frame:
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
     planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.picture.stage.Stage`.
-    scene, raster, method, stage: what made it.
+    scene, raster, method, stage: its origin.
+
+    >>> from renderer import Scene, render
+    >>> frame = render(Scene(), 16, 16, bounds=True)
+    >>> bool((frame.bounds[frame.stage.on_a & ~frame.open] < 1e-11).all()), frame.rgb.shape
+    (True, (16, 16, 3))
+    >>> frame.work["pixels_a"], sorted(frame.surface_data)
+    (115, ['h', 'h_u', 'h_v', 'kink', 'slope', 'u', 'v'])
     """
 
     scene: Scene
@@ -41,18 +48,18 @@ class Frame:
 
     @property
     def raster(self) -> Raster:
-        """The stage's."""
+        """The raster of the stage."""
         return self.stage.raster
 
     @cached_property
     def work(self) -> dict[str, Any]:
-        """What was computed for this frame, without a given stage's: a dict of counts, and what `machine` drew.
+        """The work of this frame, without that of a given stage: a dict of counts, and which `machine` drew.
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
         specular_powers, light_terms.
         """
-        codes, pixels = (found.tolist() for found in np.unique(self.chambers, return_counts=True))
+        codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
         _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
         field, way = way_of(self.scene, self.method)
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
@@ -100,7 +107,7 @@ class Frame:
         return f"Frame({self.raster}, {self.method}, {self.scene})"
 
     def _repr_png_(self):
-        """Return what a notebook shows."""
+        """Return the PNG that a notebook shows."""
         return pictures.png_of(to_bytes(self.rgb), self._record())
 
     def _record(self):
@@ -130,7 +137,7 @@ class Frame:
 
     @property
     def bounded(self) -> bool:
-        """Whether it was drawn with `bounds=True`."""
+        """True if it was drawn with `bounds=True`."""
         return self._enclosure is not None
 
     def _enclosed(self, name, part):
@@ -178,15 +185,15 @@ class Frame:
     @cached_property
     @np.errstate(all="ignore")
     def data_on_a(self) -> dict[str, np.ndarray]:
-        """What is known of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
+        """The data of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
         scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
         u, v = chart(*self.planes_on_a[:4])
         here = u, v, scene.ku, scene.kv
-        found = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
-        found["kink"] = field["kink"](self.planes_on_a[3], *here)
+        data = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
+        data["kink"] = field["kink"](self.planes_on_a[3], *here)
         if self.method.eps:
-            found["straddling"] = field["straddling"](*here, self.method.eps)
-        return {name: np.broadcast_to(values, u.shape) for name, values in found.items()}
+            data["straddling"] = field["straddling"](*here, self.method.eps)
+        return {name: np.broadcast_to(values, u.shape) for name, values in data.items()}
 
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
@@ -208,7 +215,7 @@ class Frame:
 
     @cached_property
     def surface_data(self) -> dict[str, np.ndarray]:
-        """What is known of sphere A: a dict of (height, width) float64 planes, NaN off A.
+        """The data of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
         are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.

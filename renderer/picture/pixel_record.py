@@ -1,4 +1,4 @@
-"""Everything about one pixel, as a record: the shader once more, on NumPy, with what it lights written down."""
+"""A record of one pixel: the shader once more, on NumPy, with its geometry and each light's share."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ SURFACES = ("none", "A", "B", "floor")
 
 @dataclass(frozen=True)
 class LightRecord:
-    """What one light does at a pixel: `occluded` by another body, μ = N'·ω, base^p, and the RGB that it adds."""
+    """The part of one light in a pixel: `occluded` by another body, μ = N'·ω, base^p, and the RGB that it adds."""
 
     number: int
     occluded: bool
@@ -32,7 +32,7 @@ class LightRecord:
 
 @dataclass(frozen=True)
 class PixelRecord:
-    """One pixel. Lengths in world units, angles in radians; what exists on sphere A alone is None elsewhere."""
+    """The data of one pixel. Lengths in world units, angles in radians; those of sphere A alone are None elsewhere."""
 
     column: int
     row: int
@@ -58,6 +58,11 @@ def pixel(
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
     `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+
+    >>> from renderer import Scene, pixel
+    >>> record = pixel(Scene(), 16, 16, 8, 9)
+    >>> record.surface, [light.occluded for light in record.lights], round(record.u, 4)
+    ('A', [False, False], 0.2791)
     """
     raster = Raster(width, height)
     column = check_whole("column", column, raster.width - 1, low=0)
@@ -65,15 +70,15 @@ def pixel(
     frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
     code = int(frame.chambers[0, 0])
     surface = SURFACES[code & SURFACE_BITS]
-    found = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
-    return PixelRecord(column, row, surface, code, **found, rgb=tuple(frame.rgb[0, 0].tolist()))
+    data = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
+    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()))
 
 
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
     def light_up(self, mask, place, albedo, bodies):
-        """Keep what each light does, beside lighting the pixel."""
+        """Record each light's part, in place of adding it up."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
         for light in self.machine.lights:
             occluded = bool(self.loaded_shadow(light))
@@ -82,7 +87,7 @@ class _WrittenDown(Group):
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
             adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
             lights.append(LightRecord(number, occluded, *_floats((mu, specular)), adds))
-        self.found = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
+        self.record = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
 
 
 def _floats(numbers):
@@ -98,7 +103,7 @@ def _lit(frame):
     machine, numbers = Rows(want.shader, job["lights"]), of_form(want.shader.scene, job["scene"])
     group = _WrittenDown(machine, numbers, want, Block(job, slice(1)))
     group.draw()
-    return group.found
+    return group.record
 
 
 def _on_a(frame):

@@ -1,4 +1,4 @@
-"""The stage: the chambers of a scene on a raster, and the colours off sphere A: what a bump does not change.
+"""The stage: the chambers of a scene on a raster, and the colours off sphere A, which no bump changes.
 
 Chambers depend on neither the height field, β, ε nor the gradient method (theorem bump_moves_no_boundary), so a
 `Stage` serves every such change. It takes 1 byte a pixel, and 24 bytes a pixel more once it is drawn from.
@@ -42,7 +42,7 @@ class _Lent:
 
 
 def lent(shape: tuple[int, ...]) -> np.ndarray:
-    """Return an array of float64 with whatever is in it: what is fresh the system would clear first."""
+    """Return an uninitialised array of float64, reused if one is spare: the system clears fresh memory first."""
     with suppress(IndexError):  # another thread took it
         for _ in range(len(_spare)):
             block = _spare.popleft()
@@ -72,7 +72,7 @@ def band_rows(rows: int, columns: int) -> int:
 
 
 class Stage:
-    """The chambers of a scene on a raster: what every gradient method, field, β and ε shares.
+    """The chambers of a scene on a raster, shared by every gradient method, field, β and ε.
 
     chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
     is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. x: (width,) image
@@ -103,10 +103,10 @@ class Stage:
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
     def job(self, scene: Scene, method: GradientMethod, planes: Job, of_a: bool = False) -> Job:
-        """Return what is drawn on (`renderer.machines`): all columns, or those of each row that A may be in."""
+        """Return the Job of a drawing (`renderer.machines`): all columns, or those of each row that A may be in."""
         numbers, lights = numbers_of(scene, method)
-        own = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
-        return own | {"scene": numbers, "lights": lights, "code": self._codes} | planes
+        raster_data = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
+        return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
         self,
@@ -117,9 +117,9 @@ class Stage:
         before: Callable[[slice], None] | None = None,
         **want: Any,
     ) -> np.ndarray:
-        """Draw what is wanted (`renderer.shader.numbers.Want`) into planes, by bands; return what was counted, by WORK.
+        """Draw a want (`renderer.shader.numbers.Want`) into planes, by bands; return the counts, in the order of WORK.
 
-        before: what is called with the rows of a band (a slice) before that is drawn.
+        before: a function that is called with the rows of a band (a slice) before that is drawn.
         """
         job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
         if want.get("bounds"):
@@ -137,7 +137,7 @@ class Stage:
         return np.sum(run_bands(draw_band, len(self.y), band_rows(*self.raster.shape), threads), axis=0)
 
     def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
-        """Return (the colours off A, undefined on A, what was counted): drawn when a shading first needs them."""
+        """Return (the colours off A, undefined on A; the counts): drawn when a shading first needs them."""
         key = shading_of(scene)
         if self._elsewhere[0] == key:
             return self._elsewhere[1], 0
@@ -158,5 +158,5 @@ class Stage:
 
 
 def shading_of(scene: Scene) -> tuple:
-    """Return what the colours off A depend on: equal for equal shadings."""
+    """Return the fields on which the colours off A depend: equal for equal shadings."""
     return tuple(value for name, value in vars(scene).items() if name not in MOVE_NO_BOUNDARY)

@@ -18,7 +18,7 @@ from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
 
 HEADINGS = {"largest": "max |dI| on A", "rms": "RMS on A"}
-"""{what is enclosed: its heading}"""
+"""{enclosed quantity: its heading}"""
 
 
 @dataclass(frozen=True)
@@ -38,8 +38,8 @@ class Task:
 
 @dataclass(frozen=True)
 class SweepRow:
-    """One ε: the largest and the RMS difference over A's pixels and channels, the pixels whose chamber differs
-    (flips), the pixels whose difference straddles a crease.
+    """A row of the table, of one ε: the largest and the RMS difference over A's pixels and channels, the pixels whose
+    chamber differs (flips), and those whose difference straddles a crease.
 
     The difference of the float64 picture from the exact one in real arithmetic lies between `_lower` and `_upper`.
     """
@@ -105,7 +105,7 @@ def records(results: Results) -> list[dict[str, Any]]:
 
 
 def _with_certain_digits(record, digits, otherwise):
-    """Return a record in which what is enclosed is text: its certain digits, or `otherwise` of its upper end."""
+    """Return a record with each enclosed quantity as text: its certain digits, or `otherwise` of its upper end."""
     ends = {name: (record[f"{name}_lower"], record[f"{name}_upper"]) for name in HEADINGS}
     return record | {name: certain_digits(*ends[name], digits) or otherwise(ends[name][1]) for name in HEADINGS}
 
@@ -113,11 +113,11 @@ def _with_certain_digits(record, digits, otherwise):
 def table(results: Results) -> str:
     """Return the results, as `records` takes them, as text, a line each.
 
-    Only digits that are certain: where none is, it says what the number does not exceed.
+    Only certain digits: where none is, an upper bound.
     """
-    found = [_with_certain_digits(r, DIGITS, lambda upper: f"<= {rounded_up(upper)}") for r in records(results)]
-    lines = [[HEADINGS.get(name, name) for name in _shown(record)] for record in found[:1]]
-    lines += [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in _shown(record).values()] for record in found]
+    texts = [_with_certain_digits(r, DIGITS, lambda upper: f"<= {rounded_up(upper)}") for r in records(results)]
+    lines = [[HEADINGS.get(name, name) for name in _shown(record)] for record in texts[:1]]
+    lines += [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in _shown(record).values()] for record in texts]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.rjust, line, widths)) for line in lines)
 
@@ -130,8 +130,7 @@ def _shown(record):
 def write_csv(path: str | Path, results: Results) -> None:
     """Write the results, as `records` takes them, with their column names.
 
-    Of what is enclosed, the digits that are certain, nothing where none is; the ends, as they are, in columns of their
-    own.
+    An enclosed quantity has its certain digits, or nothing, and its two ends in further columns.
     """
-    found = records(results)
-    whole_files.write_csv(path, [_with_certain_digits(record, EVERY_DIGIT, lambda upper: "") for record in found])
+    rows = records(results)
+    whole_files.write_csv(path, [_with_certain_digits(record, EVERY_DIGIT, lambda upper: "") for record in rows])

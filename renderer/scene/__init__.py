@@ -1,1 +1,1 @@
-"""What is drawn and how: bodies, lights, the gradient's method, the raster; checked when they are made."""
+"""The description of a picture: bodies, lights, the gradient's method, the raster; checked when they are made."""

@@ -1,4 +1,4 @@
-"""Where on the image plane a sphere or a shadow can be: boxes that spare the per-pixel tests outside them.
+"""Boxes on the image plane around a sphere or a shadow, which spare the per-pixel tests outside them.
 
 A box is (left, right, low, high) in image points, generous by a share of its own coordinates, so that rounding cannot
 leave a pixel out; where a bound does not exist the box is the whole plane.
@@ -21,13 +21,13 @@ EMPTY = (math.inf, -math.inf) * 2
 
 
 def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: Sequence[float], eye: float) -> Box:
-    """Return the box of what a sphere hides from `apex` between two heights, which are below the apex and the eye.
+    """Return the box of the points that a sphere hides from `apex` between two heights below the apex and the eye.
 
-    Along either axis it is the hull of what lies between the tangents at these heights, seen from the eye.
+    Along either axis it is the hull of the intervals between the tangents at these heights, seen from the eye.
     """
     if min(apex[2], eye) <= max(levels) or apex[2] - center[2] <= radius * (1 + GUARD):
         return EVERYWHERE * 2
-    found: Any = ()
+    sides: Any = ()
     for axis in (0, 1):
         ends = [
             coordinate / (1.0 - level / eye)
@@ -35,8 +35,8 @@ def box(apex: Sequence[float], center: Sequence[float], radius: float, levels: S
             for coordinate in tangent_interval(apex[axis], apex[2], center[axis], center[2], radius, level)
         ]
         room = GUARD * (max(map(abs, ends)) + abs(center[axis]) + abs(apex[axis]) + radius)
-        found += (min(ends) - room, max(ends) + room) if all(map(math.isfinite, ends)) else EVERYWHERE
-    return found
+        sides += (min(ends) - room, max(ends) + room) if all(map(math.isfinite, ends)) else EVERYWHERE
+    return sides
 
 
 def _casts(light, body, ball):

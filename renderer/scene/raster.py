@@ -27,18 +27,20 @@ class Raster:
     def __post_init__(self):
         width = check_whole("width", self.width, MAX_SIDE)
         height = check_whole("height", self.height, MAX_SIDE)
-        vars(self).update(width=width, height=height, crop=self._checked_crop(width, height))
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "height", height)
+        object.__setattr__(self, "crop", self._checked_crop(width, height))
 
     def _checked_crop(self, width, height):
         if self.crop is None:
             return (0, 0, width, height)
         allowed = f"(left, top, width, height), whole numbers, inside the raster of {width} x {height}"
         try:
-            left, top, wide, high = whole = tuple(
+            left, top, wide, high = crop = tuple(
                 check_whole("crop", number, MAX_SIDE, low=0) for number in check_items("crop", self.crop, allowed)
             )
             if left < left + wide <= width and top < top + high <= height:
-                return whole
+                return crop
         except (TypeError, ValueError):
             pass
         raise not_allowed("crop", self.crop, allowed)

@@ -1,4 +1,4 @@
-"""What is drawn: the scene and its lights, checked when they are made."""
+"""The scene and its lights, checked when they are made."""
 
 import math
 from dataclasses import asdict, dataclass, field, fields
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.scene.own import check_field, check_size, field_from_record, field_record
+from renderer.scene.fields import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from proofs.formulas.height_fields import HeightField
 
     Field: TypeAlias = str | HeightField
-else:  # what has SymPy is not imported
+else:  # no SymPy is imported
     Field = Any
 
 MODELS = tuple(LIGHT_MODELS)
@@ -27,15 +27,20 @@ MAX_WAVE_NUMBER = 2.0**20
 
 @dataclass(frozen=True)
 class Light:
-    """A point light: position (world units), linear RGB colour (channels in [0, 1e6]); None is a light that is off."""
+    """A point light: position (world units), linear RGB colour (channels in [0, 1e6]); None is a light that is off.
+
+    >>> from renderer import Light
+    >>> Light((0, 0, 5))
+    Light(position=(0.0, 0.0, 5.0), color=(1.0, 1.0, 1.0))
+    """
 
     position: tuple
     color: tuple | None = (1.0, 1.0, 1.0)
 
     def __post_init__(self):
-        vars(self).update(position=check_triple("light.position", self.position))
+        object.__setattr__(self, "position", check_triple("light.position", self.position))
         if self.color is not None:
-            vars(self).update(color=check_triple("light.color", self.color, 0.0, 1e6))
+            object.__setattr__(self, "color", check_triple("light.color", self.color, 0.0, 1e6))
 
 
 DEFAULT_LIGHTS = (Light((5.0, 5.0, 10.0)), Light((-6.0, 2.0, 8.0), (0.9, 0.65, 0.25)))
@@ -58,7 +63,7 @@ def _light_from_record(number, record):
 
 
 def _given(default, help, check, *allowed):
-    """Return a field of the scene: its default, the help of its option, how a value is checked, what that is told."""
+    """Return a field of the scene: its default, its option's help, the check of a value and the check's arguments."""
     return field(default=default, metadata={"help": help, "check": check, "allowed": allowed})
 
 
@@ -70,6 +75,13 @@ class Scene:
     name or a HeightField, the model of light a name. Raises ValueError that names the field, its value and
     what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
     one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+
+    >>> from renderer import Scene
+    >>> Scene(field="sine", beta=0.1, ball=False)
+    Scene(ball=False, field='sine', beta=0.1)
+    >>> Scene(eye=0.5)
+    Traceback (most recent call last):
+    ValueError: eye = 0.5 is not allowed: radius/eye from 1e-6 to 1 - 1e-9, and radius = 1
     """
 
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
@@ -98,13 +110,13 @@ class Scene:
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
-            vars(self)[each.name] = checked if each.type is Any else each.type(checked)
+            object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
         check_size(self.field, self.ku, self.kv, self.beta)
         self._check_lengths()
 
     def __repr__(self) -> str:
-        given = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
-        return f"Scene({', '.join(given)})"
+        changed = [f"{each.name}={now!r}" for each in fields(self) if (now := getattr(self, each.name)) != each.default]
+        return f"Scene({', '.join(changed)})"
 
     def as_record(self) -> dict[str, Any]:
         """Return the scene as JSON can say it, by the names of its fields: numbers, sequences, dicts and None.
@@ -115,19 +127,19 @@ class Scene:
 
     @classmethod
     def from_record(cls, record: dict[str, Any]) -> "Scene":
-        """Return the scene of a record, such as `as_record` returns; what it leaves out is the chapter's.
+        """Return the scene of a record, such as `as_record` returns, with the chapter's values for missing names.
 
         Nothing that a record says is run. Raises ValueError that names what is not allowed.
         """
         names = [each.name for each in fields(cls)]
-        given = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
-        for name, value in given.items():
+        values = dict(check_kind("scene", record, dict, "a record by the names of its fields"))
+        for name, value in values.items():
             check_choice("scene", name, names)
-            given[name] = field_from_record(value) if name == "field" else value
-        if "lights" in given:
-            check_kind("lights", given["lights"], list, "a list of records")
-            given["lights"] = [_light_from_record(number, light) for number, light in enumerate(given["lights"])]
-        return cls(**given)
+            values[name] = field_from_record(value) if name == "field" else value
+        if "lights" in values:
+            check_kind("lights", values["lights"], list, "a list of records")
+            values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
+        return cls(**values)
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
@@ -135,7 +147,7 @@ class Scene:
 
     @classmethod
     def from_file(cls, path: str | Path) -> "Scene":
-        """Return the scene of a TOML file; what that leaves out is the chapter's. Raises ValueError."""
+        """Return the scene of a TOML file, with the chapter's values for missing names. Raises ValueError."""
         with distrusted("scene", path):
             return cls.from_record(read_toml(path))
 
@@ -162,7 +174,7 @@ class Scene:
 
 
 class Geometry(NamedTuple):
-    """What the chambers depend on, beside the raster: lengths, and the lights' positions, None for one that is off."""
+    """The part of a scene on which chambers depend: lengths, and the lights' positions, None for one that is off."""
 
     eye: float
     radius: float

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 LARGEST = 2**16  # bytes of a text
-OFF = "off"  # what TOML, which has no None, says of a light's colour
+OFF = "off"  # the colour of a light that is off: TOML has no None
 
 
 @contextmanager
@@ -24,10 +24,10 @@ def distrusted(name: str, path: object) -> Iterator[None]:
 
 def _once(pairs):
     """Return a dict of pairs. Raises ValueError where a key is said twice."""
-    found = dict(pairs)
-    if len(found) < len(pairs):
+    record = dict(pairs)
+    if len(record) < len(pairs):
         raise ValueError("a key is said twice")
-    return found
+    return record
 
 
 def _no_number(text):
@@ -35,7 +35,7 @@ def _no_number(text):
 
 
 def read_json(text: bytes) -> Any:
-    """Return what a JSON text says. Raises ValueError or RecursionError; NaN, and a key said twice, are refused."""
+    """Return the value of a JSON text. Raises ValueError or RecursionError; NaN, and a key said twice, are refused."""
     return json.loads(text, object_pairs_hook=_once, parse_constant=_no_number)
 
 

@@ -1,12 +1,12 @@
-"""Which form the exact gradient takes, and the gradient and height of a field at points of the chart."""
+"""The gradient and the height of a field at points of the chart, and the form of its exact gradient."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer.checks import check_kind, not_allowed
 from renderer.kernels import MAX_ALGEBRAIC
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method
-from renderer.scene.own import field_kernels
 from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 
@@ -48,7 +48,12 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
 
 @np.errstate(all="ignore")
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
-    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart."""
+    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart.
+
+    >>> from renderer import Scene, height_at
+    >>> height_at(Scene(field="sine"), [0.0, 0.0625], 0.125).tolist()
+    [0.0, 1.0]
+    """
     check_kind("scene", scene, Scene)
     here = _chart_points(u, v)
     return np.broadcast_to(field_kernels(scene.field)["height"](*here, scene.ku, scene.kv), here[0].shape).copy()
@@ -59,6 +64,13 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
     u ∈ [0, 1), v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
+
+    >>> from renderer import Scene, central, exact, gradient_at
+    >>> for method in (exact(), central(1e-3)):
+    ...     h_u, h_v = gradient_at(Scene(field="sine"), [0.03, 0.1], 0.2, method)
+    ...     print(h_u.round(3).tolist())
+    [10.769, -11.951]
+    [10.768, -11.95]
     """
     check_kind("scene", scene, Scene)
     here = _chart_points(u, v)

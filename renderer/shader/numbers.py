@@ -1,4 +1,4 @@
-"""The numbers that the shader is given: of the scene, of each light, and where on the image each thing can be."""
+"""The numbers that the shader reads: of the scene, of each light, and boxes of the image in which each thing lies."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -56,11 +56,11 @@ def style_of(scene: Scene) -> tuple[Any, str]:
 
 
 class Want(NamedTuple):
-    """What is drawn: it chooses the code, where the scene's numbers are given to it.
+    """The choice of the code that draws: the scene's numbers are its arguments.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. whole: whether the shininess is a whole number. chambers_known: whether
+    highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
     each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
@@ -68,7 +68,7 @@ class Want(NamedTuple):
 
     ways: tuple
     lights: tuple
-    whole: bool = True
+    integer_power: bool = True
     chambers_known: bool = False
     surfaces: str = "all"
     colors: bool = True
@@ -78,13 +78,13 @@ class Want(NamedTuple):
 
     @property
     def shader(self) -> Shader:
-        """What draws it."""
+        """The shader that draws it."""
         return SHADER
 
     @property
     def is_long(self) -> bool:
-        """Whether a difference's heights or a power make a long chain of operations, each of which awaits another."""
-        return not self.whole or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
+        """True if a difference's heights or a power make a long chain of operations, each of which awaits another."""
+        return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
 def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
@@ -95,7 +95,7 @@ def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
 def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
     """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high).
 
-    number: what the scene's own are taken for where others are computed from them.
+    number: the class of the scene's numbers where others are computed from them.
     """
     geometry = geometry_of(scene)
     (_, way), (_, style) = way_of(scene, method), style_of(scene)
@@ -106,7 +106,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         ball=geometry.ball,  # centre and radius of B
         ball_on=geometry.ball_on,
         floor_on=geometry.floor_on,
-        ground=FLOOR if scene.floor else NOTHING,  # what is seen where there is no sphere
+        ground=FLOOR if scene.floor else NOTHING,  # the surface where there is no sphere
         reach_of_a=reach_of_a(scene.eye, scene.radius),  # the largest x² + y² at which A is met
         box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
@@ -114,7 +114,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
-        turn_u=-1.0 if power_u < 0 else 1.0,  # and what turns the imaginary parts of negative ones
+        turn_u=-1.0 if power_u < 0 else 1.0,  # and the sign that negative ones give to imaginary parts
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
         ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),
@@ -151,6 +151,6 @@ def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.nda
         for number, light in enumerate(scene.lights)
         if light.color is not None
     ]
-    found = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
-    read_only(*found)
-    return found
+    numbers = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
+    read_only(*numbers)
+    return numbers

@@ -1,4 +1,4 @@
-"""What is rounded before the shader begins, and how far off it is: image points, A's reach, some colours."""
+"""Bounds of the errors of the shader's inputs that are rounded: image points, A's reach, some colours."""
 
 from functools import lru_cache
 from types import SimpleNamespace
@@ -48,7 +48,7 @@ def _on_grid(coordinate, step):
 
 @np.errstate(all="ignore")
 def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
-    """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of what is exact."""
+    """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of the exact ones."""
     computed = flat(scene_numbers(scene, exact(), Enclosed))
     bounds = of_form(numbers, (float(getattr(number, "bound", 0.0)) for number in computed))
     silhouette = silhouette_of_a(*map(Enclosed, _lengths(scene)))
@@ -63,6 +63,6 @@ def input_bounds(scene: Scene, raster: Raster, wide: int) -> Job:
     """Return the bounds of a job: that of x with 0 beyond the raster, `wide` in all."""
     of_x, of_y = of_image_points(scene, raster)
     of_numbers = np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
-    found = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
-    read_only(*found.values())
-    return found
+    bounds = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
+    read_only(*bounds.values())
+    return bounds

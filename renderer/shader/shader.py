@@ -8,7 +8,7 @@ gives values for many pixels at once, and masks that say for which of them somet
     choose(alternatives, index, result_of)          result_of(alternatives[index]), two numbers
     by_squaring(exponent, first, square, multiply)  the steps that raise something to a whole power
     each_light(body)                                body(light) for each light that is on
-    count(kind, mask)                               so many pixels more, of a kind of WORK
+    count(kind, mask)                               adds the pixels of the mask to a count of WORK
 """
 
 from collections.abc import Callable, Iterable
@@ -19,7 +19,7 @@ from typing import Any
 from renderer import kernels as k
 from renderer.machines.forms import COLORS, Numbers, Variables
 from renderer.operations import Mask, Number, floor, where
-from renderer.scene.own import field_kernels
+from renderer.scene.fields import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
 DARK_BIT = 128.0
@@ -45,7 +45,7 @@ class Group:
         self.sphere_a = (0.0, 0.0, 0.0, scene.radius)
 
     def draw(self) -> None:
-        """Find or load the chamber of every pixel, light it, and store what is wanted."""
+        """Find or load the chamber of every pixel, light it, and store the wanted planes."""
         want, x = self.want, self.x
         surface, self.code = self.loaded_surface() if want.chambers_known else self.visible_surface()
         on_a, on_b, on_floor = ((surface == number) & (x == x) for number in (SPHERE_A, SPHERE_B, FLOOR))
@@ -84,7 +84,7 @@ class Group:
         return code - 4.0 * floor(0.25 * code), self.machine.variable(code)
 
     def draw_a(self, mask: Mask) -> None:
-        """§2 and §3: angles, gradient, bumped normal."""
+        """Light sphere A: angles, gradient, bumped normal (§2 and §3)."""
         s, want = self.scene, self.want
         angles = self.loaded(ANGLES) if want.charted else k.angles_on_a(self.x, self.y, s.eye, s.radius)
         gradient = self.gradient(angles, mask) if want.colors or want.stored else (0.0, 0.0)
@@ -96,7 +96,7 @@ class Group:
         self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
 
     def loaded(self, names: Iterable[str]) -> Numbers:
-        """Return what planes have."""
+        """Return the numbers of planes."""
         return tuple(self.pixels.load(name) for name in names)
 
     def chart(self, angles: Numbers) -> Numbers:
@@ -104,13 +104,13 @@ class Group:
         return self.loaded(CHART) if self.want.charted else k.chart(*angles)
 
     def draw_b(self, mask: Mask) -> None:
-        """A plain sphere."""
+        """Light sphere B, which has no bump."""
         s = self.scene
         place = k.normal_of_b(self.x, self.y, s.eye, *s.ball)
         self.light_up(mask, place, s.albedo_b, lambda light: [(self.sphere_a, light.a_on_b)])
 
     def draw_floor(self, mask: Mask) -> None:
-        """The floor and its squares."""
+        """Light the floor and its squares."""
         s = self.scene
         place = k.normal_of_floor(self.x, self.y)
         if self.want.chambers_known:
@@ -146,7 +146,7 @@ class Group:
         return self.machine.choose(self.want.ways, s.way, by)
 
     def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
-        """Find what each light's shadows are, and add up the light.
+        """Find each light's shadows, and add up the light.
 
         place: the point, and N'.
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
@@ -206,12 +206,12 @@ class Group:
         def by(choice):
             name, style = choice
             base, squared = k.LIGHT_MODELS[name]
-            seen = (*point, *light.position, *normal, *view)
-            mu, specular = map(self.value, (squared if style == "squared" else base)(*seen))
+            inputs = (*point, *light.position, *normal, *view)
+            mu, specular = map(self.value, (squared if style == "squared" else base)(*inputs))
             if style == "diffuse":
                 return mu, 0.0
             self.machine.count("specular_powers", lit)
-            if not self.want.whole:  # for no group that is unlit, or without a highlight
+            if not self.want.integer_power:  # for no group that is unlit, or without a highlight
                 highlight = self.machine.variable(0.0)
                 self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
                 return mu, highlight.value
@@ -233,7 +233,7 @@ def power(
 ) -> Numbers:
     """Return base^exponent, a whole number that is not negative, by repeated squaring.
 
-    base: the parts of a number, real alone or real and imaginary. square, product: what they do to parts.
+    base: the parts of a number, real alone or real and imaginary. square, product: of parts.
     """
     squared, result = (Variables(machine, parts) for parts in (base, (1.0, 0.0)[: len(base)]))
     machine.by_squaring(
@@ -250,8 +250,8 @@ def difference(field: dict[str, Callable], method: str, *arguments: Number) -> N
 
     arguments: u, v, k_u, k_v, ε.
     """
-    found = field[method](field["height"], *arguments)
-    return found if isinstance(found, tuple) else (0.0, found)
+    slopes = field[method](field["height"], *arguments)
+    return slopes if isinstance(slopes, tuple) else (0.0, slopes)
 
 
 def within(box: Numbers, x: Number, y: Number) -> Mask:

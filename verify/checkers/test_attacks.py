@@ -321,8 +321,8 @@ def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions():
     for said in statements(claim, {}):
         empty = check.contradiction(said)
         entry = {"statement": empty, "sha256": check.digest(empty)}
-        assert stored._still_said(claim.but(cited=()), said, entry)
-        assert not stored._still_said(claim, said, entry)
+        assert stored._still_proves(claim.but(cited=()), said, entry)
+        assert not stored._still_proves(claim, said, entry)
 
 
 def test_a_point_shows_that_hypotheses_can_hold():

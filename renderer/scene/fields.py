@@ -1,4 +1,4 @@
-"""Which height field: one of kernels.py by its name, or a HeightField that is made at run time.
+"""Height fields of a scene: one of kernels.py by its name, or a custom HeightField, made at run time.
 
 `renderer.generate.custom_fields`, which makes a custom field's kernels, is imported for it alone, since SymPy and the
 proofs come with it.
