@@ -33,7 +33,6 @@ CODE = (
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
-DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
 SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
 
 
@@ -89,9 +88,7 @@ def _folded(code: str, source: str) -> str:
     """Return a cell's lines as HTML."""
     lines, pieces = code.splitlines(keepends=True), []
     for shown, paragraphs in groupby(PARAGRAPH.findall(source), lambda paragraph: paragraph.startswith(SHOWN)):
-        text = "".join(paragraphs)
-        count = len(text.splitlines())
+        count = len("".join(paragraphs).splitlines())
         piece, lines = "".join(lines[:count]), lines[count:]
-        summary = f"<summary># {', '.join([f'{count} lines', *DEFINED.findall(text)])}</summary>"
-        pieces.append(piece if shown else f"<details>{summary}{piece}</details>")
+        pieces.append(piece if shown else f"<details><summary># {count} lines</summary>{piece}</details>")
     return "".join(pieces + lines)
