@@ -33,6 +33,7 @@ CODE = (
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
+UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')  # names, signs and blanks, half of the page's bytes
 SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
 
 
@@ -86,7 +87,7 @@ def fold_the_rest(page: Page) -> None:
 
 def _folded(code: str, source: str) -> str:
     """Return a cell's lines as HTML."""
-    lines, pieces = code.splitlines(keepends=True), []
+    lines, pieces = UNCOLOURED.sub(r"\1", code).splitlines(keepends=True), []
     for shown, paragraphs in groupby(PARAGRAPH.findall(source), lambda paragraph: paragraph.startswith(SHOWN)):
         count = len("".join(paragraphs).splitlines())
         piece, lines = "".join(lines[:count]), lines[count:]
