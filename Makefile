@@ -21,8 +21,8 @@ test: environment ## run every test, the proofs' included  (pytest verify tests)
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2
 
-formal: environment-book ## let Coq check proofs/formal/, and record what it accepted  (python -m verify.formal)
-	@$(RUN) -m verify.formal
+formal: environment-book ## let Coq check proofs/formal/, and record what it accepted  (python -m verify.coq)
+	@$(RUN) -m verify.coq
 
 figures: environment-book ## draw the figures that changed  (python -m book figures)
 	@$(RUN) -m book figures

@@ -15,8 +15,8 @@ from book.assembly import report, stamps, website
 from book.editions import files
 from proofs.engine.project import PROJECT
 from renderer.command_line.signals import first_signal_stops, say_stopped
-from verify import evidence
-from verify.records import RECORDS
+from verify.evidence import __main__ as evidence
+from verify.evidence.records import RECORDS
 
 VERBS = {  # those of BUILDING build the site; what RELEASES need is made first
     "build": "theorems, figures and the site, then say where the book is (the default)",

@@ -24,8 +24,8 @@ from book.assembly import stamps
 from book.assembly.website import SITE
 from tests.tabs import RUNNING, chromium, opened
 from verify.benchmark.timing import load
-from verify.records import code_of, command
-from verify.sources import ROOT
+from verify.evidence.records import code_of, command
+from verify.evidence.sources import ROOT
 
 PRINTED_IN_JAVASCRIPT = "2be60f7"  # a commit whose simulator was printed in JavaScript, and not compiled
 ROUNDS = 3

@@ -5,7 +5,7 @@ import subprocess
 import sys
 import time
 
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 
 def run(*command, status=0, cwd=ROOT, **options):

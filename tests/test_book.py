@@ -9,7 +9,7 @@ import pytest
 from book.assembly import contents, stamps, website
 from book.drawing import palette
 from book.drawing.draw import all_figures
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 PAGES = contents.page_files(ROOT / "book")
 ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}

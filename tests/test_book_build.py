@@ -11,7 +11,7 @@ import book.__main__ as command_line
 from book.assembly import report, stamps, watch, website
 from book.extension import pages
 from tests.processes import run
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 
 def test_theorems_run_again_when_something_changed_and_until_they_pass(stamped, monkeypatch):

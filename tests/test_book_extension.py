@@ -12,7 +12,7 @@ from book.extension import pages
 from book.extension.numbers import typeset
 from renderer.intervals import Interval
 from tests import one_page
-from verify import records
+from verify.evidence import records
 
 STALE = {name: f"measured at commit {name}; the code has changed since" for name in ("frames", "simulator")}
 LABEL = {"machine": "two cores", "date": "2025-01-01", "commit": "abc1234"}

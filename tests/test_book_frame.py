@@ -11,7 +11,7 @@ from book.editions.document import POLICY as MAILED
 from book.extension.mathematics import typeset
 from book.extension.scripts import POLICY
 from book.extension.styles import NAMED, NESTED, pruned
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 HEAVIEST = 1_000_000  # bytes: a page, its scripts, style sheets and fonts, as they are before a server compresses them
 LIGHT = ["index", *(f"s{n}" for n in range(1, 10))]

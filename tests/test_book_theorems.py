@@ -19,8 +19,8 @@ from proofs.engine.half_turns import sinpi
 from proofs.engine.theorem import all_theorems
 from tests import one_page
 from tests.processes import python
-from verify import formal
-from verify.sources import ROOT
+from verify.coq import formal
+from verify.evidence.sources import ROOT
 
 THEOREMS = all_theorems()
 CARD = re.compile(r'<section class="theorem [^>]*id="theorem-(\w+)".*?</section>', re.DOTALL)

@@ -7,7 +7,7 @@ import pytest
 
 from book.assembly.contents import page_files
 from tests.tabs import CERTAIN, PHONE, WATCH, next_frame
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 AXE = ROOT / "tests" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
 

@@ -11,7 +11,7 @@ from book.extension.theorems import placements
 from proofs.engine.theorem import all_theorems
 from tests.test_browser import violations
 from verify.checkers.second_checker import stored
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 CHECK_HERE, CHANGE, CHECK_ALL = "Check it here", "Read or change the statement", "Check all"
 # One sign is turned in what the first claim of unit_length shows.

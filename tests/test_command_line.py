@@ -24,7 +24,7 @@ from renderer.picture.sweep import sweep, table
 from tests.folders import contents
 from tests.pictures import shows
 from tests.processes import python, started
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 
 def run(*arguments):

@@ -1,4 +1,4 @@
-"""CONTRIBUTING's two ways in, `tests/examples/*/way_in.sh`: each followed in a copy of the project, and to the end."""
+"""CONTRIBUTING: its map, its answers, and two ways in, `tests/examples/*/way_in.sh`, followed in a copy to the end."""
 
 import re
 import runpy
@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from tests.processes import run, settings_without
-from verify.sources import PACKAGES, ROOT, files_in, is_test
+from verify.evidence.sources import PACKAGES, ROOT, files_in, is_test
 
 EXAMPLES = ROOT / "tests" / "examples"
 DOCUMENTS = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "Makefile")]
@@ -34,6 +34,15 @@ def walked(folder, example, left_out):
     lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
     lines = filter(None, (line.partition("#")[0].strip() for line in lines))
     return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
+
+
+def test_the_map_is_of_the_house_and_every_question_has_its_file():
+    text = DOCUMENTS[1].read_text("utf-8")
+    paths = [path.relative_to(ROOT).parts for package in PACKAGES for path in files_in(ROOT / package)]
+    rooms = {"/".join(parts[:2]) for parts in paths if len(parts) > 2}
+    assert sorted(re.findall(r"^    (\S+)/ +\w", text, re.M)) == sorted(rooms)
+    assert len(re.findall(r"^- .+\? \[`(\S+)`\]\(\1\)$", text, re.M)) == 10
+    assert all((ROOT / path).is_file() for path in re.findall(r"\]\((\S+)\)", text))
 
 
 def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):
@@ -76,8 +85,8 @@ def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
     made = {line.partition(":")[0] for line in printed["proofs.engine.certificate"].splitlines()}
     assert made == {"bump_moves_no_boundary", theorem}
     assert re.search(rf"{theorem} +proved .* mutants 2/2", printed["pytest"])
-    if "verify.formal" in printed:
-        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.formal"])
+    if "verify.coq" in printed:
+        assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.coq"])
     site = tmp_path / "book" / "_build" / "html"
     assert f"theorem-{theorem}" in (site / "findings.html").read_text("utf-8")
     assert ('id="fig-waves"' in (site / "s3.html").read_text("utf-8")) is (example == "height_field")

@@ -8,9 +8,9 @@ import pytest
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.enclosed import RULES
 from verify.accuracy.differences import PER_DECADE
+from verify.evidence.sources import ROOT
 from verify.measurements.creases import SIZE
 from verify.measurements.pole import POINTS
-from verify.sources import ROOT
 
 BOOK = ROOT / "book"
 PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")

@@ -14,7 +14,7 @@ from book.ledger.__main__ import main
 from book.ledger.check import Run, faults_in
 from book.ledger.entries import CONDITIONAL, FINDINGS, OUTSIDE, WORDS, load, relation
 from renderer.intervals import Interval
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 NUMBERS = {"sweep.flips": 0, "sweep.slope": 0.55, "scene.field": "ridges"}
 EVIDENCE = 'evidence = [{ theorem = "no_flips" }, { number = "sweep.flips", is = "== 0" }]'

@@ -8,7 +8,7 @@ from PIL import Image
 from book.figures.three_pictures import hero, hero_symbolic
 from renderer import Scene, render
 from tests.pictures import shows
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 
 def test_picture_is_the_renderers():

@@ -10,7 +10,7 @@ from proofs.engine.theorem import all_theorems
 from tests.processes import python
 from tests.test_contributing import EXAMPLES, shell
 from verify import conftest
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 EXAMPLE, ID = EXAMPLES / "second_book", "distance_from_focus"
 

@@ -5,14 +5,15 @@ from pathlib import Path
 
 import pytest
 
-from verify import conftest, grade_path
+from verify import conftest
 from verify.checkers import theorem_files
-from verify.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
-from verify.sources import ROOT, is_test
+from verify.evidence import grade_path
+from verify.evidence.records import BENCHMARKS, RECORDS, RESULTS, code_of, read
+from verify.evidence.sources import ROOT, is_test
 
 PAGE = ROOT / "book" / "checked" / "trusted.md"
 BESIDE = {"proofs/theorems/__init__.py"}  # the list of claims
-TOLD_BESIDE = {f"verify/{name}.py" for name in ("formal", "sources", "survey", "vernacular")}
+TOLD_BESIDE = {f"verify/{name}.py" for name in ("coq/formal", "coq/survey", "coq/vernacular", "evidence/sources")}
 TOLD_BESIDE |= {f"proofs/printers/{name}.py" for name in ("coq", "coq_statements", "numbers", "python")}
 
 

@@ -18,7 +18,7 @@ from proofs.check import FOLDER
 from proofs.engine.theorem import all_theorems
 from renderer import Scene, render
 from tests.processes import run, settings_without
-from verify.sources import ROOT, imported
+from verify.evidence.sources import ROOT, imported
 
 SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 PROJECT = SETTINGS["project"]

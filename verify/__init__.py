@@ -1,1 +1,1 @@
-"""What is checked: the proofs, 50-digit references, the printed kernels; accuracy, stability and time."""
+"""Checks of proofs, of the printed kernels against 50 digits, of accuracy and stability; measurements of time."""

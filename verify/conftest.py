@@ -1,4 +1,4 @@
-"""What the proofs' run adds to pytest: options, one table at the end, one report for the book."""
+"""The proofs' run in pytest: options, one table at the end, one report for the book."""
 
 import json
 import time
@@ -8,9 +8,9 @@ import pytest
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import all_theorems
 from renderer.whole_files import write_whole
-from verify import formal
 from verify.checkers import theorem_files
 from verify.checkers.grades import NOT_RECHECKED, graded, summary
+from verify.coq import formal
 from verify.optional import lacking
 
 EVIDENCE = []
@@ -67,9 +67,9 @@ def pytest_collection_modifyitems(config, items):
         wanted = set(ids)
         for theorem in reversed(theorems.values()):  # each stands after those that it uses
             wanted |= {*theorem.uses} if theorem.id in wanted else set()
-        kept = [i for i in items if not hasattr(i, "callspec") or i.callspec.params.get("theorem_id") in wanted]
-        config.hook.pytest_deselected(items=[i for i in items if i not in kept])
-        items[:] = kept
+        chosen = [i for i in items if not hasattr(i, "callspec") or i.callspec.params.get("theorem_id") in wanted]
+        config.hook.pytest_deselected(items=[i for i in items if i not in chosen])
+        items[:] = chosen
     if not config.getoption("--long"):
         for item in items:
             if item.get_closest_marker("long"):

@@ -18,7 +18,7 @@ from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.accuracy.pixels import compared
-from verify.records import command
+from verify.evidence.records import command
 
 EACH = 6  # pixels of a picture at random, and as many of the largest bounds
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)
@@ -58,8 +58,8 @@ def errors(frame: Frame, column: int, row: int) -> tuple[np.ndarray, np.ndarray,
     """Return what each channel of a pixel is certainly off, NaN where that is on an edge at any digits; its bound; and
     whether the chamber is another than the true one, and not open.
     """
-    _, found, same_chamber = compared(frame, column, row)
-    off = np.array([float(error.abs_lower()) for error in found])
+    _, enclosures, same_chamber = compared(frame, column, row)
+    off = np.array([float(error.abs_lower()) for error in enclosures])
     return off, frame.bounds[row, column], not (same_chamber or frame.open[row, column])
 
 
@@ -123,13 +123,13 @@ def measure(pictures: int, first: int = 1000) -> dict:
         drawn.update(dict.fromkeys(kinds, frame.open.size))
         for number, place in enumerate(places(frame, random, EACH)):
             off, bounds, missed = errors(frame, *place)
-            known, above = off > 0, int((off > bounds).sum())
+            inexact, above = off > 0, int((off > bounds).sum())
             counts.update(pixels=1, decided=int(np.isfinite(off).all()), above_bound=above, chambers_missed=missed)
             for kind in ("largest", *(kinds if number < EACH else ())):
-                ratios[kind] += (bounds[known] / off[known]).tolist()
+                ratios[kind] += (bounds[inexact] / off[inexact]).tolist()
     shares = {"largest_share": 1 / min(ratios.pop("largest"))}
     shares |= {f"open_share_{kind}": opened[kind] / total for kind, total in sorted(drawn.items())}
-    medians = {f"median_ratio_{kind}": float(np.median(found)) for kind, found in sorted(ratios.items())}
+    medians = {f"median_ratio_{kind}": float(np.median(numbers)) for kind, numbers in sorted(ratios.items())}
     return {"numbers": {"pictures": pictures} | counts | shares | medians}
 
 

@@ -1,4 +1,4 @@
-"""What `pytest verify` uses where it is installed, and does without elsewhere: by name, and never silently."""
+"""Libraries that `pytest verify` uses where they are installed, and elsewhere names as missing."""
 
 try:
     from flint import arb

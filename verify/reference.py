@@ -25,8 +25,8 @@ class Undecided(ValueError):
 @lru_cache(maxsize=64)
 def _lines_of(field, model, lights, method):
     """Return a whole pixel in balls, by a gradient method: exact is the general form."""
-    known = HEIGHT_FIELDS[field]
-    return Balls(pixel(known, model, lights, None if method == "exact" else METHODS[method](known)))
+    height_field = HEIGHT_FIELDS[field]
+    return Balls(pixel(height_field, model, lights, None if method == "exact" else METHODS[method](height_field)))
 
 
 def lines_of(scene: Scene, method: str, bits: int, **others: Any) -> dict[str, arb]:
@@ -45,8 +45,8 @@ def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
-    own = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
-    values = others | {name: getattr(scene, name) for name in own} | {"k_u": scene.ku, "k_v": scene.kv}
+    fields = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
+    values = others | {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
     values |= {"ball_radius": ball_radius, "ball_on": float(scene.ball), "floor_on": float(scene.floor)}
     triples: list = [(ball_center, center), (ambient_light, scene.ambient)]
     triples += [(albedo_of_a, scene.albedo_a), (albedo_of_b, scene.albedo_b)]
@@ -55,11 +55,11 @@ def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)}
 
 
-def chamber_code(scene: Scene, whole: Callable[[str], Any]) -> Any:
+def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
     """Return the chamber code, as `renderer.picture.stage.Stage` defines it; whole: from a line's name to its value."""
     on = [number for number, light in enumerate(scene.lights) if light.color is not None]
-    shadows = sum(whole(f"occluded_{n}") << 2 + number for n, number in enumerate(on))
-    return whole("surface") | shadows | whole("dark_square") << 7
+    shadows = sum(number_of(f"occluded_{n}") << 2 + number for n, number in enumerate(on))
+    return number_of("surface") | shadows | number_of("dark_square") << 7
 
 
 def reference_pixel(

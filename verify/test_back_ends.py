@@ -40,13 +40,13 @@ def random_inputs(program):
     rng = np.random.default_rng(len(program.name))
     theta, phi = rng.uniform(-np.pi, np.pi, POINTS), rng.uniform(0.01, np.pi - 0.01, POINTS)
     angles = {"cos_theta": np.cos(theta), "sin_theta": np.sin(theta), "cos_phi": np.cos(phi), "sin_phi": np.sin(phi)}
-    found = {
+    values = {
         name: angles.get(name, rng.uniform(*RANGES.get(name, (-1, 1)), POINTS)) for name in map(str, program.inputs)
     }
     for coordinate, edges in EDGES.items():
-        if coordinate in found:
-            found[coordinate][: len(edges)] = edges
-    return found
+        if coordinate in values:
+            values[coordinate][: len(edges)] = edges
+    return values
 
 
 def by_numpy(name):
@@ -54,25 +54,25 @@ def by_numpy(name):
     program, kernel = PRINTED[name]
     inputs = random_inputs(program)
     with np.errstate(all="ignore"):
-        found = kernel(*inputs.values())
-    found = found if isinstance(found, tuple) else (found,)
-    return program, inputs, np.array([np.broadcast_to(output, POINTS) for output in found])
+        outputs = kernel(*inputs.values())
+    outputs = outputs if isinstance(outputs, tuple) else (outputs,)
+    return program, inputs, np.array([np.broadcast_to(output, POINTS) for output in outputs])
 
 
 @pytest.mark.parametrize("name", PRINTED)
 def test_llvm_agrees_bit_for_bit(name):
-    _, inputs, found = by_numpy(name)
-    compiled = loop_of(PRINTED[name][1], len(found))(*inputs.values())
-    np.testing.assert_array_equal(compiled, found)
+    _, inputs, outputs = by_numpy(name)
+    compiled = loop_of(PRINTED[name][1], len(outputs))(*inputs.values())
+    np.testing.assert_array_equal(compiled, outputs)
 
 
 @pytest.mark.parametrize("name", PRINTED)
 def test_mpmath_agrees(name):
     """float64 against 50 digits at eight points: 1e-11, or what a difference of step ε ≥ 0.01 amplifies it to."""
-    program, inputs, found = by_numpy(name)
+    program, inputs, outputs = by_numpy(name)
     reference = Reference(program)
     for point in range(8):
         truth = reference({name: float(values[point]) for name, values in inputs.items()})
-        for symbol, output in zip(program.outputs, found, strict=True):
+        for symbol, output in zip(program.outputs, outputs, strict=True):
             expected = float(truth[symbol.name])
             assert output[point] == pytest.approx(expected, rel=1e-11, abs=1e-11, nan_ok=True), symbol

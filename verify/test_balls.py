@@ -25,15 +25,15 @@ LINES = [
 
 @pytest.mark.parametrize("expression, values, contained", LINES)
 def test_what_is_not_decided_is_enclosed(expression, values, contained):
-    found = Balls(chain("line", {d: expression}))(values, 53)["d"]
-    assert all(found.contains(number) for number in contained)
-    assert found.is_exact() == (contained in ((0,), (1,)))
+    ball = Balls(chain("line", {d: expression}))(values, 53)["d"]
+    assert all(ball.contains(number) for number in contained)
+    assert ball.is_exact() == (contained in ((0,), (1,)))
 
 
 def test_a_ball_that_decides_nothing_is_no_reference():
     """1/(a − b) with a = b = 1/3: the ball of the difference is around 0, that of the quotient everywhere."""
     lines = chain("lines", {c: 1 / (a / 3 - b / 3), d: a * b}, outputs=(c, d))
-    assert [found[0] is None for found in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
+    assert [ball[0] is None for ball in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
 
 
 def test_a_pixel_on_the_silhouette_is_undecided():

@@ -1,4 +1,4 @@
-"""What `render(..., bounds=True)` certifies is so: nowhere is a colour further from 256-bit balls than its bound."""
+"""Bounds that `render(..., bounds=True)` certifies: nowhere is a colour further from 256-bit balls than its bound."""
 
 import itertools
 from dataclasses import replace
@@ -38,11 +38,11 @@ def by_rows(monkeypatch):
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
 def test_no_error_is_above_its_bound(drawn, by_rows):
     """Nor bounds that say nothing, of any kind of picture."""
-    found = measure(*drawn)["numbers"]
-    assert (found["above_bound"], found["chambers_missed"]) == (0, 0)
-    assert found["decided"] >= 0.95 * found["pixels"]
-    assert all(found[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
-    assert all(found[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
+    numbers = measure(*drawn)["numbers"]
+    assert (numbers["above_bound"], numbers["chambers_missed"]) == (0, 0)
+    assert numbers["decided"] >= 0.95 * numbers["pixels"]
+    assert all(numbers[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
+    assert all(numbers[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
 
 
 def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
@@ -58,8 +58,8 @@ def test_the_default_scene(field, model):
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
-    found = [errors(frame, *place) for place in random.integers(0, 256, (200, 2)).tolist()]
-    share = np.median([share for off, bounds, _ in found for share in bounds[off > 0] / off[off > 0]])
+    pixels = [errors(frame, *place) for place in random.integers(0, 256, (200, 2)).tolist()]
+    share = np.median([share for off, bounds, _ in pixels for share in bounds[off > 0] / off[off > 0]])
     assert share <= (300 if scene == Scene() else 1000)
 
 
@@ -103,7 +103,8 @@ OPERATIONS = {
     "log": (kernels.log, arb.log, (1.0, 50.0)),
     "power": (kernels.power, arb.__pow__, (1e-6, 1.0), (1e-3, 100.0)),
 }
-"""What Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and what false bounds are of."""
+"""Operations that Coq does not prove, or not where numbers stay exact (`enclosing_rules`), and those that false bounds
+are of."""
 
 
 def escapes(name, count=2000):
@@ -114,21 +115,21 @@ def escapes(name, count=2000):
     ours, exactly, *ranges = OPERATIONS[name]
     random, escaped = np.random.default_rng(len(name)), 0
     for largest, stays_exact in itertools.product((0.0, 2.0**0.1), (False, True)):
-        given, true = [], []
+        operands, true = [], []
         for low, high in ranges:
             values = random.uniform(low, high, count)
             values = np.where(random.random(count) < 0.3, np.maximum(low, np.rint(values)), values)
             bounds = largest * np.abs(values) * 2.0 ** random.uniform(-55, 0, count)
             bounds = np.minimum(bounds, 0.99 * values) if low > 0 else bounds
-            given.append(Enclosed(values, bounds if largest else 0.0, stays_exact))
+            operands.append(Enclosed(values, bounds if largest else 0.0, stays_exact))
             with ctx.workprec(BITS):
                 signed = bounds * random.choice([-1, 1], count)
                 true.append([arb(float(v)) + arb(float(b)) for v, b in zip(values, signed, strict=True)])
         with np.errstate(all="ignore"):
-            result = ours(*given)
+            result = ours(*operands)
         with ctx.workprec(BITS):
-            found = zip(result.value, np.broadcast_to(result.bound, count), map(exactly, *true), strict=True)
-            escaped += sum(bool(abs(arb(float(v)) - t) > arb(float(b))) for v, b, t in found if np.isfinite(b))
+            results = zip(result.value, np.broadcast_to(result.bound, count), map(exactly, *true), strict=True)
+            escaped += sum(bool(abs(arb(float(v)) - t) > arb(float(b))) for v, b, t in results if np.isfinite(b))
     return escaped
 
 
@@ -142,12 +143,12 @@ def one_sided(mask, value, otherwise):
     return where(Mask(mask.holds), value, otherwise)
 
 
-def product(own=1.0, second_order=1.0):
+def product(first_order=1.0, second_order=1.0):
     """Return a product whose own rounding, or the product of the bounds, counts for so much."""
 
     def of(a, b):
         bound = abs(a.value) * b.bound + abs(b.value) * a.bound + second_order * a.bound * b.bound
-        return Enclosed(a.value * b.value, bound + own * enclosing.UNIT * abs(a.value * b.value))
+        return Enclosed(a.value * b.value, bound + first_order * enclosing.UNIT * abs(a.value * b.value))
 
     return of
 
@@ -158,7 +159,7 @@ def uncounted(kind, value, roundings, keeps_zero=False):
 
 
 @pytest.mark.parametrize("broken, name, value, operation", [
-    (Enclosed, "__mul__", product(own=0.0), "product"),
+    (Enclosed, "__mul__", product(first_order=0.0), "product"),
     (Enclosed, "counted", classmethod(uncounted), "quotient"),
     (enclosing, "where", one_sided, "selection"),
     (Mask, "__init__", lambda self, holds, open_=None: vars(self).update(holds=holds, open=None), "selection"),
@@ -178,7 +179,7 @@ def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
 
 
 def test_b_is_as_accurate_as_its_condition():
-    """As small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
+    """It is as small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
     crop = 30, 20, 1, 1
     (left,), (top,) = Raster(64, 64, crop).image_points(Scene(eye=1e6, ball=False))
     center = left * (1 - 1.3e-6) + 4e-9, top * (1 - 1.3e-6) + 3e-9, 1.3
@@ -196,8 +197,8 @@ def image_points():
     """Yield how far each coordinate of each raster's x and y is from the exact one, and its bound."""
     for width, height, scene in RASTERS:
         raster, numbers = Raster(width, height), np.arange(max(width, height))
-        given = {"width": width, "height": height, "eye": scene.eye, "radius": scene.radius}
-        true = in_balls(POINT, given | {"column": numbers, "row": numbers}).values()
+        sizes = {"width": width, "height": height, "eye": scene.eye, "radius": scene.radius}
+        true = in_balls(POINT, sizes | {"column": numbers, "row": numbers}).values()
         bounds = rounded_inputs.of_image_points(scene, raster)
         for points, balls, bound in zip(raster.image_points(scene), true, bounds, strict=True):
             yield distance(points, balls[: len(points)]), bound

@@ -16,8 +16,8 @@ from functools import cache
 
 import pytest
 
-from verify.records import Run
-from verify.sources import ROOT
+from verify.evidence.records import Run
+from verify.evidence.sources import ROOT
 
 SEED, EDITS = 1978, 100
 OTHER = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -28,8 +28,8 @@ STAGES = (
     (*PYTEST, "verify", "-n", "2", "--ignore", "verify/test_theorems.py", "--ignore", "verify/test_campaign.py"),
     (*PYTEST, "verify/test_theorems.py", "-n", "2"),
 )
-"""What Python runs: the quick check, all but the theorems, the theorems with their samples and false variants."""
-OF_NUMBERS = (STAGES[0], ("verify.stale",), *STAGES[1:])
+"""Modules that Python runs: the quick check, all but the theorems, the theorems with samples and false variants."""
+OF_NUMBERS = (STAGES[0], ("verify.evidence.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
 FEW_NUMBERS, FEW_RELATIONS = 3, 20
 FORMULAS = "formulas/*.py", "engine/half_turns.py", "engine/vectors.py"
@@ -37,7 +37,7 @@ FORMULAS = "formulas/*.py", "engine/half_turns.py", "engine/vectors.py"
 
 
 def is_zero(node):
-    """Whether an operand is 0, or 0 times something: a sum or a product with it is what its opposite is."""
+    """Return whether an operand is 0, or 0 times something: with it a sum is a difference, a product a quotient."""
     return ast.unparse(node).split(" * ")[0] == "0"
 
 
@@ -72,10 +72,10 @@ def edit(source, index, find=sites, by=1):
 def edited(folder, path, *how):
     """Edit a site in a copy of the tree, for as long as the context; give the words for it."""
     original = (folder / path).read_text("utf-8")
-    changed, what = edit(original, *how)
+    changed, words = edit(original, *how)
     (folder / path).write_text(changed, "utf-8")
     try:
-        yield f"{path}:{what}"
+        yield f"{path}:{words}"
     finally:
         (folder / path).write_text(original, "utf-8")
 
@@ -117,9 +117,9 @@ def copy(tmp_path_factory):
 
 def survives(folder, place, stage):
     """Return whether a stage passes in the copy with a site edited; what was there is put back."""
-    with edited(folder, *place) as what:
+    with edited(folder, *place) as words:
         passed = passes(folder, stage)
-    print(f"\n{what}: {'passes ' + ' '.join(stage) if passed else 'caught'}", flush=True)
+    print(f"\n{words}: {'passes ' + ' '.join(stage) if passed else 'caught'}", flush=True)
     return passed
 
 
@@ -136,8 +136,8 @@ def survivors(folder, places, stages):
 def test_no_edit_survives(copy):
     start, run = time.monotonic(), Run("edited_formulas")
     left = survivors(copy, draw(everywhere(sites), EDITS), STAGES)
-    found = {"edits": EDITS, "caught": EDITS - len(left), "left": len(left), "stages": len(STAGES)}
-    run.write({"numbers": found | {"minutes": round((time.monotonic() - start) / 60), "seed": SEED}})
+    numbers = {"edits": EDITS, "caught": EDITS - len(left), "left": len(left), "stages": len(STAGES)}
+    run.write({"numbers": numbers | {"minutes": round((time.monotonic() - start) / 60), "seed": SEED}})
     assert left == []
 
 

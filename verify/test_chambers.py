@@ -1,6 +1,6 @@
 """Boxes and the reach of A leave no pixel out: chambers are those of a picture that tests every pixel for everything.
 
-That chambers and colours are the true ones, `test_bounds` holds to 256-bit balls.
+`test_bounds` holds chambers and colours to 256-bit balls.
 """
 
 import numpy as np
@@ -17,8 +17,8 @@ from verify.enclosed_pixels import random_raster, random_scene
 
 def chambers(scene, *raster):
     """Return the chambers of a scene, whose boxes are made anew."""
-    for kept in (numbers.numbers_of, bounds.ball_box, bounds.shadow_boxes):
-        kept.cache_clear()
+    for cached in (numbers.numbers_of, bounds.ball_box, bounds.shadow_boxes):
+        cached.cache_clear()
     return stage_of(scene, *raster, threads=1).chambers
 
 
@@ -26,7 +26,7 @@ def everywhere_tested(scene, *raster):
     """Return the chambers where every pixel is tested for B and for each body's shadow."""
     with pytest.MonkeyPatch.context() as patch:
         for name in ("box", "_shadow_box"):
-            patch.setattr(bounds, name, lambda *given: EVERYWHERE * 2)
+            patch.setattr(bounds, name, lambda *arguments: EVERYWHERE * 2)
         return chambers(scene, *raster)
 
 
@@ -35,9 +35,9 @@ def test_random_scenes():
     random, codes = np.random.default_rng(20), set()
     for _ in range(400):
         scene, raster = random_scene(random), random_raster(random)
-        seen = chambers(scene, *raster)
-        np.testing.assert_array_equal(seen, everywhere_tested(scene, *raster), f"{scene}, {raster}")
-        codes |= {*seen.flat}
+        codes_here = chambers(scene, *raster)
+        np.testing.assert_array_equal(codes_here, everywhere_tested(scene, *raster), f"{scene}, {raster}")
+        codes |= {*codes_here.flat}
     assert {0, 1, 2, 3, 5, 6, 7, 131, 135} <= codes
 
 

@@ -1,7 +1,7 @@
 """An optimiser climbs toward the worst case of each bound that is measured on samples, and proved nowhere.
 
-What is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or a fitted order
-(`difference_slopes`) leaves nothing to climb.
+A check that is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or of a fitted
+order (`difference_slopes`) leaves nothing to climb.
 """
 
 import math
@@ -14,10 +14,10 @@ from hypothesis.strategies import fixed_dictionaries, floats, integers, just, on
 
 from proofs.engine.theorem import all_theorems
 from renderer import render
-from verify import formal
 from verify.accuracy.differences import SLOPES, Case, bounds, parts
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
 from verify.accuracy.step_terms import SLOPE_TERMS
+from verify.coq import formal
 from verify.stability.geometry import toward_the_pole
 
 EXHAUSTIVE = {"crease_products", "crease_contrast", "dark_difference", "difference_slopes"}
@@ -27,8 +27,8 @@ def difference(field, u, v, ku, kv, digits):
     """Return the largest part of a central difference's error over its bound."""
     shares = [0.0]
     for case in (Case("", field, ku, kv, u, v, slope) for slope in SLOPES):
-        seen, most = (of(case, [10.0**-digits]) for of in (parts, bounds))
-        shares += [float(abs(seen[part][0]) / most[part][0]) for part in seen if seen[part][0]]
+        errors, most = (of(case, [10.0**-digits]) for of in (parts, bounds))
+        shares += [float(abs(errors[part][0]) / most[part][0]) for part in errors if errors[part][0]]
     return max(shares)
 
 
@@ -44,8 +44,8 @@ def _frame(name):
 
 def pixel(name, column, row):
     """Return the error of a decided pixel over its bound."""
-    seen = checked_pixel(name, _frame(name), "", column, row)
-    return 0.0 if seen.undecided or not seen.error else float(seen.error / seen.bound)
+    checked = checked_pixel(name, _frame(name), "", column, row)
+    return 0.0 if checked.undecided or not checked.error else float(checked.error / checked.bound)
 
 
 _moderate = one_of(integers(1, 512).map(float), floats(1, 512), floats(-512, -1))
@@ -71,9 +71,9 @@ def climb(theorem, examples):
     @settings(max_examples=examples, deadline=None, database=None, phases=[Phase.generate, Phase.target])
     @given(fixed_dictionaries(where))
     def look(at):
-        found = height(**at)
-        assert not math.isinf(found), at
-        reached.append(0.0 if math.isnan(found) else found)  # no digits decide there
+        value = height(**at)
+        assert not math.isinf(value), at
+        reached.append(0.0 if math.isnan(value) else value)  # no digits decide there
         target(reached[-1])
 
     look()

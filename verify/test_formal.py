@@ -15,8 +15,9 @@ from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
 from proofs.printers.coq_statements import proposition, statements_of
 from renderer.whole_files import write_whole
-from verify import conftest, formal, survey, vernacular
-from verify.sources import ROOT
+from verify import conftest
+from verify.coq import formal, survey, vernacular
+from verify.evidence.sources import ROOT
 
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None or find_spec("tqdm") is None,
@@ -40,11 +41,11 @@ def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
     """Each addition has a false variant that is refuted; but not what a refuted theorem adds."""
     theorems, named = all_theorems(), formal.statements()
     assert formal.PARTLY.keys() <= named.keys()
-    for id, found in named.items():
-        said = {name for name in found.additions if not name.endswith(formal.BESIDE)}
-        assert theorems[id].expected == "refuted" or {f"{name}__false" for name in said} <= {*found.additions}, id
+    for id, by_hand in named.items():
+        names = {name for name in by_hand.additions if not name.endswith(formal.BESIDE)}
+        assert theorems[id].expected == "refuted" or {f"{name}__false" for name in names} <= {*by_hand.additions}, id
     for id, accepted in formal.record().items():
-        assert formal.whole(theorems[id], accepted) != (id in formal.PARTLY), id
+        assert formal.is_formal(theorems[id], accepted) != (id in formal.PARTLY), id
 
 
 def test_coq_is_not_asked_about_statements_that_nobody_printed(written):
@@ -58,11 +59,11 @@ def test_coq_accepts_what_the_record_says(request, record_property):
     """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
     alone = request.config.getoption("long")
     if alone or not formal.accepted_here():
-        said = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
-        assert said == formal.compile_files(said=None if alone else said)
-        write_whole(formal.KEPT, formal.seen().encode())
+        accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
+        assert accepted == formal.compile_files(before=None if alone else accepted)
+        write_whole(formal.KEPT, formal.accepted_key().encode())
         record_property("agreed", "Coq")
-    assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.formal"
+    assert formal.record(), "proofs/formal changed since its record was made: run python -m verify.coq"
 
 
 WRONG = """From Coq Require Import Reals Lra.
@@ -86,7 +87,7 @@ def test_what_is_not_proved_is_not_accepted(written, monkeypatch):
     monkeypatch.setattr(vernacular, "check", lambda text: None)  # which would refuse all of it before Coq reads it
     written(Wrong=WRONG)
     with pytest.raises(formal.NotAccepted, match=WHY):
-        formal.compile_files(said={theorem: {"axioms": []} for theorem in THEOREMS})
+        formal.compile_files(before={theorem: {"axioms": []} for theorem in THEOREMS})
 
 
 AXIOM = "Axiom three : 1 + 1 = 3."
@@ -202,13 +203,13 @@ def test_every_name_that_is_given_by_hand_is_asked_for():
 
 def test_a_record_that_coq_did_not_write_here_is_told_by_its_day_and_raises_no_grade(tmp_path, monkeypatch):
     """Nor does what is kept here, which anybody can write: the run asks whether Coq agreed in it."""
-    theorems, kept, record = all_theorems().values(), tmp_path / "formal", tmp_path / "record.json"
+    theorems, here, record = all_theorems().values(), tmp_path / "formal", tmp_path / "record.json"
     record.write_bytes(formal.RECORD.read_bytes())
-    monkeypatch.setattr(formal, "KEPT", kept)
+    monkeypatch.setattr(formal, "KEPT", here)
     monkeypatch.setattr(formal, "RECORD", record)
     day = json.loads(record.read_text("utf-8"))["date"]
     assert formal.record() and formal.when() == f"recorded on {day}, not re-checked here"
-    kept.write_text(formal.seen())
+    here.write_text(formal.accepted_key())
     assert formal.when() == "accepted here"
     assert len(proved := formal.proved(theorems)) > 40 and not proved & formal.PARTLY.keys()
     cited = {"id": "truncation_bound", "grade": "proved", "uses": [], "cited_lemmas": [{"source": "DLMF"}]}
@@ -238,9 +239,9 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{survey.CLOSED}{T
     ],
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
-    found = {"unit_length": survey.Said({}, {"unit_length__length": []})}
+    named = {"unit_length": survey.Formalization({}, {"unit_length__length": []})}
     with pytest.raises(formal.NotAccepted, match=why):
-        survey.read(found, survey.groups(found, {}), printed)
+        survey.read(named, survey.groups(named, {}), printed)
 
 
 x, y, z = real("x y z")
@@ -293,4 +294,4 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
     words = " ".join(step.what for step in all_theorems()["gradient_accuracy"].steps)
     named = re.findall(r"(\d+)\.(\d+)\\mu", words)
     assert len(named) == 2
-    assert all(f" <= {int(whole + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for whole, digits in named)
+    assert all(f" <= {int(integer + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for integer, digits in named)

@@ -1,6 +1,6 @@
-"""What is derived of a height field's expression is so: creases, factors, and what bounds a central difference's error.
+"""Derivatives of a height field's expression: creases, factors, and the bounds of a central difference's error.
 
-What no kernel could draw is refused in words.
+A field that no kernel could draw is refused in words.
 """
 
 import re
@@ -62,14 +62,14 @@ def test_a_function_is_one_by_all_its_names(function):
     assert (function.coq_float64 or function.coq) in " ".join(carried_out(program, vars(operations)))
     assert kernel == pytest.approx(float(expression.subs({u: Rational(3, 8), v: Rational(13, 16)})), rel=1e-15)
     if function.enclosed:
-        found = enclosure(expression, {symbol: iv.mpf(at[symbol.name]) for symbol in (u, v)})
-        assert kernel in found + iv.mpf([-1e-15, 1e-15]) and (function.made is sign or float(found.delta) < 1e-12)
+        values = enclosure(expression, {symbol: iv.mpf(at[symbol.name]) for symbol in (u, v)})
+        assert kernel in values + iv.mpf([-1e-15, 1e-15]) and (function.made is sign or float(values.delta) < 1e-12)
         assert parse_expression(expression_text(expression)) == expression
 
 
 def test_the_last_of_three_values_is_for_all_else():
-    found = enclosure(Piecewise((2, u > 2), (u, u > 1), (3, True)), {u: iv.mpf([0, 1])})
-    assert (float(found.a), float(found.b)) == (0, 3)
+    values = enclosure(Piecewise((2, u > 2), (u, u > 1), (3, True)), {u: iv.mpf([0, 1])})
+    assert (float(values.a), float(values.b)) == (0, 3)
 
 
 def crossed(factors, at):
@@ -91,8 +91,8 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
 @pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
 def test_the_wave_numbers_give_the_gradient_its_factors(field):
     at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
-    named, whole = in_balls(gradient(field), at), Program("slopes", CHART, {(h_u, h_v): field.gradient()})
-    assert max(distance(named[name], ball).max() for name, ball in in_balls(whole, at).items()) < 1e-60
+    named, formula = in_balls(gradient(field), at), Program("slopes", CHART, {(h_u, h_v): field.gradient()})
+    assert max(distance(named[name], ball).max() for name, ball in in_balls(formula, at).items()) < 1e-60
 
 
 REFUSED = {
@@ -136,7 +136,7 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch, cap
         assert capsys.readouterr().out == f"{told} first: 0 lines\n"
 
 
-# What bounds a central difference's error, on the pages and in the simulator
+# The bounds of a central difference's error, on the pages and in the simulator
 
 
 def test_only_what_the_theorems_cover_has_a_bound():
@@ -175,8 +175,8 @@ def test_no_difference_is_further_off_than_its_bound(field):
     of_slopes = terms.sum(axis=1)
     assert (errors <= of_slopes).all()
     assert (errors > of_slopes - terms.max(axis=1)).any()  # without its largest term it is no bound
-    found = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
-    assert found == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
+    leading = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
+    assert leading == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
     bound, leading, *slopes = bounds_of(field)(*at)  # what the simulator shows: the larger slope's
     assert_allclose(slopes, of_slopes)
     larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]

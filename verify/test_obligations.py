@@ -1,7 +1,7 @@
-"""What the kernel asks of a claim's divisors, radicands and derivatives, Coq is asked, too: no printed form says less.
+"""Obligations of a claim's divisors, radicands and derivatives: Coq is asked for all that the kernel asks for.
 
 The statements that the kernel checks are compared with the text of Statements.v, by their values at points at which
-the hypotheses hold. That a branch of |x|, max or a case is the one that is taken Coq computes; it is not asked.
+the hypotheses hold. Coq is not asked which branch of |x|, max or a case is taken: it computes that.
 """
 
 import re
@@ -15,9 +15,9 @@ from proofs.engine.claim import Claim
 from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
 from proofs.printers.coq_statements import StatementPrinter
-from verify import formal
 from verify.checkers.digits import WORKING_DIGITS, Code, Relations, Undefined, differentiated, parts_of
 from verify.checkers.sampler import Sampler
+from verify.coq import formal
 
 POINTS, ATTEMPTS = 2, 3000
 CLOSE = mpmath.mpf(10) ** -30
@@ -50,7 +50,7 @@ def asked_by_the_kernel(statement, values):
     """
     at = {str(symbol): value for symbol, value in values.items()}
     at |= {"pi": +mpmath.pi, "cos": mpmath.cos, "sin": mpmath.sin, "mpf": mpmath.mpf}
-    found, given, radicands, numbers = [], [], {}, {"pi", "mpf"}
+    obligations, hypotheses, radicands, numbers = [], [], {}, {"pi", "mpf"}
     for step in statement["steps"]:
         code, new, kind, relation = as_code(step["of"]), step.get("new"), step["step"], step.get("is")
         value, names = eval(code, at), {*re.findall(r"[A-Za-z]\w*", code)}
@@ -59,18 +59,18 @@ def asked_by_the_kernel(statement, values):
         if kind == "assume":
             if (value < -CLOSE and relation != "!=") or (abs(value) > CLOSE and relation == "="):
                 return None
-            given.append(value)
+            hypotheses.append(value)
         elif kind == "define":
             at[new] = value
         elif kind == "root":
-            found += [] if alone or is_square(code, names) else [(">=", [value])]
+            obligations += [] if alone or is_square(code, names) else [(">=", [value])]
             at[new], radicands[new] = mpmath.sqrt(abs(value)), value
         elif kind == "inverse":
-            found += [] if alone else [("!=", [value, *(radicands[name] for name in names & radicands.keys())])]
+            obligations += [] if alone else [("!=", [value, *(radicands[name] for name in names & radicands.keys())])]
             at[new] = 1 / value
-        elif relation in ("=", "!=") and not any(near(abs(g), abs(value)) for g in given):
-            found.append((relation, [value, -value]))
-    return found
+        elif relation in ("=", "!=") and not any(near(abs(g), abs(value)) for g in hypotheses):
+            obligations.append((relation, [value, -value]))
+    return obligations
 
 
 def asked_of_coq(theorem, text):
@@ -114,37 +114,37 @@ def meaning(theorem, claim, text):
         condition, holds = is_met[text]
         return Relations([condition], lines)(values) == holds
 
-    def said(values):
+    def printed(values):
         asked = [(sign, value(values, e)) for sign, e, where in needs if all(met(text, values) for text in where)]
         differences = [value(values, r.lhs, r.rhs) for r in shown]
         return asked + [(relation, difference) for difference in differences for relation in ("=", "!=")]
 
-    return said
+    return printed
 
 
 def left_out(name, text):
     """Return what the kernel asks of a claim at some point, and its printed form does not."""
     theorem, claim = CLAIMS[name]
-    said_at, sampler, found = meaning(theorem, claim, text), Sampler(claim, "obligations"), []
+    printed_at, sampler, missing = meaning(theorem, claim, text), Sampler(claim, "obligations"), []
     (entry,) = (e for e in parsed(text_of(FOLDER / f"{theorem.id}.json"), theorem.id) if e["claim"] == claim.name)
     fixed = {symbol: Code([value])({})[0] for symbol, value in theorem.refuted_at or ()}
     for case in (e["statement"] for e in entry["statements"] if not is_empty(e["statement"])):
-        seen = 0
+        points = 0
         for _ in range(ATTEMPTS):
             values = sampler.inputs_at_random(fixed)
             asked = None if values is None or sampler.verdict(values) is None else asked_by_the_kernel(case, values)
             if asked is None:
                 continue
-            said, seen = said_at(values), seen + 1
-            found += [
+            printed, points = printed_at(values), points + 1
+            missing += [
                 relation
                 for relation, of in asked
-                if not any(r in (relation, ">") and near(v, one) for r, v in said for one in of)
+                if not any(r in (relation, ">") and near(v, one) for r, v in printed for one in of)
             ]
-            if found or seen == POINTS:
+            if missing or points == POINTS:
                 break
-        assert seen, f"{name}: no point"
-    return found
+        assert points, f"{name}: no point"
+    return missing
 
 
 def test_the_printed_form_of_a_claim_asks_for_all_that_the_kernel_asks_for():

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from book.assembly import stamps
 from proofs.engine.project import FILE, PROJECT
-from verify import formal
 from verify.checkers import second_checker
+from verify.coq import formal
 
 REPORT = PROJECT.report
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from book.assembly.stamps import table_in
 from renderer.intervals import Interval
-from verify import records
+from verify.evidence import records
 
 BENCHMARK_PREFIX = "bench:"
 SYNTAX = re.compile(r"(?P<id>(?:bench:)?\w+)\.(?P<key>[^\s|]+)(?:\s*[|\s]\s*(?P<format>\S+))?")

@@ -1,6 +1,6 @@
 """What was done, and from which sources: small JSON files in `.stamps/`.
 
-A result is up to date when its stamp equals what `verify.sources` finds now.
+A result is up to date when its stamp equals what `verify.evidence.sources` finds now.
 """
 
 import json
@@ -10,7 +10,7 @@ from pathlib import Path
 import yaml
 
 from renderer.whole_files import write_whole
-from verify.sources import HOME, PACKAGES, ROOT, file_hashes, files_in, hashes, key, reachable  # noqa: F401
+from verify.evidence.sources import HOME, PACKAGES, ROOT, file_hashes, files_in, hashes, key, reachable  # noqa: F401
 
 STAMPS = ROOT / ".stamps"
 LOCK_FILE = ROOT / "requirements.lock"

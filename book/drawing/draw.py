@@ -18,7 +18,7 @@ from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import FIGURES, Registered
 from proofs.engine.project import PROJECT
-from verify.sources import difference
+from verify.evidence.sources import difference
 
 GENERATED = PROJECT.generated
 PROCESSES = 2

@@ -23,7 +23,7 @@ import numpy as np
 
 from renderer.intervals import Interval, rounded_up
 from renderer.picture.frame import Frame
-from verify.records import RECORDS, read
+from verify.evidence.records import RECORDS, read
 
 
 @dataclass(frozen=True)

@@ -38,8 +38,8 @@ from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from proofs.engine.project import HOME, PROJECT
-from verify import formal
-from verify.survey import AXIOMS
+from verify.coq import formal
+from verify.coq.survey import AXIOMS
 
 OPEN = 3  # of the lines that a claim shows; the others are folded
 BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows

@@ -27,7 +27,7 @@ from book.extension.elements import Nodes, directive, on, role
 from book.extension.theorems import certificate, module_and_line, proofs_of
 from proofs.engine.project import PROJECT
 from proofs.engine.standalone import standalone_script
-from verify import grade_path
+from verify.evidence import grade_path
 
 DOWNLOADS, KERNELS = "_downloads/theorems", f"{PROJECT.kernels.replace('.', '/')}.py"
 LINKED = re.compile(r"\{source-link\}`([^`]+)`")

@@ -13,7 +13,7 @@ from book.assembly.contents import placed
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, all_theorems
 from proofs.printers.coq_statements import statements
-from verify import formal
+from verify.coq import formal
 
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")
 LEGEND = (PROJECT.page.get("legend", "index"), "badges")  # the page and the id of what says what badges mean
@@ -84,7 +84,7 @@ def load(book: Path) -> Proofs:
         if said:
             printed = statements(theorems[id])
             said |= {"printed": {name: printed[name] for name in said["claims"]}, "when": formal.when()}
-        whole = formal.whole(theorems[id], said) and entry["grade"] in ("proved", "measured")
+        whole = formal.is_formal(theorems[id], said) and entry["grade"] in ("proved", "measured")
         entry["shown"] = "formal" if whole else entry["grade"]
         entry["word"] = f"Coq, {said['when']}" if whole else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))

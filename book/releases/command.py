@@ -1,4 +1,12 @@
-"""`python -m book release-notes` and `python -m book release`."""
+"""`python -m book release-notes` and `python -m book release`.
+
+The notes compare the built book with the last release in `releases/`: theorems, numbers (in ulps or per cent), pictures
+(with difference images; of a plot, that its numbers moved). They fail where a grade was weakened, or a number left the
+tolerance that it stated, and `CHANGELOG.md` does not name the id under the version's heading. Tolerances and their
+reasons are in `releases/tolerances.toml`. To cut a release, give the version in `pyproject.toml`, `CITATION.cff` and a
+heading of the changelog; `make release-notes`; `make release`, and commit `releases/`; `make same-bytes`; tag it
+vVERSION, and the workflow publishes.
+"""
 
 import shutil
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from book.assembly import stamps
 from renderer.whole_files import write_whole
-from verify import formal
+from verify.coq import formal
 
 COMPARED = ("book/_build/html", "book/_generated")
 AROUND = 20  # bytes shown on each side of the first that differs

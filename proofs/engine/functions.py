@@ -1,6 +1,7 @@
 """The functions that formulas call: an entry has their names in every language, and encloses them.
 
-Where kernels had none there is also a program, with its error: `renderer.generate.programs.ELEMENTARY`.
+One that kernels do not have yet is also a program, `renderer.generate.programs.ELEMENTARY`, with its error in
+`proofs/formulas/certified.py`.
 """
 
 from collections.abc import Callable

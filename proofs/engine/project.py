@@ -35,8 +35,9 @@ class Project(NamedTuple):
     takes; sections: the pages that come first; laboratory: the page with cells. name: of the editions. printed: {file:
     "module:function" of its text}; kernels: the printed module. programs: {script of the site: the module with its
     `source`}; directives: further modules of the extension. tex: "module:name" of {symbol: TeX}. slowest: the figures
-    that take longest. records: {name: the fields of a `verify.records.Record`}; results, benchmarks: their folders.
-    formal: the folder of Coq's files; trusted: {one: its hash}; partly: {theorem: what of its words Coq was not told}.
+    that take longest. records: {name: the fields of a `verify.evidence.records.Record`}; results, benchmarks: their
+    folders. formal: the folder of Coq's files; trusted: {one: its hash}; partly: {theorem: what of its words Coq was
+    not told}.
     """
 
     root: Path

@@ -1,4 +1,4 @@
-"""A theorem as data, and how theorems are found and ordered. To add one, see CONTRIBUTING."""
+"""A theorem as data, and how theorems are found and ordered. To add one, see `proofs/theorems/language.py`."""
 
 import importlib
 import pkgutil

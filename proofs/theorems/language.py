@@ -1,4 +1,37 @@
-"""The language of theorems, which a file of theorems imports whole: claims, relations, symbols, fields, numbers."""
+"""The language of theorems, which a file of theorems imports whole: claims, relations, symbols, fields, numbers.
+
+Such a file is data: no registration, and no program. A claim is made of relations over the lines of a program of
+`proofs/`, never typed again; the conclusion of another theorem is borrowed. `oren_nayar.py` of
+tests/examples/light_model is short; `normal_limits.py` borrows.
+
+Symbols are real and nothing more, `real("x y")`: a sign is a hypothesis in `given`, and that m is whole is sin πm = 0.
+
+Relations arrive as they are written: SymPy evaluates nothing here. Substitute by `xreplace`, or by `Program.at`, and
+write `Derivative`, never `diff`: a rule of `proofs/engine/derivative.py` takes it, or says why there is none. A
+function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, counts for nothing:
+make one side a line of a program.
+
+Words are claims: a statement may be {text: the claims that say it}. A text that has none, but says why as a text, is
+grey, and listed on the page of findings. Steps are {what: why}. One claim, relation or point may stand where several
+may, and so may lists of them in lists.
+
+Mutants are near misses, at least two; each has the name of a claim, changes one field of it, and has to be refused, and
+to have a counterexample that is exact or enclosed in balls. Give `at=` the point that sampling is unlikely to hit: a
+rational one is exact. None may say what another says. A side condition has points on it, or just past it, where the
+claim `holds`, `fails` or is `undefined`. A false statement has the exact point in `refuted_at`, and the true variants
+as its mutants.
+
+A certificate that is not found names the polynomial and what is left of it. Show a lemma first (`shows` is in order),
+hint the `squares` of an inequality, or find out from the samples that the claim is false. A stale one belongs to
+formulas that have changed: search anew, and read the diff. Of hypotheses a point is searched for at which they hold.
+"the point is not a counterexample" or a case "for 1 = 0" says that none was found: they contradict each other, or the
+search needs coordinates, `example={eye: 5, radius: 3}`.
+
+A lemma from the literature is `cited=CitedLemma(relation, source, given)`, and the grade says so. `given` are the
+source's conditions; the claim has to prove them, and samples test the lemma under these alone. Coq alone proves what
+float64 loses of a printed program, a `Rounded` claim in the theorem's `rounded=`. Where its tactic `claim` is not
+enough for a claim, `proofs/formal/Hits.v` shows what is.
+"""
 
 from collections.abc import Sequence
 

@@ -1,1 +1,1 @@
-"""How accurate the float64 programs are: certified bounds, exact errors against 50 digits, and where they come from."""
+"""Accuracy of the float64 programs: certified bounds, exact errors against 50 digits, and their sources."""

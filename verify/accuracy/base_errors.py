@@ -1,7 +1,7 @@
-"""What the algebraic gradient can be off, certified: its bases over boxes of the hits, and their powers.
+"""Certified errors of the algebraic gradient: those of its bases over boxes of the hits, and of their powers.
 
-A's lines are run on numbers that are Enclosed twice: the exact ones over a box, and how far float64's are off there.
-That has no unit of length: e = 1. All numbers are positive; x and y are, without loss.
+A's lines are run on numbers that are Enclosed twice: the exact ones over a box, and float64's errors there. These have
+no unit of length: e = 1. All numbers are positive; x and y are, without loss.
 """
 
 from fractions import Fraction
@@ -46,7 +46,7 @@ class OverBoxes(Bounded):
 
     @property
     def size(self) -> Any:
-        """How large the float64 number can be."""
+        """The largest size of the float64 number."""
         return abs(self.value) + self.error
 
     size_of_quotient = staticmethod(abs)
@@ -70,7 +70,7 @@ class OverBoxes(Bounded):
         return OverBoxes(value, moved + (abs(value) + moved) * lost)
 
     def sqrt(self) -> "OverBoxes":
-        """|√a − √b| = |a − b|/(√a + √b)."""
+        """Return the square root, by |√a − √b| = |a − b|/(√a + √b)."""
         root, least = operations.sqrt(self.value), operations.sqrt(self.value - self.error)
         return self.rounded(root, self.error / (root + least), UNIT)
 
@@ -90,18 +90,19 @@ def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
     return Enclosed(np.expand_dims(middle, -1 - axis), np.expand_dims(reach, -1 - axis))
 
 
-def run(program: Program, values: dict[str, OverBoxes], known: dict[str, Enclosed] | None = None) -> dict:
-    """Run the lines on {name: number}, and return it with theirs. known: {name: its value, if that is known better}."""
+def run(program: Program, values: dict[str, OverBoxes], closer: dict[str, Enclosed] | None = None) -> dict:
+    """Run the lines on {name: number}, and return it with theirs. closer: {name: its value} of values that are
+    enclosed more closely otherwise."""
     for name, line in code_of(program):
         number = OverBoxes.of(eval(line, {**OverBoxes.names, "value": values}))
-        values[name] = OverBoxes(known[name], number.error) if known and name in known else number
+        values[name] = OverBoxes(closer[name], number.error) if closer and name in closer else number
     return values
 
 
-def _errors(outputs, given, values, known):
+def _errors(outputs, inputs, values, closer):
     """Return [the errors] of outputs of A's lines, from given symbols on."""
-    found = run(lines(angles_on_a, given, outputs), values, known)
-    return [found[symbol.name].error for symbol in outputs]
+    numbers = run(lines(angles_on_a, inputs, outputs), values, closer)
+    return [numbers[symbol.name].error for symbol in outputs]
 
 
 def _largest(*parts):
@@ -125,8 +126,8 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     radius, share = boxes(ratios, 0), boxes(np.sqrt(1 - np.linspace(least, 1, BOXES[1] + 1)))  # ρ/ρ_s
     rho_here = share * radius / operations.sqrt((1.0 - radius) * (1.0 + radius))
     at = {"eye": OverBoxes(1.0), "radius": OverBoxes(radius), "rho": OverBoxes(rho_here, rho_here * of_rho)}
-    known = {"discriminant_a": radius * radius * ((1.0 - share) * (1.0 + share))}
-    return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, known))
+    closer = {"discriminant_a": radius * radius * ((1.0 - share) * (1.0 + share))}
+    return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, closer))
 
 
 def gradient_pieces(least: float = LEAST_SQUARE) -> list[tuple[arb, arb, Fraction]]:

@@ -1,4 +1,4 @@
-"""Where a step is too small for float64 to take: both u + ε and u − ε round back to u, and every height has slope 0."""
+"""Steps too small for float64 to take: both u + ε and u − ε round back to u, and every height has slope 0."""
 
 import numpy as np
 from numpy.typing import ArrayLike

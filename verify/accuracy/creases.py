@@ -1,4 +1,4 @@
-"""Where on the image a field's creases are: the lines on which a crease factor sinpi(w) is zero, seen from the eye.
+"""The creases of a field on the image: the lines on which a crease factor sinpi(w) is zero, seen from the eye.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are.
 """

@@ -28,7 +28,7 @@ Curves = dict[str, np.ndarray]  # {part: one number for each step}
 
 
 class Case(NamedTuple):
-    """Where a difference is taken: the component, one of SLOPES, of a field at (u, v)."""
+    """A place of a difference: the component, one of SLOPES, of a field at (u, v)."""
 
     name: str
     field: str
@@ -47,27 +47,27 @@ class Case(NamedTuple):
 @cache
 def _split(field):
     """Return a central difference, and in two programs: where it samples, and the quotient of given samples."""
-    whole = central(HEIGHT_FIELDS[field])
-    return whole, whole.keep(*ARGUMENTS), lines(whole, ARGUMENTS, whole.outputs)
+    difference = central(HEIGHT_FIELDS[field])
+    return difference, difference.keep(*ARGUMENTS), lines(difference, ARGUMENTS, difference.outputs)
 
 
 def taken_apart(field: str, inputs: Inputs, steps: ArrayLike) -> dict[str, np.ndarray]:
     """Return {component: the signed errors of PARTS} over arrays of points or of steps. inputs: u, v, k_u, k_v."""
-    at, (whole, where, given) = {**inputs, "epsilon": steps}, _split(field)
+    at, (difference, where, quotient) = {**inputs, "epsilon": steps}, _split(field)
     slope, exact, computed = (
         in_balls(gradient(HEIGHT_FIELDS[field]), inputs),
-        in_balls(whole, at),
-        in_float64(whole, at),
+        in_balls(difference, at),
+        in_float64(difference, at),
     )
-    moved = in_balls(given, at | in_float64(where, at))
+    moved = in_balls(quotient, at | in_float64(where, at))
     pairs = ((exact, slope), (moved, exact), (computed, moved), (computed, slope))
     return {c: np.array([signed_distance(a[c], b[c]) for a, b in pairs]) for c in SLOPES}
 
 
 def parts(case: Case, steps: ArrayLike = STEPS) -> Curves:
     """Return {part: signed errors} of a case over the steps."""
-    found = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64))
-    return dict(zip(PARTS, found[case.component], strict=True))
+    errors = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64))
+    return dict(zip(PARTS, errors[case.component], strict=True))
 
 
 @np.errstate(all="ignore")
@@ -79,9 +79,9 @@ def bounds(case: Case, steps: ArrayLike = STEPS) -> Curves:
     return dict(zip(PARTS, (exact, *rounding, exact + sum(rounding)), strict=True))
 
 
-def escapes(found: Curves, limits: Curves) -> dict[str, int]:
+def escapes(errors: Curves, limits: Curves) -> dict[str, int]:
     """Return {part: how many points are above their bound}; what is not a number is above."""
-    return {part: int(np.count_nonzero(~(np.abs(found[part]) <= limit))) for part, limit in limits.items()}
+    return {part: int(np.count_nonzero(~(np.abs(errors[part]) <= limit))) for part, limit in limits.items()}
 
 
 SMOOTH = (0.31, 0.47)

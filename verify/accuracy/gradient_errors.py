@@ -32,11 +32,11 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
     at: eye, radius, x, y, k_u, k_v. sides_certain: 0 where a crease is so near that its side is not.
     """
     true_factors = factors(field)
-    whole = chain("from_image", angles_on_a, chart, gradient(field), outputs=(*true_factors.outputs, h_u, h_v))
+    reference = chain("from_image", angles_on_a, chart, gradient(field), outputs=(*true_factors.outputs, h_u, h_v))
     waves = [float(w.subs({k_u: at["k_u"], k_v: at["k_v"]})) for w in field.wave_numbers or ()]
     k = max(1.0, *map(abs, waves))
     algebraic = chain("image_gradient", angles_on_a, algebraic_gradient(field, at["k_u"], at["k_v"]))
-    computed, true = in_float64(algebraic, at), in_balls(whole, at)
+    computed, true = in_float64(algebraic, at), in_balls(reference, at)
     off = np.maximum(*(distance(computed[name], true[name]) for name in SLOPES)) / (math.pi * k * UNIT) / (1 + k)
     if field.creases and sides_certain:
         sines = np.array([true[s.name] for s in (sin_u, sin_v)])
@@ -50,7 +50,7 @@ def worst_at(ratios: np.ndarray, shares: np.ndarray, *waves: np.ndarray) -> np.n
     Half of the points are moved toward the pole. The azimuth is random, of a third a multiple of π/64: of the creases
     of ridges. Wave numbers are rounded to those that have an algebraic form. The shape is that of the ratios.
     """
-    rng, found, eye = np.random.default_rng(SEED), np.zeros(ratios.shape), 1 / ratios
+    rng, largest, eye = np.random.default_rng(SEED), np.zeros(ratios.shape), 1 / ratios
     toward_pole = 10.0 ** -np.where(rng.random(ratios.shape) < 0.5, rng.uniform(0, 140, ratios.shape), 0)
     angle = rng.uniform(-math.pi, math.pi, ratios.shape)
     angle = np.where(rng.random(ratios.shape) < 1 / 3, np.rint(angle * 64 / math.pi) * math.pi / 64, angle)
@@ -62,5 +62,5 @@ def worst_at(ratios: np.ndarray, shares: np.ndarray, *waves: np.ndarray) -> np.n
         at = dict(zip(("x", "y"), (axis[here] for axis in points), strict=True)) | {"eye": eye[here], "radius": 1.0}
         multiples = [float(wave.subs({k_u: 1, k_v: 1})) or 1 for wave in field.wave_numbers or ()]
         at |= dict(zip(("k_u", "k_v"), pair / multiples, strict=True))
-        found[here] = np.maximum(found[here], errors_at(field, at))
-    return found
+        largest[here] = np.maximum(largest[here], errors_at(field, at))
+    return largest

@@ -1,4 +1,4 @@
-"""How fast the difference's error falls with the step where it is not smooth: over creases, and clamped at the pole.
+"""Orders of the difference's error in the step where it is not smooth: over creases, and clamped at the pole.
 
 Over the chart the RMS error of ridges follows theorem crease_error_area. It is smooth between the creases and the
 points ε away from one, so Gauss–Legendre nodes go there: random points would miss the bands below ε ≈ 6e-5.
@@ -25,7 +25,7 @@ NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4
 CLAMPED = (*HEIGHT_FIELDS.values(), HeightField("cosine", cospi(k_v * v)))
 FIELDS = {field.name: field for field in CLAMPED if field.expression.has(v)}
-"""What is clamped at the pole: the fields that depend on v, and one that is not odd about v = 0, whatever they are."""
+"""Fields that are clamped at the pole: those that depend on v, and one that is not odd about v = 0."""
 STEPS = np.logspace(-6, -3, 13)
 _crease_rms = function_of(step_bounds.crease_rms)
 
@@ -43,8 +43,8 @@ def enclosed_slope(steps: ArrayLike, values: Sequence[Interval]) -> Interval:
     right = np.log(steps) > np.mean(np.log(steps))
     lower = [v.lower if r else v.upper for v, r in zip(values, right, strict=True)]
     upper = [v.upper if r else v.lower for v, r in zip(values, right, strict=True)]
-    found = fitted_slope(steps, [v.value for v in values])
-    return Interval(found, fitted_slope(steps, lower) - 1e-9, fitted_slope(steps, upper) + 1e-9)
+    slope = fitted_slope(steps, [v.value for v in values])
+    return Interval(slope, fitted_slope(steps, lower) - 1e-9, fitted_slope(steps, upper) + 1e-9)
 
 
 def predicted(component: str, steps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:

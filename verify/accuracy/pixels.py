@@ -72,12 +72,12 @@ def _kinds(scene, frame):
 
 def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int, int]]:
     """Return [(kind, column, row)]: `each` pixels of every kind; among equals at random."""
-    rng, found = np.random.default_rng(SEED), []
+    rng, pixels = np.random.default_rng(SEED), []
     for kind, plane in _kinds(scene, frame).items():
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
-        found += [(kind, *place) for place in zip(columns.tolist(), rows.tolist(), strict=True)]
-    return found
+        pixels += [(kind, *place) for place in zip(columns.tolist(), rows.tolist(), strict=True)]
+    return pixels
 
 
 def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
@@ -107,11 +107,11 @@ def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> 
 
 def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:
     """Return every chosen pixel of {name: Scene}, Checked."""
-    found = []
+    pixels = []
     for name, scene in scenes.items():
         frame = render(scene, SIZE, SIZE, bounds=True)
-        found += [checked_pixel(name, frame, *place) for place in chosen(scene, frame, each)]
-    return found
+        pixels += [checked_pixel(name, frame, *place) for place in chosen(scene, frame, each)]
+    return pixels
 
 
 def problems(pixels: Iterable[Checked], share: float = 1.0) -> list[Checked]:

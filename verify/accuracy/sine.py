@@ -1,8 +1,8 @@
-"""How far the kernels' sine and cosine of half-turns of a product can be off, certified in units of 2⁻⁵³.
+"""Certified error of the kernels' sine and cosine of half-turns of a product, in units of 2⁻⁵³.
 
 Over boxes of the reduced argument r, 0 ≤ r ≤ 1/4 + 2⁻³⁰; the rest is by symmetry. The reduction is exact, but for the
 rounding of r, where product_error is added. The error is at most that of the rounded lines, of their polynomial, as it
-stands with its float64 coefficients, and what the rounding of r makes of it.
+stands with its float64 coefficients, and of the rounding of r.
 """
 
 import math
@@ -47,19 +47,19 @@ def pieces(off: int = 0) -> list[tuple[arb, arb, arb]]:
     program = chain("near", {s: e.reduction[s].xreplace(changed) for s in (e.z, e.sine_tail, *SIGNS)})
     ends = np.linspace(0, END, PIECES + 1)
     scope, rounded = run(program, {"remainder": OverBoxes(boxes(ends))}), np.spacing(ends[1:]) / 2
-    found = []
+    totals = []
     for near, other in (SIGNS, reversed(SIGNS)):  # each is the other's slope
         steepest = math.pi * scope[other.name].size.size
-        found.append(scope[near.name].error.size + steepest * rounded + departure(near, program))
-    most = np.max(found, axis=(0, 1)) / UNIT * ROOM
+        totals.append(scope[near.name].error.size + steepest * rounded + departure(near, program))
+    most = np.max(totals, axis=(0, 1)) / UNIT * ROOM
     return [(arb(low), arb(high), arb(each)) for low, high, each in zip(ends, ends[1:], most, strict=False)]
 
 
 def errors(points: np.ndarray) -> np.ndarray:
     """Return the larger error of sine and cosine, measured, at an array of r, of products that round."""
     factor = np.random.default_rng(3).uniform(1, 2, points.shape)
-    given, off = {"x": points / factor, "y": factor}, np.zeros(points.shape)
+    inputs, off = {"x": points / factor, "y": factor}, np.zeros(points.shape)
     for program in (RULES["enclosed_sine"], RULES["enclosed_cosine"]):
-        (ours,), (exact,) = in_float64(program, given).values(), in_balls(program, given).values()
+        (ours,), (exact,) = in_float64(program, inputs).values(), in_balls(program, inputs).values()
         off = np.maximum(off, distance(ours, exact))
     return off / UNIT

@@ -1,6 +1,6 @@
-"""What stacks on a bump: a mean over points of a lamp, or over points of a pixel, of the two pipelines' difference.
+"""Means of the two pipelines' difference over points of a lamp, or of a pixel: both stack on a bump.
 
-A lobe of reflected directions does not: its rays are made from N', and what they meet depends on the bump.
+A lobe of reflected directions does not: its rays are made from N', and meet other bodies with another bump.
 
 A bump moves no boundary, so each sample's chambers are the same for both pipelines, and |ΔI| ≤ L|β||Δg| in each
 (theorem difference_bound). A mean keeps the bound (theorem mean_keeps_the_bound).

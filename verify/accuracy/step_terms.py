@@ -1,4 +1,4 @@
-"""How far a central difference can be off at a point, term by term, by the theorems: what pages and simulator show.
+"""Bounds of a central difference's error at a point, term by term, by the theorems: pages and simulator show them.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are (under `numpy.errstate`: a selection
 computes both of its sides). Each number has ROOM for the rounding of the lines that compute it.
@@ -54,7 +54,7 @@ class Side(NamedTuple):
 
     @property
     def is_sine(self) -> bool:
-        """Whether the factor is a sine: odd about 0."""
+        """True where the factor is a sine: odd about 0."""
         return isinstance(self.factor, sinpi)
 
     def height(self, at: Number) -> Number:
@@ -126,7 +126,7 @@ def _exact_in_v(side, epsilon, inside):
     """Return (kind, bound, no jump) of the error in v in exact arithmetic. Zeros at the poles are no creases.
 
     Clamped at the pole v = 0, a sine keeps second order, but not where a factor that is folded is 0: at the pole itself
-    its slope is 0 by the rule of creases. Whatever is clamped there, or at the other pole, has the crudest bound.
+    its slope is 0 by the rule of creases. A factor that is clamped there, or at the other pole, has the crudest bound.
     """
     smooth, most = truncation_bound(epsilon, side.rate), crease_bound(side.rate)
     clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf
@@ -160,11 +160,11 @@ def _terms(side, still, epsilon, span, excess, moved, exact):
         height, excess = height + UNIT * largest * fixed, excess + SHARED + excess * SHARED
     argument = rounding_bound(span, steepest, 0.0, 0.0, moved)
     value = rounding_bound(span, steepest + jump / span, excess, height, 0.0)
-    found = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
-    found[1:3] = argument, value
+    terms = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
+    terms[1:3] = argument, value
     lost = (side.at + epsilon == side.at) & (side.at - epsilon == side.at)  # one height, twice: the error is the slope
     slope = slope_bound(side.rate) * fixed * side.slope()
-    lost_terms = (where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(found))
+    lost_terms = (where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(terms))
     return [where(side.rate > 0.0, ROOM * term, 0.0) for term in lost_terms]
 
 
@@ -200,10 +200,10 @@ def bounds_of(field: HeightField) -> Callable | None:
         return None
 
     def bounds(u, v, k_u, k_v, epsilon):
-        found = terms(u, v, k_u, k_v, epsilon)
-        of_u, of_v = (sum(part[1:], part[0]) for part in found)
+        pairs = terms(u, v, k_u, k_v, epsilon)
+        of_u, of_v = (sum(part[1:], part[0]) for part in pairs)
         leading, largest = 0.0, 0.0
-        for number, pair in enumerate(zip(*found, strict=True), start=1):
+        for number, pair in enumerate(zip(*pairs, strict=True), start=1):
             term = where(of_u > of_v, *pair)
             leading, largest = where(term > largest, float(number), leading), maximum(largest, term)
         return maximum(of_u, of_v), leading, of_u, of_v

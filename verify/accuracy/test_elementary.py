@@ -17,7 +17,7 @@ from proofs.formulas.enclosed import RULES
 from proofs.formulas.symbols import real, x, y
 from renderer import kernels
 from renderer.operations import UNIT
-from verify import formal
+from verify.coq import formal
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 
@@ -50,8 +50,8 @@ CASES = {
 def errors(name):
     """Return how far a function is off, in units of 2^-53, and its size."""
     program, arguments, _ = CASES[name]
-    given = dict(zip((s.name for s in program.inputs), arguments, strict=True))
-    (ours,), (exact,) = in_float64(program, given).values(), in_balls(program, given).values()
+    inputs = dict(zip((s.name for s in program.inputs), arguments, strict=True))
+    (ours,), (exact,) = in_float64(program, inputs).values(), in_balls(program, inputs).values()
     return distance(ours, exact) / UNIT, np.abs(exact.astype(float))
 
 
@@ -65,11 +65,11 @@ def test_no_error_is_larger(name):
 
 
 def test_what_a_step_says_is_what_coq_accepted():
-    said = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]["elementary_functions"]["statements"]
+    statements = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]["elementary_functions"]["statements"]
     rate = f" + {POWER_RATE.numerator} / {POWER_RATE.denominator} * Rabs (p * ln x)"
     for name, most in PROVED.items():
         written = f"{most.numerator} / {most.denominator}{rate if name == 'power' else ''}"
-        assert written in said[f"elementary_functions__{name}"], name
+        assert written in statements[f"elementary_functions__{name}"], name
 
 
 def test_the_enclosing_machine_charges_enough():

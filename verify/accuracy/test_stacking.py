@@ -26,6 +26,6 @@ def test_a_bound_without_the_highlight_is_exceeded(monkeypatch):
 
 
 def test_a_mean_does_not_heal_a_difference():
-    """What a difference is off by has one sign over a lamp: were it noise, 16 points would leave a quarter."""
+    """The error of a difference has one sign over a lamp: were it noise, 16 points would leave a quarter."""
     one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms.value for lamp in (1, 4))
     assert 0.9 < many / one < 1

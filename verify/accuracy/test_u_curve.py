@@ -1,6 +1,6 @@
 """Errors of slopes: the U-curve taken apart, its best step, the algebraic gradient's worst.
 
-That every point lies below its bound is the theorem `difference_bounds`, run with the others.
+By theorem `difference_bounds`, run with the others, every point lies below its bound.
 """
 
 import numpy as np
@@ -20,26 +20,26 @@ SOME = STEPS[::20]
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_what_is_taken_apart_is_the_renderers_error(case):
     """Its own difference, one step at a time."""
-    scene, found = Scene(field=case.field, ku=case.k_u, kv=case.k_v), parts(case, SOME)
+    scene, errors = Scene(field=case.field, ku=case.k_u, kv=case.k_v), parts(case, SOME)
     slopes = [gradient_at(scene, case.u, case.v, central(step)) for step in SOME.tolist()]
     drawn = np.array(slopes, float)[:, SLOPES.index(case.component)]
     true = in_balls(gradient(HEIGHT_FIELDS[case.field]), case.inputs)[case.component]
-    np.testing.assert_array_equal(signed_distance(drawn, true), found["total"])
+    np.testing.assert_array_equal(signed_distance(drawn, true), errors["total"])
 
 
 def test_an_escape_is_seen():
-    found, limits = parts(STEEP, SOME), bounds(STEEP, SOME)
-    assert not any(escapes(found, limits).values())
-    assert any(escapes(found, {part: limit / 4 for part, limit in limits.items()}).values())
-    assert escapes(found | {"total": np.nan * SOME}, limits)["total"] == len(SOME)
+    errors, limits = parts(STEEP, SOME), bounds(STEEP, SOME)
+    assert not any(escapes(errors, limits).values())
+    assert any(escapes(errors, {part: limit / 4 for part, limit in limits.items()}).values())
+    assert escapes(errors | {"total": np.nan * SOME}, limits)["total"] == len(SOME)
 
 
 @pytest.mark.parametrize("k", [1, 8, 512])
 @pytest.mark.parametrize("representable", [False, True])
 def test_the_best_step_is_where_it_is_predicted(k, representable):
-    proved, seen = best_step.predicted(k, representable), best_step.measured(k, representable)
-    assert proved.step / 4 < seen.step < proved.step * 2
-    assert proved.floor / 20 < seen.floor <= proved.floor
+    proved, measured = best_step.predicted(k, representable), best_step.measured(k, representable)
+    assert proved.step / 4 < measured.step < proved.step * 2
+    assert proved.floor / 20 < measured.floor <= proved.floor
 
 
 # The algebraic gradient, once the sides of the creases are certain

@@ -18,7 +18,7 @@ import numpy as np
 
 from verify.benchmark.frames import FITTED, frame_cases, start_cases, step_cases
 from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
-from verify.records import command
+from verify.evidence.records import command
 
 QUICK_SIDE = 1024
 RATIOS = {

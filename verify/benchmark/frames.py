@@ -1,4 +1,4 @@
-"""What is timed of whole frames: every renderer, sizes from 64² on, one thread and two, and steps of a sweep.
+"""Whole frames that are timed: every renderer, sizes from 64² on, one thread and two, and steps of a sweep.
 
 A case's name is renderer_side_threads. No frame is kept: two of 8192² at once would not fit everywhere.
 """
@@ -20,7 +20,7 @@ from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from verify.benchmark.baselines.seed_loops import seed_loops
 from verify.benchmark.timing import Case
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 SCENE = Scene()
 A_ALONE = Scene(ball=False, floor=False)

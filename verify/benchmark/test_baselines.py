@@ -27,9 +27,9 @@ DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIE
 
 @pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 30, None)])
 def test_the_seed_loops_draw_our_picture(drawn):
-    *given, eps = drawn
-    rgb, surfaces = seed_loops(*given, eps)
-    frame = render(*given, exact() if eps is None else central(eps))
+    *picture, eps = drawn
+    rgb, surfaces = seed_loops(*picture, eps)
+    frame = render(*picture, exact() if eps is None else central(eps))
     assert largest(rgb, frame) < LOOPS_AGREE
     assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
 

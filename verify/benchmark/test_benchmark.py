@@ -5,7 +5,7 @@ from functools import partial
 
 from verify.benchmark import __main__ as frames, timing
 from verify.benchmark.timing import Case
-from verify.records import read
+from verify.evidence.records import read
 
 
 def with_quartiles(numbers):
@@ -17,9 +17,9 @@ def with_quartiles(numbers):
 
 def test_cases_take_turns_forwards_and_backwards():
     """Each is called once before all, and a visit of several calls begins with one that is not timed."""
-    seen, times = [], {"a": (1, 3), "b": (2, 2), "c": (1, 1)}
-    seconds = timing.timings([Case(name, partial(seen.append, name), *times[name]) for name in times], "test")
-    assert "".join(seen) == "abc" + "abbbc" + "bbba" + "a"
+    order, times = [], {"a": (1, 3), "b": (2, 2), "c": (1, 1)}
+    seconds = timing.timings([Case(name, partial(order.append, name), *times[name]) for name in times], "test")
+    assert "".join(order) == "abc" + "abbbc" + "bbba" + "a"
     assert {name: len(calls) for name, calls in seconds.items()} == {"a": 3, "b": 4, "c": 1}
 
 

@@ -20,7 +20,7 @@ from verify.benchmark.work_precision import (
     points_for,
     unbeaten_by_ours,
 )
-from verify.records import read
+from verify.evidence.records import read
 
 RESULT = read("work_precision")
 ROWS = RESULT["gradients"]

@@ -1,4 +1,4 @@
-"""How things are timed: round after round in turns, every second round backwards.
+"""Timing: round after round in turns, every second round backwards.
 
 A machine that slows down for a while then slows all of them.
 """

@@ -26,7 +26,7 @@ from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
-from verify.records import command
+from verify.evidence.records import command
 from verify.reference import COLORS, reference_pixel
 
 CHECKED, ROUNDS, SEED = 4096, 15, 3
@@ -50,12 +50,12 @@ def truth_at(count: int) -> dict[str, np.ndarray]:
     return in_balls(gradient(FIELD), {"u": u, "v": v, **WAVES})
 
 
-def largest_error(found: Sequence[np.ndarray], count: int) -> float:
+def largest_error(slopes: Sequence[np.ndarray], count: int) -> float:
     """Return the largest |error| of h_u and h_v over the sample's points, as a float."""
     truth = truth_at(count)
-    if found[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
-        found = [np.frompyfunc(arb, 1, 1)(f) for f in found]
-    return max(float(distance(f, truth[n]).max()) for f, n in zip(found, ("h_u", "h_v"), strict=True))
+    if slopes[0].dtype == object:  # mpmath's own numbers, whose error may be far below float64's
+        slopes = [np.frompyfunc(arb, 1, 1)(f) for f in slopes]
+    return max(float(distance(f, truth[n]).max()) for f, n in zip(slopes, ("h_u", "h_v"), strict=True))
 
 
 def _timed(rows, title):
@@ -95,7 +95,7 @@ def gradient_numbers(rows: Sequence[Row]) -> dict[str, float]:
 
 def best_rows(rows: Sequence[Row], error: str = "error") -> list[Row]:
     """Return each method's row of the least error, in order."""
-    return [min(own, key=lambda row: row[error]) for _, own in groupby(rows, lambda row: row["method"])]
+    return [min(group, key=lambda row: row[error]) for _, group in groupby(rows, lambda row: row["method"])]
 
 
 def key_of(method: str) -> str:
@@ -113,9 +113,9 @@ def reference_pixels(scene: Scene, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return random pixels of A (n, 2), (row, column), and their colours (n, 3) from 50 digits, rounded to float64."""
     on_a = np.argwhere(stage_of(scene, SIDE, SIDE).on_a)
     places = on_a[np.random.default_rng(SEED).choice(len(on_a), count, replace=False)]
-    found = [reference_pixel(scene, SIDE, SIDE, column, row)
+    pixels = [reference_pixel(scene, SIDE, SIDE, column, row)
              for row, column in tqdm(places.tolist(), desc=f"50 digits, {scene.field}", unit="pixel")]  # fmt: skip
-    return places, np.array([[float(pixel[c]) for c in COLORS] for pixel in found])
+    return places, np.array([[float(pixel[c]) for c in COLORS] for pixel in pixels])
 
 
 def frame_rows(rounds: int, count: int) -> list[Row]:

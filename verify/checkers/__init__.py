@@ -1,1 +1,1 @@
-"""What judges a theorem: certificates, samples at 50 digits, mutants, and the grade."""
+"""Judges of a theorem: its certificates, samples at 50 digits, false variants, measurements, and its grade."""

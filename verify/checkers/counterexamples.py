@@ -1,10 +1,12 @@
 """Counterexamples of false variants: a point at 50 digits, certified by balls, and where it can be had an exact one."""
 
-from collections.abc import Iterable
+import operator
+from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
 import mpmath
+from sympy import Eq, Symbol
 
 from proofs.engine import kernel
 from proofs.engine.claim import Claim, Induction, Separation
@@ -13,10 +15,17 @@ from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import each_shown
 from proofs.engine.theorem import Mutant, Theorems
 from verify.checkers import witness
-from verify.checkers.certified import certified
-from verify.checkers.digits import TOLERANCE, WORKING_DIGITS
-from verify.checkers.sampler import Sampler
+from verify.checkers.digits import TOLERANCE, WORKING_DIGITS, Code, Undefined, decided, parts_of
+from verify.checkers.sampler import Sampler, real_roots
 
+try:
+    import flint
+
+    from verify.evaluate.balls import BALLS
+except ImportError:  # then no counterexample is certified
+    flint = None  # type: ignore[assignment]
+
+BITS = 400
 FAILURES, UNROLLED = 6, 4  # and the first numbers of which an induction is tried
 EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draws for each: a short look, a long one
 
@@ -33,9 +42,9 @@ def counterexample(mutant: Mutant, seed: str, theorems: Theorems) -> dict[str, A
     if not isinstance(mutant.claim, Induction):
         return _where_it_fails(mutant.claim, mutant.at, seed, theorems)
     for number in range(UNROLLED):
-        seen = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
-        if seen:
-            return seen | {"at": seen["at"] | {mutant.claim.n.name: str(number)}}
+        point = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
+        if point:
+            return point | {"at": point["at"] | {mutant.claim.n.name: str(number)}}
     return None
 
 
@@ -63,13 +72,13 @@ def _where_it_fails(claim, at, seed, theorems):
 def exact_counterexample(claim: Claim, failures: Iterable[dict], theorems: Theorems) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that the kernel accepts, or None."""
     try:
-        said = each_shown(claim, theorems)
+        statements = each_shown(claim, theorems)
     except Untranslatable:
         return None
     for point in failures:
         rational = {s: _rational(v) for s, v in point.items()}
         if all(q is not None for q in rational.values()):
-            pair = refutation(said, rational)
+            pair = refutation(statements, rational)
             if pair is not None and kernel.check(*pair) is None:
                 return {s.name: str(q) for s, q in sorted(rational.items(), key=str)}
     return None
@@ -85,12 +94,57 @@ def _rational(value):
 def path_to_avoided(claim: Separation) -> list[str] | None:
     """Return the shortest list of names from an output of a Separation to a name that it should avoid, or None."""
     uses = {s: sorted(e.free_symbols, key=str) for s, e in claim.lines.definitions}
-    paths, seen = [[s] for s in claim.outputs], set(claim.outputs)
+    paths, reached = [[s] for s in claim.outputs], set(claim.outputs)
     for path in paths:
         if path[-1] in claim.avoid:
             return [s.name for s in path]
         for name in uses.get(path[-1], []):
-            if name not in seen:
-                seen.add(name)
+            if name not in reached:
+                reached.add(name)
                 paths.append([*path, name])
     return None
+
+
+def certified(sampler: Sampler, point: Mapping[Symbol, Any], fixed: Collection[Symbol] = ()) -> bool:
+    """Return whether balls, with every rounding in them, show that a claim fails near a 50-digit point {symbol: value}.
+
+    The free inputs, and those that are fixed, are taken as they are, exactly; what the sampler solved for is solved
+    again, by formulas, so that its ball holds a solution. Of other equations each has to hold of exact numbers.
+    """
+    if flint is None:
+        return False
+    with flint.ctx.workprec(BITS):
+        names = BALLS | {"compare": decided, "real": _real, "pi": flint.arb.pi()}
+        names |= {"sqrt": flint.arb.sqrt, "power": operator.pow}  # undefined where a ball reaches below 0
+        again = [(s, of) for s, of in sampler.solved if s not in fixed]
+        values = {s: flint.arb(v) for s, v in point.items() if s not in dict(again)}
+
+        def holds(relation):
+            """Return whether a relation holds, or None where that is open."""
+            if relation == False:  # noqa: E712  (SymPy's false is not Python's)
+                return False
+            try:
+                left, right = Code((relation.lhs, relation.rhs), sampler.definitions)(values, names)
+                return decided(left, relation.rel_op, right)
+            except (Undefined, NameError):
+                return None
+
+        def solved(symbol, coefficients):
+            """Return a ball with the root that is near the point's coordinate."""
+            near = flint.arb(point[symbol])
+            return min(real_roots(coefficients(values, names)), key=lambda root: float(abs(root - near).mid()))
+
+        try:
+            for symbol, coefficients in again:
+                values[symbol] = solved(symbol, coefficients)
+        except (Undefined, NameError, ValueError, TypeError):  # no root, or none by a formula
+            return False
+        solutions = {r for r, symbol in sampler.solved_relations.items() if symbol not in fixed}
+        unsolved = [r for r in sampler.given if not (isinstance(r, Eq) and r in solutions)]
+        return all(map(holds, unsolved)) and any(holds(r) is False for r in parts_of(sampler.claimed))
+
+
+def _real(ball):
+    if not ball.is_finite():
+        raise Undefined("infinite, or of a ball where it has no value")
+    return ball

@@ -37,7 +37,7 @@ def _step(x, *_):
 
 
 NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "DiracDelta": lambda x, *_: 0 * _step(x)}
-"""What the code calls, over numbers at mpmath's working precision, where every comparison has to be decided."""
+"""Functions that the code calls, at mpmath's working precision, where every comparison has to be decided."""
 
 
 def differentiated(expression: Basic) -> Basic:

@@ -1,4 +1,4 @@
-"""What a run found about one theorem, the grade on that alone, and the grade in the run: what it rests on counts."""
+"""Grades of theorems: each on its own evidence, then in the run, where the theorems that it rests on count."""
 
 import re
 from collections import Counter
@@ -24,7 +24,7 @@ ENOUGH |= {"argued": (*EXACT, "argued"), "refuted": (*EXACT, "argued"), "certifi
 
 @dataclass
 class Examination:
-    """What a run found about one theorem. `problems` name what is missing; `record` is what the report keeps."""
+    """A run's evidence for one theorem. problems: the evidence that is missing. record: its entry of the report."""
 
     id: str
     expected: str
@@ -63,8 +63,8 @@ class Examination:
             self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
         keys = {theorem.source, *(lemma.source for lemma in lemmas)} - {""}
         text = BIBLIOGRAPHY.read_text(encoding="utf-8") if BIBLIOGRAPHY.is_file() else ""
-        known = set(re.findall(r"^@\w+\{([^,\s]+)", text, re.MULTILINE))
-        self.problems += [f"the bibliography has no {key}" for key in sorted(keys - known)]
+        entries = set(re.findall(r"^@\w+\{([^,\s]+)", text, re.MULTILINE))
+        self.problems += [f"the bibliography has no {key}" for key in sorted(keys - entries)]
 
 
 def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
@@ -75,15 +75,15 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
     def grade(id):
         if id not in by_id:
             return "missing", f"{id} was not run"
-        own, uses = by_id[id]["grade"], by_id[id]["uses"]
-        enough = ENOUGH.get(own, STANDING)
+        alone, uses = by_id[id]["grade"], by_id[id]["uses"]
+        enough = ENOUGH.get(alone, STANDING)
         weak = [use for use in uses if grade(use)[0] not in enough]
-        if own != "failed" and NOT_RECHECKED in (own, *(grade(use)[0] for use in weak)):
+        if alone != "failed" and NOT_RECHECKED in (alone, *(grade(use)[0] for use in weak)):
             return NOT_RECHECKED, by_id[id].get("reason", "what it uses was not re-checked")
-        if own != "failed" and weak:
+        if alone != "failed" and weak:
             wanted = "without evidence" if enough == STANDING else f"not {', '.join(enough)}"
             return "failed", f"it uses {', '.join(weak)}, {wanted} in this run"
-        return own, ""
+        return alone, ""
 
     return {id: grade(id) for id in by_id}
 
@@ -99,10 +99,10 @@ def given_cited(evidences: Iterable[dict], in_coq: Collection[str] = ()) -> dict
     @cache
     def sources(id, lemmas):
         record, lemmas = by_id.get(id, {"uses": ()}), lemmas and id not in in_coq
-        own = {lemma["source"] for lemma in record.get("cited_lemmas", ()) if lemmas}
+        direct = {lemma["source"] for lemma in record.get("cited_lemmas", ()) if lemmas}
         if record.get("source") and record.get("grade") != "cited":
-            own.add(record["source"])
-        return own.union(*(sources(use, lemmas) for use in record["uses"]))
+            direct.add(record["source"])
+        return direct.union(*(sources(use, lemmas) for use in record["uses"]))
 
     return {id: sorted(sources(id, True)) for id in by_id}
 

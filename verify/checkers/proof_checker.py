@@ -12,8 +12,8 @@
 
 Nothing raises a grade by hand. A run also gives every certificate to the second checker (`verify.test_theorems`).
 
-What is certified, measured or cited has no claims: `verify.checkers.measured`. It and the search are imported where a
-theorem needs them: no grade of what is proved rests on either.
+Theorems that are certified, measured or cited have no claims: `verify.checkers.measurements`. That module and the
+search are imported where a theorem needs them: no grade of what is proved rests on either.
 """
 
 import importlib
@@ -33,8 +33,7 @@ from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, statements, stored
 from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
 from verify.checkers import witness
-from verify.checkers.certified import flint
-from verify.checkers.counterexamples import FAILURES, counterexample
+from verify.checkers.counterexamples import FAILURES, counterexample, flint
 from verify.checkers.grades import Examination
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
@@ -59,7 +58,7 @@ def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: in
     with anew, for every certificate, whatever is stored.
     """
     if not theorem.claims and theorem.expected in WITHOUT_CLAIMS:
-        return importlib.import_module("verify.checkers.measured").examine(theorem, theorems)
+        return importlib.import_module("verify.checkers.measurements").examine(theorem, theorems)
     prove = importlib.import_module("proofs.engine.certificate").prove
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.record["grade"] = "failed"
@@ -104,22 +103,22 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
     ]
     for claim, cases in claims:
         examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
-    said = [statement for _, cases in claims for statement, *_ in cases]
-    given = sum(step["step"] == "assume" for statement in said for step in statement.get("steps", ()))
+    shown = [statement for _, cases in claims for statement, *_ in cases]
+    hypotheses = sum(step["step"] == "assume" for statement in shown for step in statement.get("steps", ()))
     examination.record |= {
-        "statements": len(said),
+        "statements": len(shown),
         "by_definition": {name: relations for name, relations in nothing.items() if relations},
         "argued": examination.argued,
-        "hypotheses": given,
+        "hypotheses": hypotheses,
     }
 
 
 def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
     """Return the relations of a claim that say nothing: once translated they read 0 = 0 or 3 > 2, or are given."""
     if isinstance(claim, Induction):
-        said = induction(claim)
-        given = [step["of"] for step in said["assume"] if step["is"] == "="]
-        return [str(r) for r, p in zip(claim.shows, said["show"], strict=True) if not p or p in given]
+        translated = induction(claim)
+        equations = [step["of"] for step in translated["assume"] if step["is"] == "="]
+        return [str(r) for r, p in zip(claim.shows, translated["show"], strict=True) if not p or p in equations]
     if isinstance(claim, Separation):  # of outputs that are inputs it says nothing
         return [] if {*dict(claim.lines.definitions)}.intersection(claim.outputs) else [claim.name]
     idle = set.intersection(*(idle for _, idle in cases_of(borrowed(claim, theorems))))
@@ -151,18 +150,18 @@ def _sampled(examination, theorem, claim, points):
             examination.problems.append(f"{lemma.text}, from {lemma.source}: no sample satisfies its conditions")
         if failing := witness.lemma_fails_at(lemma, seed, points):
             examination.problems.append(f"{lemma.text}, from {lemma.source}: false at {witness.printed(failing, 20)}")
-    seen = witness.sample(claim, seed, points, failures=FAILURES)
-    if seen.failures:
-        examination.problems.append(f"{claim.name}: false at {witness.printed(seen.smallest, 20)}")
-    if seen.undefined:
-        examination.problems.append(f"{claim.name}: undefined at {witness.printed(seen.undefined[0], 20)}")
-    satisfied = seen.points
+    sampling = witness.sample(claim, seed, points, failures=FAILURES)
+    if sampling.failures:
+        examination.problems.append(f"{claim.name}: false at {witness.printed(sampling.smallest, 20)}")
+    if sampling.undefined:
+        examination.problems.append(f"{claim.name}: undefined at {witness.printed(sampling.undefined[0], 20)}")
+    satisfied = sampling.points
     parts = [*claim.given, *claim.everywhere()] if isinstance(claim, Claim) else ()
     if satisfied and any(part.has(*COSINES, *SINES, pi) for part in parts):
         satisfied = witness.sample(claim, seed, 1, attempts=SEARCHED, digits=ANGLE_DIGITS).points
     if not satisfied:
         examination.problems.append(f"{claim.name}: no sample satisfies the hypotheses")
-    return {"claim": claim.name, "points": seen.points, "digits": witness.DIGITS, "seed": seed}
+    return {"claim": claim.name, "points": sampling.points, "digits": witness.DIGITS, "seed": seed}
 
 
 def _edges(examination, theorem, condition):
@@ -179,10 +178,10 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     """Check that a mutant is refused, and find its counterexample."""
     effort = {} if anew else {"effort": 2}
     refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
-    said, wrong = _said(mutant, theorems), []
+    translated, wrong = _said(mutant, theorems), []
     if why := why_no_variant(theorem, mutant.claim):
         wrong.append(f"{mutant.text}: {why}")
-    alike = [other.text for other in theorem.mutants if said and _said(other, theorems) == said]
+    alike = [other.text for other in theorem.mutants if translated and _said(other, theorems) == translated]
     if len(alike) > 1:
         wrong.append(f"these say the same: {', '.join(alike)}")
     if not refused:
@@ -212,19 +211,19 @@ def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
     claim = next((c for c in theorem.claims if (c.name, type(c)) == (variant.name, type(variant))), None)
     if claim is None:
         return f"the theorem has no claim {variant.name}"
-    kept = {field.name: getattr(claim, field.name) for field in fields(claim)}
-    changed = [name for name, value in kept.items() if name not in HINTS and getattr(variant, name) != value]
+    before = {field.name: getattr(claim, field.name) for field in fields(claim)}
+    changed = [name for name, value in before.items() if name not in HINTS and getattr(variant, name) != value]
     if len(changed) != 1:
         return f"it changes {', '.join(changed) or 'nothing'}: a variant changes one field"
-    known = _atoms([*kept.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
+    atoms = _atoms([*before.values(), *(claim.everywhere() if isinstance(claim, Claim) else ())])
     for relation in getattr(variant, "shows", ()) if changed == ["shows"] else ():
         named = _atoms(
             [expand(side if side.has(Derivative) else side.doit()) for side in relation.args]
             if relation.free_symbols
             else [relation]
         )
-        if not (named and named <= known):
-            return f"{relation} is about {', '.join(map(str, named - known)) or 'nothing'}"
+        if not (named and named <= atoms):
+            return f"{relation} is about {', '.join(map(str, named - atoms)) or 'nothing'}"
     return None
 
 

@@ -62,7 +62,7 @@ def line(symbol, expression):
     return chain("line", {symbol: expression})
 
 
-# What is not proved, but with a hypothesis
+# Claims that are not proved but with a hypothesis
 
 POSITIVE, ROOM = greater(x, 0), (greater(x, 0), greater(x, y))
 WITHOUT_DERIVATIVE = [
@@ -73,7 +73,7 @@ WITHOUT_DERIVATIVE = [
     equation(Derivative(1 / x, x), -(x**-2)),
     at_least(diff(Piecewise((x, x > 0), (0, True)), x), 0),
 ]
-"""What is not so where x = 0, and is where x > 0, or more: most of it as `diff` leaves it, or would."""
+"""Claims that are false at x = 0, and true where x > 0, or more: most of it as `diff` leaves it, or would."""
 with evaluate(False):  # obligations come before anything cancels, whichever side of an inequality they stand on
     AS_THEY_STAND = [
         equation(1 / x - 1 / x, 0),
@@ -92,14 +92,14 @@ UNPROVED = [
 """[(a claim, what has to be given for it)]"""
 
 
-@pytest.mark.parametrize(("claim", "given"), UNPROVED)
-def test_what_does_not_follow_is_not_proved(claim, given):
+@pytest.mark.parametrize(("claim", "hypotheses"), UNPROVED)
+def test_what_does_not_follow_is_not_proved(claim, hypotheses):
     with pytest.raises(NotFound):
         prove(claim, {})
-    assert prove(claim.but(given=given), {})
+    assert prove(claim.but(given=hypotheses), {})
 
 
-# What grade a theorem has, and no better one
+# The grade that a theorem has, and no better one
 
 SEPARATION = Separation("a name", Program("p", (x, a), {y: x + 1, p: a}, (y, p)), y, a)
 PUT_IN = chain("lines", {p: x - 5}, {q: p * y})
@@ -117,7 +117,7 @@ NOTHING_SAID = [
     Separation("from an input", Program("p", (x, a), {y: x + a}, y), x, a),
     Induction("to nothing", n, (equation(x, x), equation(0, 0))),
 ]
-"""What lines and what is given already say, or nothing has to."""
+"""Relations that lines or hypotheses already state, or that need no proof."""
 CONTRADICTIONS = [
     says(equation(x, x + 1), given=(x > 5, x**2 < 20)),
     Induction("from a contradiction", n, equation(x, 0), ((x, 0, x),), (y > 0, y < 0)),
@@ -168,8 +168,8 @@ FAILED = [
 
 @pytest.mark.parametrize(("why", "claim", "changes"), FAILED)
 def test_a_theorem_fails(why, claim, changes):
-    found = examined(claim, **changes)
-    assert found.grade == "failed" and why in str(found.problems)
+    examination = examined(claim, **changes)
+    assert examination.grade == "failed" and why in str(examination.problems)
 
 
 @pytest.mark.parametrize("claim", NOTHING_SAID)
@@ -199,8 +199,8 @@ def test_a_lemma_whose_conditions_no_sample_satisfies_is_no_evidence():
 def test_a_relation_that_says_nothing_is_listed_and_alone_proves_nothing():
     for shows, grade in ((x >= y, "by definition"), ((x >= y, greater(x**2 + 1, 0)), "proved")):
         claim = says().but(shows=shows, given=greater(x, y))
-        found = examined(claim, mutants=[variant(f"x > {n}", claim, greater(x, n)) for n in (50, 60)])
-        assert found.grade == grade and found.record["by_definition"] == {"attack": ["x >= y"]}
+        examination = examined(claim, mutants=[variant(f"x > {n}", claim, greater(x, n)) for n in (50, 60)])
+        assert examination.grade == grade and examination.record["by_definition"] == {"attack": ["x >= y"]}
 
 
 def test_what_a_file_of_theorems_says_arrives_as_it_is_written(monkeypatch, tmp_path):
@@ -311,18 +311,18 @@ def test_a_clause_without_a_claim_is_argued():
             examined(statement=wrong, mutants=TRUE)
 
 
-# What is left out, or cannot occur
+# Cases that are left out, or cannot occur
 
 
 def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions():
     """max(0, x) = x, and "if x ≥ 0, then x + p² ≥ 0": the case x < 0 contradicts the conclusion, not the lemma."""
     lemma = CitedLemma(at_least(x + p**2, 0), "Dekker1971", at_least(x, 0))
     claim = says(equation(p, x), lines=line(p, Max(0, x)), cited=lemma)
-    for said in statements(claim, {}):
-        empty = check.contradiction(said)
+    for cases in statements(claim, {}):
+        empty = check.contradiction(cases)
         entry = {"statement": empty, "sha256": check.digest(empty)}
-        assert stored._still_proves(claim.but(cited=()), said, entry)
-        assert not stored._still_proves(claim, said, entry)
+        assert stored._still_proves(claim.but(cited=()), cases, entry)
+        assert not stored._still_proves(claim, cases, entry)
 
 
 def test_a_point_shows_that_hypotheses_can_hold():

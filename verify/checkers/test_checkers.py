@@ -16,7 +16,7 @@ from proofs.engine.theorem import all_theorems
 from verify.checkers import second_checker
 from verify.checkers.known_bad import UNSOUND, pair_of, reasons_of, wrong_verdicts
 from verify.checkers.second_checker import compact
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 HIDDEN = """import sys; sys.modules["playwright"] = None; sys.path.insert(0, sys.argv[1])
 import pytest; sys.exit(pytest.main(sys.argv[2:]))"""
@@ -49,13 +49,13 @@ WEAKENED = [
 
 @pytest.mark.skipif(second_checker.node() is None, reason="needs Node")
 def test_the_second_checker_refuses_what_is_unsound_in_words():
-    """That it refuses all that the kernel refuses, each run of the theorems asks."""
+    """It refuses all that the kernel refuses: each run of the theorems asks that, too."""
     reasons = second_checker.reasons_of([compact(pair_of(steps, proof)) for steps, proof, _ in UNSOUND])
     assert all(words in reason for (*_, words), reason in zip(UNSOUND, reasons, strict=True)), reasons
 
 
 def test_a_run_tells_a_weakened_kernel():
-    """That the kernel as it stands gives no wrong verdict, each run of the theorems begins with."""
+    """The kernel as it stands gives no wrong verdict: each run of the theorems begins with that."""
     text = Path(kernel.__file__).read_text("utf-8")
     for strong, weaker in WEAKENED:
         assert text.count(strong) == 1

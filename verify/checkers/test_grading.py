@@ -37,9 +37,9 @@ def test_a_false_theorem_fails_and_says_why():
         (False, false, "searched anew: no certificate found for"),
         (False, theorem("true"), "searched anew: a certificate exists"),
     ):
-        found = examine(of_theorem, {}, anew=anew)
-        assert found.grade == "failed" and why in found.problems[0]
-        assert any("false at {'x'" in problem for problem in found.problems) == (of_theorem is false)
+        examination = examine(of_theorem, {}, anew=anew)
+        assert examination.grade == "failed" and why in examination.problems[0]
+        assert any("false at {'x'" in problem for problem in examination.problems) == (of_theorem is false)
 
 
 def test_a_mutant_that_holds_fails_the_theorem():
@@ -47,14 +47,14 @@ def test_a_mutant_that_holds_fails_the_theorem():
     theorems = all_theorems()
     real = theorems["unit_length"]
     mutants = [variant("the same", real.claims[0])] * 2
-    found = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
-    assert {problem.partition(":")[0] for problem in found.problems} == {
+    examination = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
+    assert {problem.partition(":")[0] for problem in examination.problems} == {
         "these say the same",
         "mutant accepted",
         "the same",
         "mutant without a counterexample",
     }
-    assert found.mutants_killed == 0
+    assert examination.mutants_killed == 0
 
 
 RUNS = [  # of each theorem its id, its own grade, its grade in the run, and what it uses
@@ -69,10 +69,10 @@ RUNS = [  # of each theorem its id, its own grade, its grade in the run, and wha
 
 @pytest.mark.parametrize("run", RUNS)
 def test_a_grade_counts_what_the_theorem_rests_on(run):
-    entries = graded([{"id": id, "grade": own, "uses": uses} for id, own, _, *uses in run])
-    for entry, (_, own, told, *uses) in zip(entries, run, strict=True):
+    entries = graded([{"id": id, "grade": alone, "uses": uses} for id, alone, _, *uses in run])
+    for entry, (_, alone, told, *uses) in zip(entries, run, strict=True):
         assert entry["grade"] == told
-        assert own == told or uses[0] in entry["reason"] or told == NOT_RECHECKED
+        assert alone == told or uses[0] in entry["reason"] or told == NOT_RECHECKED
 
 
 def test_uses_is_complete():

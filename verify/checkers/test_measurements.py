@@ -15,8 +15,7 @@ from proofs.formulas.certified import SINE as MOST
 from verify.accuracy import sine
 from verify.checkers import proof_checker
 from verify.checkers.grades import graded, summary
-from verify.checkers.measured import examine, measurements
-from verify.checkers.measurement import REGISTERED, Enclosure, Measurement, measures
+from verify.checkers.measurements import REGISTERED, Enclosure, Measurement, examine, measurements, measures
 
 x = symbols("x", real=True)
 SOME = Theorem("measured_here", "A measurement", "At most 2.42 roundings.", expected="measured")
@@ -39,16 +38,16 @@ NUMBERS = np.arange(10.0)
 
 
 def squares(bound=81.0, **more):
-    return Measurement(**{"seen": NUMBERS**2, "bound": bound, "what": "squares", "numbers": {"n": 9}} | more)
+    return Measurement(**{"values": NUMBERS**2, "bound": bound, "quantity": "squares", "numbers": {"n": 9}} | more)
 
 
 def test_a_measurement_holds_and_rejects_its_false_variant(measured):
     false = {"at most 80": {"bound": 80}}
-    found = measured(squares, false)
-    assert (found.grade, found.mutants, found.mutants_killed) == ("measured", 1, 1)
-    (kept,) = found.record["measurements"]
-    assert (kept["certified"], kept["worst"], kept["numbers"]) == (False, 81.0, {"n": 9})
-    assert kept["false_variants"] == [{"variant": "at most 80", "rejected": True}]
+    examination = measured(squares, false)
+    assert (examination.grade, examination.mutants, examination.mutants_killed) == ("measured", 1, 1)
+    (entry,) = examination.record["measurements"]
+    assert (entry["certified"], entry["worst"], entry["numbers"]) == (False, 81.0, {"n": 9})
+    assert entry["false_variants"] == [{"variant": "at most 80", "rejected": True}]
     assert measured(squares, false, expected="certified").grade == "measured"  # short of what was expected
     blind = measured(squares, {"at most 81": {"bound": 81}})
     assert blind.problems == ["squares: does not reject the false variant “at most 81”"]
@@ -56,11 +55,11 @@ def test_a_measurement_holds_and_rejects_its_false_variant(measured):
 
 
 UNSEEN = {
-    "no words": {"what": ""},
+    "no words": {"quantity": ""},
     "what does not hold": {"holds": False},
-    "a constant": {"seen": np.tile(0.5, (4, 25))},
-    "infinite": {"seen": [1.0, math.inf]},
-    "a number of its own": {"of": lambda seen: 0.5},
+    "a constant": {"values": np.tile(0.5, (4, 25))},
+    "infinite": {"values": [1.0, math.inf]},
+    "a number of its own": {"of": lambda values: 0.5},
     "numbers of its own": {"of": np.zeros_like},
     "beyond its bound, whatever it claims": {"claimed": 200.0},
 }
@@ -68,8 +67,8 @@ UNSEEN = {
 
 @pytest.mark.parametrize("changes", UNSEEN.values(), ids=UNSEEN)
 def test_what_a_measurement_says_of_itself_does_not_count(changes, measured):
-    found = measured(lambda bound=81.0: squares(bound, **changes), {"at most 1": {"bound": -1}})
-    assert found.grade == "failed"
+    examination = measured(lambda bound=81.0: squares(bound, **changes), {"at most 1": {"bound": -1}})
+    assert examination.grade == "failed"
 
 
 def test_without_a_measurement_nothing_is_measured():
@@ -137,27 +136,29 @@ WORDS = [
 @pytest.mark.parametrize(("words", "grade"), WORDS)
 def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     false = {"at most 1.33": {"bound": Fraction(133, 100)}}
-    found = measured(lambda bound=SINE.bound: replace(SINE, bound=bound), false, expected="certified", statement=words)
-    assert found.grade == grade
+    examination = measured(
+        lambda bound=SINE.bound: replace(SINE, bound=bound), false, expected="certified", statement=words
+    )
+    assert examination.grade == grade
 
 
 def test_a_citation_needs_a_source_in_the_bibliography():
     with pytest.raises(ValueError, match="needs a source"):
         replace(SOME, expected="cited")
-    found, unknown = (examine(replace(SOME, expected="cited", source=s), {}) for s in ("Blinn1978", "Nobody1900"))
-    assert graded([found.record])[0]["grade_line"] == "cited: Blinn1978"
+    examination, unknown = (examine(replace(SOME, expected="cited", source=s), {}) for s in ("Blinn1978", "Nobody1900"))
+    assert graded([examination.record])[0]["grade_line"] == "cited: Blinn1978"
     assert unknown.problems == ["the bibliography has no Nobody1900"]
 
 
 def test_what_rests_on_a_cited_lemma_says_so():
     """Coq's proof needs no lemma; but of the analysis that a hypothesis takes from a source it says nothing."""
     lemma = {"relation": "x >= sin(x)", "source": "Blinn1978"}
-    found = {"id": "lemma", "grade": "proved", "uses": [], "cited_lemmas": [lemma]}
+    examination = {"id": "lemma", "grade": "proved", "uses": [], "cited_lemmas": [lemma]}
     user = {"id": "user", "grade": "proved", "uses": ["lemma"], "source": "Dekker1971"}
     for formal, *told in (
         ((), "proved, given Blinn1978", "proved, given Blinn1978, Dekker1971"),
         (("lemma",), "proved", "proved, given Dekker1971"),
         (("user",), "proved, given Blinn1978", "proved, given Dekker1971"),
     ):
-        assert [entry["grade_line"] for entry in graded([found, user], formal)] == told
-    assert summary(graded([found, user])) == {"proved_given_cited": 2}
+        assert [entry["grade_line"] for entry in graded([examination, user], formal)] == told
+    assert summary(graded([examination, user])) == {"proved_given_cited": 2}

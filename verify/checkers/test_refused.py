@@ -132,5 +132,5 @@ def test_what_no_rule_translates_is_refused(claim, why):
 
 @pytest.mark.parametrize("claim", (SYMBOLS[0][0], STATES[0][0], STATE.but(shows=greater(1, x))))
 def test_what_has_no_translation_fails_and_is_not_sampled(claim):
-    found = examined(claim, mutants=TRUE)
-    assert found.grade == "failed" and "witness" not in found.record
+    examination = examined(claim, mutants=TRUE)
+    assert examination.grade == "failed" and "witness" not in examination.record

@@ -10,7 +10,7 @@ import pytest
 from proofs import check
 from proofs.engine import kernel, standalone
 from proofs.engine.standalone import standalone_script
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 
 def bare(*command):

@@ -21,8 +21,8 @@ def why_no_data(text: str) -> list[str]:
     of_s = {
         id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr in ("Zero", "One")
     }
-    found = ((node, _why_not(node)) for node in ast.walk(tree) if id(node) not in of_s)
-    return [f"line {getattr(node, 'lineno', 1)}: {why}" for node, why in found if why]
+    reasons = ((node, _why_not(node)) for node in ast.walk(tree) if id(node) not in of_s)
+    return [f"line {getattr(node, 'lineno', 1)}: {why}" for node, why in reasons if why]
 
 
 def _why_not(node):

@@ -32,7 +32,7 @@ STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign 
 
 @dataclass
 class Witness:
-    """What sampling a claim showed: how many points satisfied its hypotheses, where its conclusion is false, where
+    """The samples of a claim: how many points satisfied its hypotheses, where its conclusion is false, where
     it, or a quotient or radical that it is about, is undefined (which is not false)."""
 
     points: int = 0
@@ -95,10 +95,10 @@ def _sample_induction(claim, seed, points, attempts):
     """Sample what is claimed of each of the first numbers."""
     witness = Witness()
     for number in range(NUMBERS):
-        seen = sample(claim.of(number), f"{seed}/{number}", -(-points // NUMBERS), attempts=attempts)
-        witness.points += seen.points
-        witness.failures += [{claim.n: mpmath.mpf(number)} | point for point in seen.failures]
-        witness.undefined += seen.undefined
+        one = sample(claim.of(number), f"{seed}/{number}", -(-points // NUMBERS), attempts=attempts)
+        witness.points += one.points
+        witness.failures += [{claim.n: mpmath.mpf(number)} | point for point in one.failures]
+        witness.undefined += one.undefined
     return witness
 
 
@@ -117,8 +117,8 @@ def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | No
     claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
     sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
     claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
-    found = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS, BARREN).smallest for claim in claims)
-    return next((point for point in found if point), None) or _turning_point(lemma, shown, symbols, seed)
+    smallest = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS, BARREN).smallest for claim in claims)
+    return next((point for point in smallest if point), None) or _turning_point(lemma, shown, symbols, seed)
 
 
 def _turning_point(lemma, shown, symbols, seed):
@@ -159,10 +159,10 @@ def _once(e):
     return Mul(number, *(factor for factor, _ in factors))
 
 
-def _fails(sampler, given, values):
+def _fails(sampler, conditions, values):
     """Return whether what is sampled is false; no nearer to an edge than a root is known, nothing is."""
     try:
-        apart = all(abs(sub(*Code((c.lhs, c.rhs))(values))) >= EDGE for c in given)
+        apart = all(abs(sub(*Code((c.lhs, c.rhs))(values))) >= EDGE for c in conditions)
         return apart and sampler.early(values) and sampler.verdict(values) == "fails"
     except Undefined:
         return False

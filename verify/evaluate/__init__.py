@@ -1,9 +1,9 @@
 """Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
 
-What tells the kinds apart is their table of names: `MPMATH` here, `BALLS` in the module beside it.
+The kinds differ by their tables of names: `MPMATH` here, `BALLS` in the module beside it.
 The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are the
 table's.
-For float64 and what is `Enclosed` there is `renderer.generate.kernels.function_of`.
+For float64 and `Enclosed` numbers there is `renderer.generate.kernels.function_of`.
 """
 
 import operator
@@ -43,7 +43,7 @@ ANY_NUMBERS = {
     "some": partial(joined, True),
     "where": lambda condition, value, otherwise: value() if condition else otherwise(),
 }
-"""What the text calls, where comparisons are decided."""
+"""The functions that the text calls, where comparisons are decided."""
 
 MPMATHS_OWN = {f.kernel: f.mpmath or f.kernel for f in FUNCTIONS if hasattr(mpmath, f.mpmath or f.kernel)}
 MPMATHS_OWN |= {name: name for name in ("sqrt", "power", "inf", "pi", "sin", "cos")}
@@ -57,7 +57,7 @@ MPMATH = ANY_NUMBERS | {
     "minimum": min,
     "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0),
 }
-"""What the text calls over numbers at mpmath's working precision."""
+"""The functions that the text calls over numbers at mpmath's working precision."""
 
 _printer = NumberPrinter()
 

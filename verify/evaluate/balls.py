@@ -47,7 +47,7 @@ BALLS = ANY_NUMBERS | {
     "inf": arb.pos_inf(),
     "atan2pi": lambda y, x: arb(0) if y.is_zero() and x.is_zero() else arb.atan2(y, x) / arb.pi(),
 }
-"""What the text calls, at flint's working precision; `pi` is an evaluation's own."""
+"""The functions that the text calls, at flint's working precision; `pi` is an evaluation's own."""
 
 
 class Balls(Evaluator):

@@ -1,1 +1,1 @@
-"""Every measurement, one module a topic: `verify.checkers.measured` finds them all."""
+"""The chapter's measurements, one module a topic: `verify.checkers.measurements` finds them all."""

@@ -1,4 +1,4 @@
-"""How accurate the picture, the exact gradient and the central difference are, against balls. See verify/accuracy."""
+"""Accuracy of the picture, the exact gradient and the central difference, against balls. See verify/accuracy."""
 
 import math
 from functools import cache, partial
@@ -11,7 +11,7 @@ from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, parts
 from verify.accuracy.gradient_errors import UNIT, worst_at
 from verify.accuracy.pixels import SCENES, SEED, SHININESSES, checked_pixels, problems
-from verify.checkers.measurement import Enclosure, Measurement, measures
+from verify.checkers.measurements import Enclosure, Measurement, measures
 from verify.stability.rows import SWEEPS, sweep
 from verify.stability.wave_numbers import SEED as SWEEP_SEED
 
@@ -23,14 +23,14 @@ def _pixels():
 
 @measures("pixel_accuracy", false={"bounds of 60 bits": {"share": 2**-7}})
 def pixels(share: float = 1.0) -> Measurement:
-    """Random and adversarial pixels of every field and model, and of other exponents of shininess."""
+    """Measure random and adversarial pixels of every field and model, and of other exponents of shininess."""
     decided = [p for p in _pixels() if not p.undecided]
     return Measurement(
         [p.error / p.bound for p in decided if p.bound > 0],
         bound=share,
         seed=SEED,
         holds=not problems(decided, share) and len(decided) >= 2000,
-        what="the largest error of a channel over its pixel's bound",
+        quantity="the largest error of a channel over its pixel's bound",
         numbers={"undecided": len(_pixels()) - len(decided), "largest": max(p.error for p in decided)},
     )
 
@@ -40,22 +40,22 @@ def pixels(share: float = 1.0) -> Measurement:
     false={"with libm's sine of a rounded πku": {"form": "libm, rounded argument"}, "within one unit": {"bound": 1.0}},
 )
 def general_gradient(form: str | None = None, bound: float = GENERAL_GRADIENT) -> Measurement:
-    """The general form, |k| to 2^20, at random and beside the creases; k_u and k_v equal and not, or one of them 0."""
-    found = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
-    units = {name: (seen.others[form] if form else seen.errors).ravel() / UNIT for name, seen in found.items()}
+    """Measure the general form, |k| to 2^20, at random and beside creases; k_u and k_v equal or not, or one 0."""
+    sweeps = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
+    units = {name: (one.others[form] if form else one.errors).ravel() / UNIT for name, one in sweeps.items()}
     return Measurement(
         np.concatenate([*units.values()]),
         seed=SWEEP_SEED,
         bound=bound,
-        holds=not any(seen.escaped for seen in found.values()),
-        what="the general form: the largest error over π max(1, |k|) 2^-53",
+        holds=not any(one.escaped for one in sweeps.values()),
+        quantity="the general form: the largest error over π max(1, |k|) 2^-53",
         numbers={name: max(errors) for name, errors in units.items()},
     )
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})
 def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Enclosure:
-    """The algebraic form from the image point: its bases over every box of the hits, and their powers."""
+    """Enclose the algebraic form from the image point: its bases over every box of the hits, and their powers."""
     of_u, of_v = base_errors.base_errors(least)
     return Enclosure(
         pieces=partial(base_errors.gradient_pieces, least),
@@ -67,7 +67,8 @@ def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_erro
         },
         at=worst_at,
         bound=bound,
-        what="the algebraic form: the bound over π k (1 + k) 2^-53, over all boxes of R/e and ρ/ρ_s, all wave numbers",
+        quantity="the algebraic form: the bound over π k (1 + k) 2^-53, over all boxes of R/e and ρ/ρ_s, all "
+        "wave numbers",
         numbers={"base_of_u": of_u / UNIT, "base_of_v": of_v / UNIT},
     )
 
@@ -79,19 +80,19 @@ def _taken_apart():
 
 @measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})
 def under_the_bounds(share: float = 1.0) -> Measurement:
-    """Every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
+    """Measure every part of the error of every difference, ε from 1e-1 to 1e-16, below its proved bound."""
     seen_over, ratios = [], []
-    for seen, limits in _taken_apart():
-        off = [(np.abs(seen[part]), limit) for part, limit in limits.items()]
+    for errors, limits in _taken_apart():
+        off = [(np.abs(errors[part]), limit) for part, limit in limits.items()]
         seen_over += [np.divide(size, limit, out=np.zeros(size.shape), where=size != 0) for size, limit in off]
-        rounding = (STEPS < 1e-9) & (seen["total"] != 0)
-        ratios.append(limits["total"][rounding] / np.abs(seen["total"][rounding]))
+        rounding = (STEPS < 1e-9) & (errors["total"] != 0)
+        ratios.append(limits["total"][rounding] / np.abs(errors["total"][rounding]))
     median = np.median(np.concatenate(ratios))
     return Measurement(
         seen_over,
         bound=share,
         holds=median <= 30,
-        what="a part of the error over its bound",
+        quantity="a part of the error over its bound",
         numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": median},
     )
 
@@ -104,7 +105,7 @@ def _quadrature(component):
 
 @measures("difference_slopes", false={"∝ ε": {"slope": 1.0}, "√(k_v ε/3) in h_v": {"at_poles": True}})
 def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measurement:
-    """The RMS error of ridges over the chart: slope and constant by quadrature."""
+    """Measure the RMS error of ridges over the chart: slope and constant by quadrature."""
     steps, rms = (np.array(each) for each in zip(*map(_quadrature, SLOPES), strict=True))
     law = np.array([orders.predicted(component, steps[0])[0] for component in SLOPES])
     law[1] *= (orders.SCENE.kv / (orders.SCENE.kv - 1)) ** 0.5 if at_poles else 1.0
@@ -117,7 +118,7 @@ def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measu
         rms,
         of=off,
         bound=0.02,
-        what="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
+        quantity="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
         numbers={f"{c}_slope": worst[0, i] for i, c in enumerate(SLOPES)}
         | {f"{c}_constant": worst[1:, i].max() for i, c in enumerate(SLOPES)},
     )
@@ -125,8 +126,8 @@ def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measu
 
 @measures("difference_slopes", false={"first order for all": {"odd": 1.0}, "second for all": {"other": 2.0}})
 def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
-    """The order of the difference clamped at the pole at v = ε/2."""
-    known = map(orders.clamped_order, orders.FIELDS)
+    """Measure the order of the difference clamped at the pole at v = ε/2."""
+    orders_of_fields = map(orders.clamped_order, orders.FIELDS)
     errors = np.array([*map(orders.clamped_errors, orders.FIELDS)])
 
     def fitted(errors):
@@ -135,24 +136,24 @@ def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
     return Measurement(
         errors,
         of=fitted,
-        claimed=[{1: other, 2: odd}.get(order, order) for order in known],
+        claimed=[{1: other, 2: odd}.get(order, order) for order in orders_of_fields],
         bound=0.02,
-        what="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
+        quantity="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
         numbers=dict(zip(orders.FIELDS, fitted(errors), strict=True)),
     )
 
 
 @measures("difference_slopes", false={"third order": {"slope": 3.0}})
 def truncation_slope(slope: float = 2.0) -> Measurement:
-    """The order of the truncation error at a smooth point."""
-    seen = parts(CASES[0])
+    """Measure the order of the truncation error at a smooth point."""
+    of_part = parts(CASES[0])
     branch = (STEPS < 1e-3) & (STEPS > 1e-12)
-    errors, fitted = np.abs(seen["truncation"][branch]), partial(orders.fitted_slope, STEPS[branch])
+    errors, fitted = np.abs(of_part["truncation"][branch]), partial(orders.fitted_slope, STEPS[branch])
     return Measurement(
         errors,
         of=fitted,
         claimed=slope,
         bound=0.02,
-        what="how far the truncation error's fitted slope is from 2",
+        quantity="how far the truncation error's fitted slope is from 2",
         numbers={"slope": fitted(errors)},
     )

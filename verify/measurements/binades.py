@@ -1,10 +1,10 @@
-"""Where float64 takes no step: the printed central difference, of heights that no rounding makes flat."""
+"""Steps that float64 does not take: the printed central difference, of heights that no rounding makes flat."""
 
 import numpy as np
 
 from renderer import kernels
 from verify.accuracy.binades import dies
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 
 SEED, EACH, DEEPEST = 31, 400, 60
 STEPS = (0.2, 0.25, 0.26, 0.49, 0.51, 0.74, 0.76, 1.2)  # in spacings; the tie apart
@@ -33,7 +33,7 @@ def slopes(at: np.ndarray, step: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     },
 )
 def steps_that_are_lost(within: float = 0.5, at_power: float = 0.25, odd: float = 2.0) -> Measurement:
-    """The slopes of h = u and h = v are 0 where the theorem says so, and at a tie 2 for odd significands."""
+    """Measure the slopes of h = u and h = v: 0 where the theorem says so, and at a tie 2 for odd significands."""
     at = _numbers()
     slopes_seen, claimed = [], []
     for share in STEPS:
@@ -53,6 +53,6 @@ def steps_that_are_lost(within: float = 0.5, at_power: float = 0.25, odd: float 
         claimed=np.concatenate(claimed),
         seed=SEED,
         bound=0,
-        what=f"how far slopes of h = u and h = v in {DEEPEST} binades are from what the theorem says",
+        quantity=f"how far slopes of h = u and h = v in {DEEPEST} binades are from what the theorem says",
         numbers={"tie_odd": np.count_nonzero(is_odd)},
     )

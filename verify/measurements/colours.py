@@ -1,11 +1,11 @@
-"""What float64 loses from B's hit to the colour, which Coq proves: the printed stages against balls."""
+"""Float64's errors from B's hit to the colour, whose bounds Coq proves: the printed stages against balls."""
 
 import numpy as np
 from sympy import lambdify
 
 from proofs.engine.claim import Rounded
 from proofs.engine.theorem import all_theorems
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.evaluate.arrays import distance, in_balls, in_float64
 
 SEED, SAMPLES = 27, 300
@@ -56,13 +56,13 @@ def shares(claim: Rounded, random: np.random.Generator, samples: int) -> list[fl
 
 @measures("colour_accuracy", false={"within a tenth of it": {"share": 0.1}})
 def stages(share: float = 1.0) -> Measurement:
-    """Every stage at random, the normal with gradients of all sizes."""
+    """Measure every stage at random, the normal with gradients of all sizes."""
     random = np.random.default_rng(SEED)
     ratios = {name: shares(claim, random, SAMPLES) for name, claim in claims().items()}
     return Measurement(
         np.concatenate([*ratios.values()]),
         seed=SEED,
         bound=share,
-        what="how far a stage's result is off, over its bound",
-        numbers={name: max(seen) for name, seen in ratios.items()},
+        quantity="how far a stage's result is off, over its bound",
+        numbers={name: max(of_stage) for name, of_stage in ratios.items()},
     )

@@ -7,7 +7,7 @@ from proofs.engine.program import Program
 from proofs.formulas.enclosed import RULES
 from renderer.generate.kernels import function_of
 from renderer.machines.enclosing import Enclosed
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.evaluate.balls import Balls
 
 SEED, SAMPLES, BITS = 26, 400, 256
@@ -32,20 +32,24 @@ def shares(program: Program, random: np.random.Generator, samples: int) -> list[
     for _ in range(samples):
         values, counts, ends = _operands(random, balls.inputs)
         with np.errstate(all="ignore"):  # an exponential may be infinite, and its bound is
-            found = machine(*map(Enclosed.counted, values, counts))
+            result = machine(*map(Enclosed.counted, values, counts))
         exact = balls(ends, BITS)[output.name]
         with ctx.workprec(BITS):
-            off = abs(arb(float(found.value)) - exact)
-            within = off.is_zero() or np.isinf(found.bound)
-            ratios.append(0.0 if within else float((off / float(found.bound)).upper()))
+            off = abs(arb(float(result.value)) - exact)
+            within = off.is_zero() or np.isinf(result.bound)
+            ratios.append(0.0 if within else float((off / float(result.bound)).upper()))
     return ratios
 
 
 @measures("enclosing_rules", false={"half a count": {"share": 0.5}})
 def rules(share: float = 1.0) -> Measurement:
-    """Every rule, of exact numbers at the ends of their operands' bounds."""
+    """Measure every rule, of exact numbers at the ends of their operands' bounds."""
     random = np.random.default_rng(SEED)
     ratios = [ratio for program in RULES.values() for ratio in shares(program, random, SAMPLES)]
     return Measurement(
-        ratios, seed=SEED, bound=share, what="how far a result is off, over its bound", numbers={"rules": len(RULES)}
+        ratios,
+        seed=SEED,
+        bound=share,
+        quantity="how far a result is off, over its bound",
+        numbers={"rules": len(RULES)},
     )

@@ -5,16 +5,16 @@ from functools import partial
 
 from proofs.formulas.certified import SINE
 from verify.accuracy import sine
-from verify.checkers.measurement import Enclosure, measures
+from verify.checkers.measurements import Enclosure, measures
 
 
 @measures("elementary_functions", {"within 12/5": {"bound": Fraction(12, 5)}, "π²/2 is off by 1 ulp": {"off": 1}})
 def enclosed(bound: Fraction = SINE, off: int = 0) -> Enclosure:
-    """Sine and cosine at every reduced argument."""
+    """Enclose sine and cosine at every reduced argument."""
     return Enclosure(
         pieces=partial(sine.pieces, off),
         over={"ku": ((0.0, sine.END),)},
         at=sine.errors,
         bound=bound,
-        what="sine and cosine: the error over every piece of the reduced range, in units of 2^-53",
+        quantity="sine and cosine: the error over every piece of the reduced range, in units of 2^-53",
     )

@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from verify.checkers.measurement import Measurement, measures
+from verify.checkers.measurements import Measurement, measures
 from verify.stability.geometry import toward_the_pole
 
 SEED, POINTS = 20, 200
@@ -14,8 +14,8 @@ SEED, POINTS = 20, 200
 def _worst(sine):
     """Return the largest |g − exact| near sin φ = sine: (seed, seed without the fallback, stable)."""
     sines = sine * np.random.default_rng(SEED).uniform(1, 1.1, POINTS)
-    seen = toward_the_pole(sines=sines, samples=1, seed=SEED)
-    return [seen.worst(name) for name in ("seed with fallback", "seed", None)]
+    sweep = toward_the_pole(sines=sines, samples=1, seed=SEED)
+    return [sweep.worst(name) for name in ("seed with fallback", "seed", None)]
 
 
 def _one_digit(value):
@@ -28,7 +28,7 @@ def _one_digit(value):
     false={"the stable forms lose as much": {"seed_form": 2}, "the fallback helps": {"with_fallback": 1}},
 )
 def at_two_latitudes(seed_form: int = 1, with_fallback: int = 0) -> Measurement:
-    """The seed's forms lose digits toward the pole, its fallback all of them; the stable forms none."""
+    """Measure forms toward the pole: the seed's lose digits, its fallback all of them; the stable ones none."""
     near, nearer = _worst(1.01e-4), _worst(6e-7)
     stable = np.concatenate([near[2], nearer[2]])
     return Measurement(
@@ -37,7 +37,8 @@ def at_two_latitudes(seed_form: int = 1, with_fallback: int = 0) -> Measurement:
         seed=SEED,
         bound=1e-12,
         holds=near[seed_form].max() > 1e-7 and nearer[seed_form].max() > 1e-3 and nearer[with_fallback].max() > 20,
-        what="|g − g at 50 digits|, the largest of 200 points, sin φ from 1.01e-4 and from 6e-7, up to a tenth above",
+        quantity="|g − g at 50 digits|, the largest of 200 points, sin φ from 1.01e-4 and from 6e-7, up to a tenth "
+        "above",
         numbers={
             "seed_near_1e-4": _one_digit(near[1]),
             "seed_near_6e-7": _one_digit(nearer[1]),

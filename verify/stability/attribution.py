@@ -1,4 +1,4 @@
-"""Where the error of a central difference comes from, pixel by pixel: which of its terms is the largest.
+"""Attribution of a central difference's error, pixel by pixel: which of its terms is the largest.
 
 The terms are those of `proofs.formulas.step_bounds`, each measured by `verify.accuracy.differences`; which of them the
 exact difference's error is, truncation, straddling or one-sided, is that of its bound.

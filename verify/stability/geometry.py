@@ -32,8 +32,8 @@ our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
 @lru_cache
 def tangent_vector(field: str, form: str, ku: float = 8.0, kv: float = 4.0) -> Program:
     """Return the program (image point, scene) → g by the "general" or the "algebraic" form of the exact gradient."""
-    known = HEIGHT_FIELDS[field]
-    middle = [chart, gradient(known)] if form == "general" else [algebraic_gradient(known, ku, kv)]
+    height_field = HEIGHT_FIELDS[field]
+    middle = [chart, gradient(height_field)] if form == "general" else [algebraic_gradient(height_field, ku, kv)]
     return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
 
 
@@ -64,7 +64,7 @@ def _of_normal(parameter, inputs):
 
 
 def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples: int = 12, seed: int = 1) -> Sweep:
-    """g of ridges against sin φ, by default down to where the pole begins, as a function of the float64 image point.
+    """Sweep g of ridges against sin φ, by default down to the pole's border, as a function of the float64 image point.
 
     Reason of the bound: no line of the chain cancels, so that every one adds a few roundings of its own size.
     """
@@ -77,7 +77,7 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
 
 
 def toward_the_silhouette() -> Sweep:
-    """N against s = 1 − (ρ/ρ_s)² from 0.99 to 10⁻¹⁴.
+    """Sweep N against s = 1 − (ρ/ρ_s)² from 0.99 to 10⁻¹⁴.
 
     Reason of the bound: the root is taken of (ρ_s − ρ)(ρ_s + ρ), whose factors are each right to a few roundings of
     ρ_s; the root turns δ/s into δ/√s, and no form can do better, since ρ_s itself is rounded.
@@ -88,7 +88,7 @@ def toward_the_silhouette() -> Sweep:
 
 
 def from_near_to_far() -> Sweep:
-    """N against e/R − 1 from 10⁻⁹ to 10⁶, at image points with 1 − (ρ/ρ_s)² ≥ 0.1.
+    """Sweep N against e/R − 1 from 10⁻⁹ to 10⁶, at image points with 1 − (ρ/ρ_s)² ≥ 0.1.
 
     Reason of the bound: t is a quotient of positive terms, and e² − R² is a product; nothing cancels at either end.
     """

@@ -1,4 +1,4 @@
-"""A stress sweep: one parameter, some samples at each value; what was measured, and the bound of every single point."""
+"""A stress sweep: one parameter, some samples at each value; the errors, and the bound of every single point."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -26,19 +26,19 @@ class Sweep:
 
     @property
     def points(self) -> int:
-        """How many points were measured."""
+        """The number of points measured."""
         return self.errors.size
 
     @property
     def escaped(self) -> int:
-        """How many errors are above their bound, or have no reference, or no finite bound."""
+        """The number of errors above their bound, or have no reference, or no finite bound."""
         return int(np.count_nonzero(~((self.errors <= self.bounds) & np.isfinite(self.bounds))))
 
     @property
     def sharpness(self) -> float:
         """The median of bound / error, where there is an error."""
-        seen = self.errors > 0
-        return float(np.median(self.bounds[seen] / self.errors[seen]))
+        wrong = self.errors > 0
+        return float(np.median(self.bounds[wrong] / self.errors[wrong]))
 
     def in_responses(self, name: str | None = None) -> float:
         """Return the largest error at a value over its response: ours, or that of one of the others."""

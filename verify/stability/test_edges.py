@@ -1,4 +1,4 @@
-"""Where bodies and lights almost touch is drawn without NaN; just past that is a ValueError that names the field.
+"""Bodies and lights that almost touch are drawn without NaN; just past that a ValueError names the field.
 
 The ends of single numbers, and of ε, are drawn by tests/test_properties.py.
 """

@@ -17,11 +17,11 @@ ALLOWED = 8 * UNIT
 @pytest.mark.parametrize("name", SWEEPS)
 def test_no_point_escapes_its_bound(name):
     """And the bounds say something: errors add up like a random walk, bounds like a sum, some tens lie between them."""
-    seen = sweep(name)
-    assert seen.escaped == 0
-    assert seen.points >= 500
-    assert 1 < seen.sharpness < 100
-    assert seen.in_responses() <= 30
+    measured = sweep(name)
+    assert measured.escaped == 0
+    assert measured.points >= 500
+    assert 1 < measured.sharpness < 100
+    assert measured.in_responses() <= 30
 
 
 def test_formulas_that_cancel_are_above_30_responses():

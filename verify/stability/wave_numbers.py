@@ -19,8 +19,8 @@ EDGES = *((k, k) for k in (0.0, 5e-324, 1e-300, LARGEST, -LARGEST)), *UNEQUAL
 def wave_numbers(values: int, random: np.random.Generator) -> np.ndarray:
     """Return k between 10⁻³ and 2²⁰ evenly by ratio; from 1 on every third one is whole, and about half negative."""
     k = np.geomspace(1e-3, LARGEST - 0.3, values)
-    whole = (np.arange(values) % 3 == 0) & (k >= 1)
-    k[whole] = np.rint(k[whole])
+    integers = (np.arange(values) % 3 == 0) & (k >= 1)
+    k[integers] = np.rint(k[integers])
     return np.where(random.random(values) < 0.5, -k, k)
 
 
@@ -36,7 +36,7 @@ def points_of_the_chart(waves: np.ndarray, samples: int, random: np.random.Gener
 
 
 def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int = 24) -> Sweep:
-    """The error of (h_u, h_v) over π max(1, |k|) against |k_u| for pairs (k_u, k_v); by default equal `wave_numbers`.
+    """Sweep the error of (h_u, h_v) over π max(1, |k|) against |k_u|, of pairs; by default equal `wave_numbers`.
 
     Reason of the bound: the product k·u is exact as a pair, the reduction is exact, so what is left is the error of
     two factors and of two products, each a few roundings of a number below π|k|: independent of k.
@@ -45,10 +45,10 @@ def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int 
     waves = np.broadcast_to(wave_numbers(74, random), (2, 74)) if pairs is None else np.array(pairs).T
     inputs = dict(zip(("u", "v"), points_of_the_chart(waves, samples, random), strict=True))
     inputs |= dict(zip(("k_u", "k_v"), waves[..., None], strict=True))
-    known = HEIGHT_FIELDS[field]
+    height_field = HEIGHT_FIELDS[field]
     scales = dict(zip(("h_u", "h_v"), np.pi * np.maximum(1, np.abs(waves))[..., None], strict=True))
     others = {
-        "libm, rounded argument": in_float64(naive_gradient(known), inputs),
-        "reduced, rounded product": in_float64(rounded_product_gradient(known), inputs),
+        "libm, rounded argument": in_float64(naive_gradient(height_field), inputs),
+        "reduced, rounded product": in_float64(rounded_product_gradient(height_field), inputs),
     }
-    return measured(np.abs(waves[0]), gradient(known), inputs, None, scales, others, partial(np.max, axis=0))
+    return measured(np.abs(waves[0]), gradient(height_field), inputs, None, scales, others, partial(np.max, axis=0))

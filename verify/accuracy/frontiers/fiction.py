@@ -1,7 +1,7 @@
 """The fiction: the chapter's N' against the normal of the surface that is really displaced, P + βhN on the unit sphere.
 
-What separates them is turned on one at a time: the sign, the chart's scale, the metric. And what a bump cannot do:
-move the silhouette, or keep light from where the surface faces away.
+Their differences are turned on one at a time: the sign, the chart's scale, the metric. And effects that a bump lacks:
+it cannot move the silhouette, nor keep light from where the surface faces away.
 """
 
 from collections.abc import Iterable, Mapping
@@ -34,8 +34,8 @@ def normals(scene: Scene, data: Mapping[str, np.ndarray]) -> dict[str, np.ndarra
     turned = inputs | {"beta": -scene.beta}
     scaled = turned | {"h_u": data["h_u"] / (2 * np.pi), "h_v": data["h_v"] / np.pi}
     programs = bumped_normal, bumped_normal, bumped_normal, blinn_normal, displaced_normal
-    given = inputs, turned, scaled, inputs, inputs
-    vectors = [np.array([*in_float64(*pair).values()]) for pair in zip(programs, given, strict=True)]
+    arguments = inputs, turned, scaled, inputs, inputs
+    vectors = [np.array([*in_float64(*pair).values()]) for pair in zip(programs, arguments, strict=True)]
     return dict(zip((*STEPS, "displaced"), (n / np.linalg.norm(n, axis=0) for n in vectors), strict=True))
 
 
@@ -47,8 +47,8 @@ def degrees(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
     """Return {step: (height, width) map of the angle to the displaced normal in degrees, NaN off A}."""
     on_a = frame.stage.on_a
-    found, maps = normals(frame.scene, frame.data_on_a), np.full((len(STEPS), *on_a.shape), np.nan)
-    maps[:, on_a] = [degrees(found[name], found["displaced"]) for name in STEPS]
+    vectors, maps = normals(frame.scene, frame.data_on_a), np.full((len(STEPS), *on_a.shape), np.nan)
+    maps[:, on_a] = [degrees(vectors[name], vectors["displaced"]) for name in STEPS]
     return dict(zip(STEPS, maps, strict=True))
 
 
@@ -56,9 +56,9 @@ def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
 def _outline(field):
     """Return functions of (φ, β, u, k_u, k_v, e): the image radius of a displaced point, and its derivatives."""
     displaced = 1 + beta * ordinary(HEIGHT_FIELDS[field].expression).xreplace({v: phi / np.pi})
-    seen = parallel_radius[rho].xreplace({radius: displaced, sin_phi: sin(phi), cos_phi: cos(phi)})
-    orders = {"f": seen, "p": diff(seen, phi), "pp": diff(seen, phi, 2), "b": diff(seen, beta),
-              "bb": diff(seen, beta, 2), "pb": diff(seen, phi, beta)}  # fmt: skip
+    edge = parallel_radius[rho].xreplace({radius: displaced, sin_phi: sin(phi), cos_phi: cos(phi)})
+    orders = {"f": edge, "p": diff(edge, phi), "pp": diff(edge, phi, 2), "b": diff(edge, beta),
+              "bb": diff(edge, beta, 2), "pb": diff(edge, phi, beta)}  # fmt: skip
     return {name: lambdify((phi, beta, u, k_u, k_v, eye), e, "numpy") for name, e in orders.items()}
 
 

@@ -59,8 +59,8 @@ def from_bytes(stored: np.ndarray) -> np.ndarray:
 
 def fetched(normals: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return the normal that a map gives at points, (3, n): bilinear between four texels, and normalised."""
-    found = interpolated(normals, LINEAR, LINEAR, (u, v))
-    return found / np.linalg.norm(found, axis=0)
+    mean = interpolated(normals, LINEAR, LINEAR, (u, v))
+    return mean / np.linalg.norm(mean, axis=0)
 
 
 def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:

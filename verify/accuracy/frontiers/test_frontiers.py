@@ -25,9 +25,9 @@ def test_a_creased_field_does_not():
 
 
 def test_a_creased_map_converges_like_a_root():
-    found = normal_map.errors("ridges", FINER)
-    assert wall.order(found["symbolic"], FINER, last=3) == pytest.approx(0.5, abs=0.1)
-    assert (found["largest"] > 1.9).all()  # of at most 2: the normal of the other side
+    errors = normal_map.errors("ridges", FINER)
+    assert wall.order(errors["symbolic"], FINER, last=3) == pytest.approx(0.5, abs=0.1)
+    assert (errors["largest"] > 1.9).all()  # of at most 2: the normal of the other side
 
 
 def test_the_derivative_in_beta_is_lost_between_the_centres():
@@ -46,11 +46,11 @@ def test_it_is_exact_at_the_centres():
 
 def test_the_pipelines_meet_in_the_map():
     """Their difference is that of the formulas, and far below what the texels cost either."""
-    found, apart = normal_map.errors("sine", FINER), normal_map.without_a_map("sine")
-    assert found["between"] == pytest.approx(apart, rel=0.1)
-    assert (found["symbolic"] > 30 * found["between"]).all()
-    assert found["numeric"] == pytest.approx(found["symbolic"], rel=2e-2)
-    assert (np.abs(found["bytes"] - found["symbolic"]) <= 1 / 255).all()
+    errors, apart = normal_map.errors("sine", FINER), normal_map.without_a_map("sine")
+    assert errors["between"] == pytest.approx(apart, rel=0.1)
+    assert (errors["symbolic"] > 30 * errors["between"]).all()
+    assert errors["numeric"] == pytest.approx(errors["symbolic"], rel=2e-2)
+    assert (np.abs(errors["bytes"] - errors["symbolic"]) <= 1 / 255).all()
 
 
 # The fiction, and what displacement moves: the shadow's edge as the grazed height says, the outline; and the order

@@ -25,7 +25,7 @@ _s = Polynomial([0, 1])
 _t = 1 - _s
 LINEAR = _t, _s
 CUBIC = _t**3 / 6, (4 - 6 * _s**2 + 3 * _s**3) / 6, (4 - 6 * _t**2 + 3 * _t**3) / 6, _s**3 / 6
-"""Those of the two nearest samples, and of the four nearest coefficients of a cubic B-spline."""
+"""The weights of the two nearest samples, and of the four nearest coefficients of a cubic B-spline."""
 
 
 def _spline_coefficients(table):
@@ -42,9 +42,9 @@ def interpolated(table: np.ndarray, of_u: Weights, of_v: Weights, points: Pair) 
     """
     texels = table.shape[-2]
     weights, places = [], []
-    for coordinate, own, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
+    for coordinate, functions, period in zip(points, (of_u, of_v), table.shape[-2:], strict=True):
         first = np.floor(coordinate * texels)
-        weights.append(np.array([weight(coordinate * texels - first) for weight in own]))
+        weights.append(np.array([weight(coordinate * texels - first) for weight in functions]))
         around = np.arange(len(weights[-1]))[:, None] + 1 - len(weights[-1]) // 2
         places.append((first.astype(int) + around) % period)
     coefficients = table[..., places[0][:, None], places[1][None]]

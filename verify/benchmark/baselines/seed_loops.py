@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from renderer import Scene
-from verify.sources import ROOT
+from verify.evidence.sources import ROOT
 
 SEED = ROOT / "book" / "ledger" / "seed.txt"
 RUN, DRAWS = "paste into colab.new → Run\n", "\nt0 = "  # before a program, and where it begins to draw

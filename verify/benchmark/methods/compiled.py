@@ -17,7 +17,7 @@ NAMES = vars(kernels) | {
     "sin": lambda value: value.machine.call("sin", value),
     "cos": lambda value: value.machine.call("cos", value),
 }
-"""What a program may call: our functions, and the platform's libm by LLVM's own."""
+"""The functions that a program may call: ours, and the platform's libm by LLVM's own."""
 
 
 def loop_of(kernel: Callable, outputs: int) -> Callable:
@@ -32,8 +32,8 @@ def loop_of(kernel: Callable, outputs: int) -> Callable:
         padded = -(-count // LANES) * LANES
         arrays = [np.ascontiguousarray(a if padded == count else np.resize(a, padded), np.float64) for a in arrays]
         filled = np.empty((outputs, padded))
-        given = np.array([padded, *(a.ctypes.data for a in (*arrays, *filled))], np.int64)
-        code(given.ctypes.data)
+        pointers = np.array([padded, *(a.ctypes.data for a in (*arrays, *filled))], np.int64)
+        code(pointers.ctypes.data)
         return filled[:, :count]
 
     run.alive = alive  # type: ignore[attr-defined]

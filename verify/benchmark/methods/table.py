@@ -49,7 +49,7 @@ class Method:
 
     @property
     def available(self) -> bool:
-        """Whether its library is installed."""
+        """True where its library is installed."""
         return self.module is None or find_spec(self.module) is not None
 
 
@@ -82,13 +82,13 @@ def _height(modules="numpy"):
 
 
 def complex_step(step: float) -> Callable:
-    """The imaginary part of h beside the real axis, over the step: no difference is taken (Squire and Trapp 1998)."""
+    """Return the imaginary part of h beside the real axis, over the step: no difference (Squire and Trapp 1998)."""
     height = _height()
     return lambda a, b: (height(a + step * 1j, b).imag / step, height(a, b + step * 1j).imag / step)
 
 
 def dual_numbers(_: None) -> Callable:
-    """Dual numbers over NumPy arrays."""
+    """Return the gradient by dual numbers over NumPy arrays."""
     height = _height([{"sin": Dual.sin, "pi": np.pi}])
 
     def gradient(at_u, at_v):
@@ -99,19 +99,19 @@ def dual_numbers(_: None) -> Callable:
 
 
 def in_mpmath(digits: int) -> Callable:
-    """The exact expression in mpmath, point by point, at a number of digits; mpf results."""
+    """Return the exact expression in mpmath, point by point, at a number of digits; mpf results."""
     slopes = lambdify((u, v), SLOPES, "mpmath")
 
     def gradient(at_u, at_v):
         with mpmath.workdps(digits):
-            found = [slopes(mpmath.mpf(float(a)), mpmath.mpf(float(b))) for a, b in zip(at_u, at_v, strict=True)]
-        return tuple(np.array(column, dtype=object) for column in zip(*found, strict=True))
+            pairs = [slopes(mpmath.mpf(float(a)), mpmath.mpf(float(b))) for a, b in zip(at_u, at_v, strict=True)]
+        return tuple(np.array(column, dtype=object) for column in zip(*pairs, strict=True))
 
     return gradient
 
 
 def jax(_: None) -> Callable:
-    """JAX: grad, vmap, jit, float64."""
+    """Return the gradient by JAX: grad, vmap, jit, float64."""
     import jax
 
     jax.config.update("jax_enable_x64", True)
@@ -154,7 +154,7 @@ METHODS = (
 
 
 CLEAR = (0.35, 0.65)
-"""Where u and v of the sample lie: no step leaves the chart from there."""
+"""The range of u and v of the sample: no step leaves the chart from there."""
 
 
 def sample(points: int, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from verify import evidence, records, sources
-from verify.records import RESULTS, Record, Run, read, why_stale
+from verify.evidence import __main__ as evidence, records, sources
+from verify.evidence.records import RESULTS, Record, Run, read, why_stale
 
 FILES = {
     "verify/__init__.py": "",
@@ -72,14 +72,14 @@ def test_a_record_is_stale_if_its_code_changed_and_only_then(project):
         assert why_stale("sums") is None and records.remark.__wrapped__("sums") is None
         edit(project / name, old, new)
         assert why_stale("sums") == why, name
-        said = f"measured at commit {read('sums')['label']['commit']}; the code has changed since"
-        assert records.remark.__wrapped__("sums") == (said if why else None)
+        words = f"measured at commit {read('sums')['label']['commit']}; the code has changed since"
+        assert records.remark.__wrapped__("sums") == (words if why else None)
         edit(project / name, new, old)
 
 
 def test_the_hashes_are_those_of_the_code_that_ran_and_what_was_edited_by_hand_is_stale(project):
-    whole = read("sums")
-    for edited, why in ((whole | {"numbers": {"found": 4}}, "changed after"), ({"numbers": {}}, "does not say")):
+    content = read("sums")
+    for edited, why in ((content | {"numbers": {"found": 4}}, "changed after"), ({"numbers": {}}, "does not say")):
         (project / FAKE["sums"].path).write_text(json.dumps(edited))
         assert why in why_stale("sums")
     run = Run("sums")
@@ -90,7 +90,7 @@ def test_the_hashes_are_those_of_the_code_that_ran_and_what_was_edited_by_hand_i
 
 def test_what_was_measured_with_other_options_is_not_kept(project, capsys):
     def run(*arguments):
-        records.command("sums", "A run.", lambda **found: {"numbers": found}, [*arguments], rounds=9, only="")
+        records.command("sums", "A run.", lambda **numbers: {"numbers": numbers}, [*arguments], rounds=9, only="")
         return read("sums")["numbers"]
 
     assert run("--rounds", "1") == run("--only", "a") == {"found": 3}

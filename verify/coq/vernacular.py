@@ -1,7 +1,7 @@
-"""What a file of `proofs/formal/` that is written by hand may say to Coq: definitions, lemmas, tactics and proofs.
+"""Commands that a file of `proofs/formal/` written by hand may give to Coq: definitions, lemmas, tactics and proofs.
 
-What could change how a statement is read cannot be said at all: notations, coercions, arguments that are not shown,
-canonical structures, instances, modules, flags. Nor may a name be given that something has which Coq loads beside it.
+Refused are all that could change how a statement is read: notations, coercions, arguments that are not shown,
+canonical structures, instances, modules, flags; and a name that anything has which Coq loads beside the file.
 """
 
 import re
@@ -46,10 +46,10 @@ def sentences(text: str) -> list[str]:
             bare.append(part)
     if depth:
         raise Unreadable("a comment without an end")
-    if not (said := "".join(bare)).isascii():
-        raise Unreadable("".join(filter(lambda letter: not letter.isascii(), said)))
-    found = (OPENING.sub("", sentence) for sentence in re.split(r"\.(?=\s|$)", said))
-    return [" ".join(sentence.split()) for sentence in found if sentence]
+    if not (bare_text := "".join(bare)).isascii():
+        raise Unreadable("".join(filter(lambda letter: not letter.isascii(), bare_text)))
+    parts = (OPENING.sub("", sentence) for sentence in re.split(r"\.(?=\s|$)", bare_text))
+    return [" ".join(sentence.split()) for sentence in parts if sentence]
 
 
 def check(text: str) -> None:
@@ -57,10 +57,10 @@ def check(text: str) -> None:
     for sentence in sentences(text):
         tactic = sentence[0] in "[(!" or (sentence[0].isascii() and sentence[0].isalnum() and not sentence[0].isupper())
         words = re.findall(r"[\w']+", sentence)
-        said, _, body = sentence.partition(":=")
+        head, _, body = sentence.partition(":=")
         # The rules of what is inductive are said in its body, and there a record's fields have names.
         ruled = sentence.startswith("Inductive") and (HIDDEN.search(body) or "{" in body)
-        hidden = HIDDEN.search(said) or UNSHOWN.search(body) or ruled
+        hidden = HIDDEN.search(head) or UNSHOWN.search(body) or ruled
         hiding = SAID.match(sentence) and (hidden or words.count("with") > words.count("match"))
         if hiding or NAMELESS.search(sentence) or not (tactic or FIRST_WORDS.match(sentence)):
             raise Unreadable(sentence)
@@ -68,15 +68,15 @@ def check(text: str) -> None:
 
 def named(text: str) -> list[str]:
     """Return the names that a file gives, those of a section's variables included."""
-    found = []
+    names = []
     for sentence in sentences(text):
         if match := GLOBAL.match(sentence) or LOCAL.match(sentence):
-            found += [match[1], *_of_inductive(sentence, match[1])]
+            names += [match[1], *_of_inductive(sentence, match[1])]
         elif match := BINDING.match(sentence):
             bound = sentence[match.end() :]
             groups = re.findall(r"\(([\w' ]+):", bound) if bound.startswith("(") else [bound.partition(":")[0]]
-            found += [name for group in groups for name in group.split()]
-    return found
+            names += [name for group in groups for name in group.split()]
+    return names
 
 
 def _of_inductive(sentence, name):
@@ -89,10 +89,10 @@ def _of_inductive(sentence, name):
 
 def given_twice(texts: Mapping[str, str]) -> list[str]:
     """Return the names that two files give, or one file twice outside of a section."""
-    seen: set[str] = set()
+    earlier: set[str] = set()
     twice = []
     for text in texts.values():
         names = {match[1] for sentence in sentences(text) if (match := GLOBAL.match(sentence))}
-        twice += sorted(names & seen)
-        seen |= names
+        twice += sorted(names & earlier)
+        earlier |= names
     return twice

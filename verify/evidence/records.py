@@ -1,9 +1,10 @@
-"""Records: what long runs measured, in committed JSON that a build only reads; and whether the code has changed since.
+"""Records of long runs, in committed JSON that a build only reads; and whether the code has changed since.
 
-A record holds a `label` (where, with what, when and at which commit it was measured), what was measured, the hashes of
-all `code` that the run could reach when it began, and a `seal`, the hash of all this. Only a `Run` writes one, with
-what it measured. The seal shows that a record was edited or merged by hand. It keeps nobody from forging one: who wants
-to can compute it.
+A record holds a `label` (place, versions, day and commit of the run), the results, the hashes of all `code` that the
+run could reach when it began, and a `seal`, the hash of all this. Where the code has changed, pages mark its numbers
+with † and a release waits: `python -m verify.evidence --list` says why, `make evidence` measures anew. A record is an
+entry of `[tool.symbolic-book.records]` and a command that calls `command`; only a `Run` writes one. The seal shows that
+a record was edited or merged by hand. It keeps nobody from forging one: who wants to can compute it.
 """
 
 import argparse
@@ -23,8 +24,8 @@ from typing import Any
 from proofs.engine.project import PROJECT
 from renderer.threads import available_cores
 from renderer.whole_files import write_whole
-from verify import sources
-from verify.sources import ROOT
+from verify.evidence import sources
+from verify.evidence.sources import ROOT
 
 RESULTS, BENCHMARKS = PROJECT.results, PROJECT.benchmarks
 PROSE = {".md", ".bib"}
@@ -48,7 +49,7 @@ class Record:
 
     @property
     def path(self) -> str:
-        """Where it lies, from the root."""
+        """Its path from the root."""
         return f"{self.folder}/{self.name}.json"
 
 
@@ -104,7 +105,7 @@ def code_of(name: str) -> dict[str, str]:
     code = sources.code_hashes(path for path in reached if path.suffix not in PROSE and path.parent not in records)
     lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
     pins = [re.findall(rf"^{package}==([^\s;\\]+)", lock, re.MULTILINE) for package in RECORDS[name].packages]
-    return code | {p: " ".join(found) for p, found in zip(RECORDS[name].packages, pins, strict=True) if found}
+    return code | {p: " ".join(versions) for p, versions in zip(RECORDS[name].packages, pins, strict=True) if versions}
 
 
 def _seal(content):

@@ -1,7 +1,7 @@
-"""The formal proofs:  python -m verify.formal compiles `proofs/formal/` with Coq and records what it accepted.
+"""The formal proofs:  python -m verify.coq compiles `proofs/formal/` with Coq and records the theorems that it accepts.
 
-What counts is `Theorem x : Statements.x.`, for a claim x that is printed into Statements.v: Coq is asked in a process
-of its own, which loads compiled files only, whether x is that, and for its axioms. A theorem is formal where all of
+A claim x is proved by `Theorem x : Statements.x.`, where Statements.x is printed from it: Coq is asked in a process of
+its own, which loads compiled files only, whether x has that type, and for its axioms. A theorem is formal where all of
 its claims are proved so. Other theorems, ID__NAME, are additions of the book's theorem ID: ID__NAME__point gives
 values at which its hypotheses hold, and ID__NAME__false refutes a false variant.
 """
@@ -24,9 +24,9 @@ from proofs.engine.claim import Separation
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
-from verify import survey, vernacular
-from verify.sources import ROOT, file_hashes, key
-from verify.survey import COQS_OWN, MACHINE_NUMBERS, NotAccepted, Said, Statements
+from verify.coq import survey, vernacular
+from verify.coq.survey import COQS_OWN, MACHINE_NUMBERS, Formalization, NotAccepted, Statements
+from verify.evidence.sources import ROOT, file_hashes, key
 
 FOLDER = PROJECT.formal
 RECORD = FOLDER / "record.json"
@@ -36,7 +36,7 @@ PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 BESIDE = ("__point", "__false")
-"""The ends of the names of additions that say nothing of a theorem."""
+"""The suffixes of additions that add nothing to a theorem: values for its hypotheses, a refuted false variant."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
 PARTLY, TRUSTED = PROJECT.partly, PROJECT.trusted
@@ -102,15 +102,15 @@ def statements(*wanted: str) -> Statements:
         for name, claim in proved.items():
             if name != claim:
                 raise NotAccepted(f"{name} proves {claim}, and has to have its name")
-            named.setdefault(name.partition("__")[0], Said()).claims[name] = file
+            named.setdefault(name.partition("__")[0], Formalization()).claims[name] = file
         for name, theorem in STATEMENT.findall(text):
             if name not in proved:
-                named.setdefault(theorem, Said()).additions.append(name)
+                named.setdefault(theorem, Formalization()).additions.append(name)
     return named
 
 
-def whole(theorem: Theorem, accepted: dict | None) -> bool:
-    """Whether Coq accepted a theorem, by its entry of the record: each of its claims as it is printed.
+def is_formal(theorem: Theorem, accepted: dict | None) -> bool:
+    """Return whether Coq accepted a theorem, by its entry of the record: each of its claims as it is printed.
 
     A Separation is the kernel's alone.
     """
@@ -136,20 +136,20 @@ def coq_hashes() -> dict[str, str]:
     return file_hashes(FOLDER.glob("*.v"))
 
 
-def seen() -> str:
-    """Return the key of what Coq reads and of what the record says of it, to be KEPT where Coq said so, too."""
+def accepted_key() -> str:
+    """Return the key of the files that Coq reads and of their record, to be KEPT where Coq accepted these."""
     return key({"sources": coq_hashes(), "record": RECORD.read_text(encoding="utf-8")})
 
 
 def accepted_here() -> bool:
     """Return whether Coq has accepted on this machine what the record says of the files as they are."""
-    return bool(record()) and KEPT.is_file() and KEPT.read_text(encoding="utf-8") == seen()
+    return bool(record()) and KEPT.is_file() and KEPT.read_text(encoding="utf-8") == accepted_key()
 
 
 def proved(theorems: Iterable[Theorem]) -> set[str]:
     """Return the ids of the theorems that Coq has proved whole, on the record's word: to be asked once Coq agreed."""
     accepted = record()
-    return {theorem.id for theorem in theorems if whole(theorem, accepted.get(theorem.id))}
+    return {theorem.id for theorem in theorems if is_formal(theorem, accepted.get(theorem.id))}
 
 
 def when() -> str:
@@ -171,18 +171,18 @@ def check_again(folder: Path, names: list[str]) -> None:
     _asked(folder, "coqchk", "-silent", "-bytecode-compiler", "yes", *each, *COQC[-3:])
 
 
-def compile_files(*wanted: str, said: dict | None = None, again: bool = False) -> dict:
+def compile_files(*wanted: str, before: dict | None = None, again: bool = False) -> dict:
     """Compile files in a folder of their own and return what `record` returns; raises NotAccepted.
 
-    said: what a record says. Coq takes long to list axioms, so it is then asked once for all theorems that are said to
-    rest on the same: each rests on no more than these. again: Coq's own checker, which has a kernel and no tactics, has
+    before: a record. Coq takes long to list axioms, so it is then asked once for all theorems that by it rest on
+    the same: each rests on no more than these. again: Coq's own checker, which has a kernel and no tactics, has
     to accept each compiled file, too.
     """
     from tqdm import tqdm
 
     named, order = statements(*wanted), layers(*wanted)
     texts = {name: text for layer in order for name, text in layer.items()}
-    asked, by_hand = survey.groups(named, said or {}), _by_hand(texts)
+    asked, by_hand = survey.groups(named, before or {}), _by_hand(texts)
     names = {name for text in by_hand.values() for name in vernacular.named(text)}
     required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
     required += [f"From Formal Require Import {name}." for name in GIVEN.intersection(texts)]
@@ -212,14 +212,14 @@ def printed_otherwise() -> list[str]:
 
 def main() -> None:
     """Compile what changed since the record was made, say what was accepted, and write the record."""
-    parser = argparse.ArgumentParser(prog="python -m verify.formal", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m verify.coq", description=__doc__)
     parser.add_argument("file", nargs="*", help="this file alone, and what it requires: no record is written")
     parser.add_argument("--fresh", action="store_true", help="compile although nothing changed")
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
     asked = parser.parse_args()
     PROJECT.require_writable()
-    if unknown := set(asked.file) - (known := set().union(*layers())):
-        parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(known))}")
+    if unknown := set(asked.file) - (names := set().union(*layers())):
+        parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(names))}")
     table = {} if asked.fresh or asked.file or asked.coqchk else record()
     if table:
         print("nothing changed since Coq accepted it (--fresh: again)")
@@ -233,16 +233,9 @@ def main() -> None:
             content = {"date": date.today().isoformat(), "sources": coq_hashes(), "theorems": table}
             text = json.dumps(content, indent=1, ensure_ascii=False)
             write_whole(RECORD, f"{text}\n".encode())
-            write_whole(KEPT, seen().encode())
+            write_whole(KEPT, accepted_key().encode())
     for theorem, entry in table.items():
         short = sorted({a.split(".")[0 if a.startswith(MACHINE_NUMBERS) else -1] for a in entry["axioms"]})
         rests = ", ".join(short) or "closed under the global context"
         counts = "  ".join(f"{len(entry[of]):2} {of}" for of in ("claims", "statements"))
         print(f"{theorem:32} {counts}   {rests}")
-
-
-if __name__ == "__main__":
-    try:
-        main()
-    except NotAccepted as error:
-        sys.exit(str(error))

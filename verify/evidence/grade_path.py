@@ -1,19 +1,19 @@
 """The modules that a grade passes through, from claim to grade, Coq's included.
 
-Every module of this repository that the checkers of claims import, or what asks Coq, directly or not, as soon as they
-are imported. What a function imports, such as the search, decides no grade. What prints float64's operations, of which
-Coq alone proves something, is counted behind it.
+Every module of this repository that the checkers of claims, or those that ask Coq, import as they are imported,
+directly or not. A module that a function imports, such as the search, decides no grade. The printer of float64's
+operations, of which Coq alone proves anything, is counted behind them.
 """
 
 import ast
 
 from proofs.engine.project import PROJECT
-from verify.sources import PACKAGES, ROOT, imported, without_prose
+from verify.evidence.sources import PACKAGES, ROOT, imported, without_prose
 
 ENTRANCES = (
     "verify/checkers/proof_checker.py",
     "verify/checkers/theorem_files.py",
-    "verify/formal.py",
+    "verify/coq/formal.py",
     "proofs/printers/coq.py",
     "proofs/printers/coq_statements.py",
 )
@@ -23,19 +23,19 @@ CLAIMED = PROJECT.formulas, PROJECT.theorems  # what is graded, and no part of h
 
 def modules(*more: str) -> dict[str, int]:
     """Return {module's path from the root: its lines of code}; more: further modules to begin with."""
-    waiting, found = {*ENTRANCES, *more}, {}
+    waiting, lines = {*ENTRANCES, *more}, {}
     while waiting:
         name = waiting.pop()
         path = ROOT / name
         if path.is_file() and not name.replace("/", ".").startswith(CLAIMED):
-            found[name] = len(without_prose(path).splitlines())
+            lines[name] = len(without_prose(path).splitlines())
             at_once = _WithoutFunctions().visit(ast.parse(path.read_text(encoding="utf-8")))
             names = [name.replace(".", "/") for name in imported(ast.unparse(at_once))[0]]
             ours = {
                 f"{name}{end}" for name in names if name.split("/")[0] in PACKAGES for end in (".py", "/__init__.py")
             }
-            waiting |= ours - found.keys()
-    return found
+            waiting |= ours - lines.keys()
+    return lines
 
 
 class _WithoutFunctions(ast.NodeTransformer):

@@ -1,4 +1,4 @@
-"""What Coq is asked once all is compiled: what each theorem says, which claims it proves, and on which axioms."""
+"""Coq's survey of compiled files: the statements of each theorem, the claims that it proves, and their axioms."""
 
 import re
 import textwrap
@@ -11,7 +11,7 @@ AXIOMS = {
     "FunctionalExtensionality.functional_extensionality_dep": "functions",
     "Classical_Prop.classic": "the excluded middle",
 }
-"""{axiom: what it is about}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
+"""{axiom: its subject}. Where `interval` computes, the specifications of Coq's machine numbers come to these."""
 SEPARATOR = "I\n     : True\n"
 CLOSED = "Closed under the global context\n"
 AXIOM = re.compile(r"[\w.]+( : .*)?$|  ")  # its name, and its type there or indented below it
@@ -24,8 +24,8 @@ class NotAccepted(ValueError):
 
 
 @dataclass
-class Said:
-    """What is written by hand of a theorem.
+class Formalization:
+    """The parts of a theorem's formalization that are written by hand.
 
     claims: {its printed name: the file that proves it}. additions: the names of other statements.
     """
@@ -34,15 +34,15 @@ class Said:
     additions: list[str] = field(default_factory=list)
 
 
-Statements = dict[str, Said]
+Statements = dict[str, Formalization]
 
 
 def groups(named: Statements, record: dict) -> list[list[str]]:
-    """Return lists of theorems: together those that are said to rest on the same axioms, else each alone."""
-    found: dict[object, list[str]] = {}
+    """Group theorems by their axioms in the record; return the lists. One that is not in the record is alone."""
+    alike: dict[object, list[str]] = {}
     for theorem in named:
-        found.setdefault(tuple(record[theorem]["axioms"]) if theorem in record else theorem, []).append(theorem)
-    return list(found.values())
+        alike.setdefault(tuple(record[theorem]["axioms"]) if theorem in record else theorem, []).append(theorem)
+    return list(alike.values())
 
 
 def survey(named: Statements, asked: list[list[str]], order: list[str]) -> dict[str, str]:
@@ -54,10 +54,10 @@ def survey(named: Statements, asked: list[list[str]], order: list[str]) -> dict[
     lines = ["From Coq Require Import Reals.", "From Coquelicot Require Import Coquelicot.", "Open Scope R_scope."]
     lines += [f"From Formal Require Import {' '.join(order)}.", "Set Printing Width 72."]
     checks = []
-    for said in named.values():
-        for name, file in said.claims.items():
+    for by_hand in named.values():
+        for name, file in by_hand.claims.items():
             lines += [f"Definition proved_{name} : Formal.Statements.{name} := Formal.{file}.{name}."]
-        checks += [*(f"Check {name}." for name in said.additions), "Check I."]
+        checks += [*(f"Check {name}." for name in by_hand.additions), "Check I."]
     half = len(asked) // 2
     parts = {"Survey": [*checks, *_axioms_asked(named, asked[:half])], "Axioms": _axioms_asked(named, asked[half:])}
     return {file: "\n".join([*lines, *part, ""]) for file, part in parts.items()}
@@ -79,17 +79,17 @@ def names_asked(names: Iterable[str], required: Iterable[str]) -> str:
 
 
 def read(named: Statements, asked: list[list[str]], printed: str) -> dict:
-    """Return the record out of what the two files of the survey printed."""
+    """Return the record out of the texts that the two files of the survey print."""
     *parts, rest = printed.split(SEPARATOR)
     if len(parts) != (number := len(named) + len(asked)) or rest.strip():
         raise NotAccepted(f"Coq printed {len(parts)} parts, not the {number} of {len(named)} theorems")
     table = {}
-    for (theorem, said), part in zip(named.items(), parts, strict=False):
-        pieces = re.split(rf"^({'|'.join(said.additions)})\s*:", part, flags=re.M) if said.additions else [part]
-        if pieces[1::2] != list(said.additions) or pieces[0].strip():
+    for (theorem, by_hand), part in zip(named.items(), parts, strict=False):
+        pieces = re.split(rf"^({'|'.join(by_hand.additions)})\s*:", part, flags=re.M) if by_hand.additions else [part]
+        if pieces[1::2] != list(by_hand.additions) or pieces[0].strip():
             raise NotAccepted(f"a statement of {theorem} was not printed")
         texts = {name: _dedented(text) for name, text in zip(pieces[1::2], pieces[2::2], strict=True)}
-        table[theorem] = {"claims": list(said.claims), "statements": texts}
+        table[theorem] = {"claims": list(by_hand.claims), "statements": texts}
     for group, listed in zip(asked, parts[len(named) :], strict=True):
         for theorem in group:
             table[theorem]["axioms"] = _axioms(", ".join(group), listed)

@@ -1,4 +1,10 @@
-"""Evidence that is no certificate of polynomials: what was sampled, or enclosed in balls.
+"""Theorems without claims: their measurements, sampled or enclosed in balls, and the grade that these reach.
+
+certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
+measured   every measurement holds on its samples, and rejects its false variants
+cited      the source is in the bibliography
+
+A measurement is a function in a module of the project's package of them:
 
     @measures("theorem_id", false={"half the bound": {"bound": 5}})
     def bound_holds(bound=10):
@@ -6,12 +12,14 @@
         return Measurement(errors, bound, "…", seed=7)
 
 The function takes its claim as parameters, with the true one as their defaults; `false` names variants of the claim
-that the same function has to reject, at least one. A run calls both. What it returns says which evidence this is: a
-`Measurement` of finitely many samples, which the run counts and of which it takes the worst, or an `Enclosure`, which
-the run takes apart and tries; nobody declares either.
+that the same function has to reject, at least one. A run calls both. The function returns one of two kinds of
+evidence: a `Measurement` of finitely many samples, which the run counts and of which it takes the worst, or an
+`Enclosure`, which the run takes apart and tries; nobody declares either.
 """
 
+import importlib
 import math
+import pkgutil
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
@@ -25,7 +33,9 @@ from typing import Any
 import numpy as np
 
 from proofs.engine.project import PROJECT
-from verify.optional import arb
+from proofs.engine.theorem import Theorem, Theorems, incomplete
+from verify.checkers.grades import Examination
+from verify.optional import arb, lacking
 
 DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
@@ -34,21 +44,21 @@ FALSE = "what is claimed does not hold, or a piece may exceed the bound"
 FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
 SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
-"""{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measured` has asked for all"""
+"""{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measurements` has imported all"""
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """One measurement: what was seen in each case, drawn with `seed` (None: nothing is random), and a bound.
+    """One measurement: values of each case, drawn with `seed` (None: nothing is random), and a bound.
 
-    seen: numbers, one or more a case. What is compared with `claimed`, and may be off by `bound`, are these, or what a
-    function `of` them returns. holds: whether what else is claimed does. numbers: {name: number or text} that a page
-    may print.
+    values: numbers, one or more a case. These, or the numbers that a function `of` them returns, are compared with
+    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does. numbers: {name: number or text}
+    that a page may print.
     """
 
-    seen: Any
+    values: Any
     bound: Any
-    what: str
+    quantity: str
     claimed: Any = 0.0
     of: Callable[[np.ndarray], Any] = np.asarray
     seed: int | None = None
@@ -57,20 +67,20 @@ class Measurement:
 
     @property
     def samples(self) -> int:
-        """How many numbers were seen."""
-        return np.size(self.seen)
+        """The number of values."""
+        return np.size(self.values)
 
     @property
     def worst(self) -> float:
-        """How far they, or what is made of them, are off at most."""
-        return float(np.max(np.abs(np.subtract(self.of(np.asarray(self.seen)), self.claimed)), initial=0.0))
+        """The largest error of them, or of the numbers made of them."""
+        return float(np.max(np.abs(np.subtract(self.of(np.asarray(self.values)), self.claimed)), initial=0.0))
 
     def why_refused(self) -> str:
         """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
-        seen = np.asarray(self.seen)
-        if not self.what or len(np.unique(seen)) < 2:
-            return f"{seen.size} cases of {self.what!r}, none unlike another"
-        if np.array_equal(self.of(np.random.default_rng(SEED).random(seen.shape)), self.of(seen)):
+        values = np.asarray(self.values)
+        if not self.quantity or len(np.unique(values)) < 2:
+            return f"{values.size} cases of {self.quantity!r}, none unlike another"
+        if np.array_equal(self.of(np.random.default_rng(SEED).random(values.shape)), self.of(values)):
             return "what is compared does not depend on what was seen"
         if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
             return "the worst, or its bound, is no finite number"
@@ -79,7 +89,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Enclosure:
-    """What a quantity is at most, on each piece of the ranges of its argument: the statement that is enclosed.
+    """The largest value of a quantity on each piece of the ranges of its argument: the statement that is enclosed.
 
     over: {variables, as the theorem's words write them: ranges (low, high) of floats}. pieces: a function that returns
     them, (low, high, most), arbs or exact numbers; together they are all of the first of `over`, and `most` holds
@@ -92,7 +102,7 @@ class Enclosure:
     over: dict[str, tuple[tuple[float, float], ...]]
     at: Callable[..., np.ndarray]
     bound: Any
-    what: str
+    quantity: str
     numbers: dict = field(default_factory=dict)
     seed = None
 
@@ -117,7 +127,7 @@ class Enclosure:
         if not all(isinstance(f, FUNCTIONS) and f.__module__.startswith(MEASURING) and _is_there(f) for f in functions):
             return f"the quantity, or what encloses it, is no function of {' or '.join(MEASURING)}"
         numbers = [*(number for piece in self.enclosed for number in piece), self.bound]
-        if not self.what or not self.enclosed or not self.over or not all(self.over.values()):
+        if not self.quantity or not self.enclosed or not self.over or not all(self.over.values()):
             return "nothing is enclosed"
         if not all(isinstance(n, arb | int | Fraction) and _ball(n).is_finite() for n in numbers):
             return "an end, a value or the bound is no finite ball and no exact number"
@@ -143,8 +153,8 @@ class Enclosure:
         shares = random.uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
         which = random.integers(PLACES, size=shares.shape)
         elsewhere = [random.uniform(*ranges[random.integers(len(ranges))], PLACES)[which] for ranges in others]
-        found = self.at(low + (high - low) * shares, *elsewhere)
-        return found.shape == shares.shape and bool((np.abs(found) <= most).all())
+        sizes = self.at(low + (high - low) * shares, *elsewhere)
+        return sizes.shape == shares.shape and bool((np.abs(sizes) <= most).all())
 
 
 def _is_there(function):
@@ -156,20 +166,20 @@ def _ball(number):
     return arb(number.numerator) / number.denominator if isinstance(number, Fraction) else arb(number)
 
 
-def record(seen: Measurement | Enclosure) -> dict[str, Any]:
+def record(evidence: Measurement | Enclosure) -> dict[str, Any]:
     """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
-    numbers = {name: rounded(value) for name, value in sorted(seen.numbers.items())}
-    certified = isinstance(seen, Enclosure)
-    kept = {"samples": seen.samples, "seed": seen.seed, "certified": certified, "what": seen.what}
-    return kept | {"worst": rounded(seen.worst), "bound": rounded(seen.bound), "numbers": numbers}
+    numbers = {name: rounded(value) for name, value in sorted(evidence.numbers.items())}
+    certified = isinstance(evidence, Enclosure)
+    entry = {"samples": evidence.samples, "seed": evidence.seed, "certified": certified, "what": evidence.quantity}
+    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound), "numbers": numbers}
 
 
 def variables(tex: str) -> set[str]:
     """Return the variables in TeX: letters, Greek ones too, with their subscripts; but π, and e with a power."""
-    found = SYMBOL.findall(re.sub(r"\\operatorname\{.*?\}|e\^", "", tex))
+    symbols = SYMBOL.findall(re.sub(r"\\operatorname\{.*?\}|e\^", "", tex))
     return {
         name + below
-        for name, below in found
+        for name, below in symbols
         if name != r"\pi" and (len(name) == 1 or "α" <= html5.get(f"{name[1:]};", "") <= "ϵ")
     }
 
@@ -207,3 +217,66 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
         return function
 
     return register
+
+
+@cache
+def _left_out():
+    """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
+    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
+    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
+        try:
+            importlib.import_module(f"{PROJECT.measurements}.{module}")
+        except ImportError as error:
+            if not (library := lacking(error)):
+                raise
+            text = (folder / f"{module}.py").read_text(encoding="utf-8")
+            needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
+    return needs
+
+
+def measurements() -> dict[str, list[tuple[Callable, dict]]]:
+    """Return all that is registered, of every module of measurements that can be imported here."""
+    _left_out()
+    return REGISTERED
+
+
+def library_for(theorem_id: str) -> str | None:
+    """Return the library without which a theorem cannot be measured here, or None if it can."""
+    return _left_out().get(theorem_id)
+
+
+def examine(theorem: Theorem, theorems: Theorems) -> Examination:
+    """Return the Examination of a theorem without claims: measured, or else cited."""
+    examination = Examination(theorem.id, theorem.expected, theorem.uses)
+    examination.problems += incomplete(theorem, theorems)
+    examination.check_sources(theorem)
+    evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
+    examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
+    examination.reached = "cited"
+    if theorem.expected != "cited":
+        enclosed = [one for one, *_ in evidence if isinstance(one, Enclosure)]
+        examination.reached = "certified" if evidence and len(enclosed) == len(evidence) else "measured"
+        missing = unnamed(theorem.words, [name for one in enclosed for name in one.over])
+        if examination.reached == "certified" and missing:
+            examination.problems.append(f"nothing is enclosed over {', '.join(sorted(missing))}")
+        if not evidence:
+            examination.problems.append(f"no measurement is registered for it in {PROJECT.measurements}")
+    examination.record["grade"] = examination.grade
+    return examination
+
+
+def _measured(examination, theorem, evidence, function, false):
+    """Judge the values of a measurement, and run its false variants, which it has to reject."""
+    rejected: list[dict] = []
+    why = evidence.why_refused()
+    if isinstance(evidence, Enclosure) and not says(theorem.words, evidence.bound):
+        why = why or "the theorem's words do not state this bound"
+    if why:
+        examination.problems.append(f"{evidence.quantity}: {why}: worst {evidence.worst}, bound {evidence.bound}")
+    for text, changes in false.items():
+        rejected.append({"variant": text, "rejected": function(**changes).why_refused() == FALSE})
+        examination.mutants += 1
+        examination.mutants_killed += rejected[-1]["rejected"]
+        if not rejected[-1]["rejected"]:
+            examination.problems.append(f"{evidence.quantity}: does not reject the false variant “{text}”")
+    return record(evidence) | {"false_variants": rejected}

@@ -1,4 +1,4 @@
-"""What is printed or stored of the formulas and no longer what they say:  python -m verify.stale
+"""Printed files and stored certificates that no longer follow from the formulas:  python -m verify.evidence.stale
 
 It lists the files that `python -m renderer.generate` would change, and the theorems whose certificates have to be
 searched anew; nothing is searched, and no certificate is checked. It fails where there is any.
@@ -23,7 +23,7 @@ def why_stale(theorem: Theorem, theorems: Theorems) -> str | None:
 
 
 def problems() -> Iterator[str]:
-    """Yield what is not what the formulas say."""
+    """Yield the files and theorems that no longer follow from the formulas, each with the reason."""
     for path, source_of in PRINTED.items():
         if path.read_text(encoding="utf-8") != source_of():
             yield f"{path.name}: not what is printed now"
@@ -32,7 +32,7 @@ def problems() -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    argparse.ArgumentParser("python -m verify.stale", description=__doc__).parse_args()
+    argparse.ArgumentParser("python -m verify.evidence.stale", description=__doc__).parse_args()
     stale = False
     for problem in problems():
         print(problem)

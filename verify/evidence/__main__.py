@@ -3,8 +3,8 @@
     python -m verify.evidence [NAME …]                  (hours if need be, on a machine that does nothing else)
     python -m verify.evidence --list                    only says which are stale, and why
 
-Each is measured by its own command. Where one ends early, or the whole is stopped by Ctrl-C, what was written before
-stays, and the record that was being measured is what it was.
+Each is measured by its own command. Where one ends early, or Ctrl-C stops them all, the records written before stay,
+and the one that was being measured is unchanged.
 """
 
 import argparse
@@ -15,7 +15,7 @@ from importlib.util import find_spec
 
 from tqdm import tqdm
 
-from verify.records import RECORDS, ROOT, read, why_stale
+from verify.evidence.records import RECORDS, ROOT, read, why_stale
 
 
 def stale(names: Iterable[str] = ()) -> dict[str, str]:
