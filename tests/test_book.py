@@ -12,7 +12,7 @@ from book.drawing.draw import all_figures
 from verify.evidence.sources import ROOT
 
 PAGES = contents.page_files(ROOT / "book")
-ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"sim": "s4", "lab": "s5"}
+ANCHORS = {f"s{n}": f"s{n}" for n in range(1, 10)} | {"lab": "s5"}
 ANCHORS |= {f"cell{n}": "s5" for n in range(1, 9)}
 
 

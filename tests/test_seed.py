@@ -9,6 +9,7 @@ from itertools import chain
 from book.assembly.stamps import table_in
 from book.ledger.entries import FOLDER, load
 from book.ledger.seed import RUN, SEED, parts
+from verify.benchmark.baselines.seed_loops import seed_cells
 
 CAME_AS = "0b5c75ec28369cf84fd5b42540743ed677db525bb0fef30e5b35abe910c967f4"
 
@@ -31,9 +32,14 @@ def test_its_parts_are_the_whole_in_order():
     assert list(found) == [*load().places]
 
 
-def test_the_page_leaves_no_program_s_line_out(page_of):
-    text = SEED.read_text("utf-8")
-    assert page_of("seed").get_text().count(RUN.strip()) == text.count(RUN)
+def test_the_page_has_every_program_with_one_line_mended_and_what_holds_first(page_of):
+    page = page_of("seed")
+    assert page.get_text().count(RUN.strip()) == SEED.read_text("utf-8").count(RUN)
+    programs = [block.get_text().strip() for block in page.select(".highlight-python3 pre")]
+    assert programs == [cell.strip() for cell in seed_cells()]
+    for verdicts in page.select("[id^=seed-]"):
+        heads = [head.get_text() for head in verdicts.select(":scope > .seed-verdict")]
+        assert heads == sorted(heads, key=("Holds", "Corrected here", "Not checked here").index)
 
 
 HOLE = re.compile(r"\$+[^$]*\$+|\{[^}]*\}|\\n")  # formulas, and what a program puts between its words

@@ -8,13 +8,13 @@ open a notebook from a branch, `repository.branch`, to which the workflow that p
 """
 
 import re
-from collections.abc import Iterable
+from base64 import b64decode
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import NamedTuple
 
 import nbformat
+from nbformat import NotebookNode
 from sphinx.util.docutils import SphinxDirective
 
 from book.assembly import stamps
@@ -31,9 +31,10 @@ CODE = (
     '<div class="highlight"><pre><span></span>'
 )
 INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
+HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
-DEFINED = re.compile(r"^def (\w+)", re.MULTILINE)
-FEWEST = 3  # lines that are worth a fold
+UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')  # names, signs and blanks, half of the page's bytes
+SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
 
 
 @directive("notebook", arguments=1)
@@ -42,12 +43,18 @@ def notebook_links(here: SphinxDirective) -> Nodes:
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
     if name not in titles:
         raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
+    code = "" if name == WHOLE else f"#{name} .cell_input pre"
+    return ways_to_run(here, name, titles[name], notebooks()[name], code)
+
+
+def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: NotebookNode, code: str) -> Nodes:
+    """Links to a notebook; code: the selector of what is copied, if anything is."""
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
-    match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebooks()[name]).encode()
+    match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebook).encode()
     link = {
         "name": name,
-        "title": titles[name],
-        "words": "notebook of all cells" if name == WHOLE else "notebook",
+        "title": title,
+        "code": code,
         "address": base64_address("application/x-ipynb+json", content),  # saved from a disk too, where a file is shown
         "repository": match and match[1],
         "branch": config["branch"],
@@ -59,11 +66,11 @@ def notebook_links(here: SphinxDirective) -> Nodes:
 @partial(on_page, priority=400)
 def offer_notebooks(page: Page) -> None:
     """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
+    out = Path(page.app.outdir)
+    for content, name in HELD.findall(page.context.get("body", "")):
+        stamps.write_whole(out / FOLDER / name, b64decode(content))
     if page.name != PAGE.stem:
         return
-    out = Path(page.app.outdir)
-    for name, notebook in notebooks().items():
-        stamps.write_whole(out / FOLDER / f"{name}.ipynb", nbformat.writes(notebook).encode())
     lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
     stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
     stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
@@ -71,44 +78,18 @@ def offer_notebooks(page: Page) -> None:
 
 
 @on_page
-def fold_what_repeats(page: Page) -> None:
-    """Fold the lines that a cell shares with earlier ones, and mark those that are new in it."""
+def fold_the_rest(page: Page) -> None:
+    """Fold all of a cell but its knobs and the lines that decide."""
     if page.name == PAGE.stem:
-        runs = iter(repeated([part.text for cell in cells() for part in cell.parts if part.is_code]))
-        page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(runs)), page.context["body"])
+        sources = iter([part.text for cell in cells() for part in cell.parts if part.is_code])
+        page.context["body"] = INPUT.sub(lambda code: _folded(code[0], next(sources)), page.context["body"])
 
 
-class Run(NamedTuple):
-    """Lines of a cell that follow each other: all in earlier cells too, or all new; and the functions they define."""
-
-    lines: int
-    repeats: bool
-    functions: list[str]
-
-
-def repeated(sources: Iterable[str]) -> list[list[Run]]:
-    """Return the Runs of every source. A paragraph repeats if an earlier source has it, word for word."""
-    known: set[str] = set()
-    found = []
-    for source in sources:
-        paragraphs, runs = PARAGRAPH.findall(source), []
-        for repeats, some in groupby(paragraphs, lambda paragraph: paragraph.strip() in known):
-            text = "".join(some)
-            runs.append(Run(len(text.splitlines()), repeats, DEFINED.findall(text)))
-        known.update(map(str.strip, paragraphs))
-        found.append(runs)
-    return found
-
-
-def _folded(code: str, runs: list[Run]) -> str:
-    """Return a cell's lines as HTML; where none is from another cell, nothing is marked."""
-    lines, pieces = code.splitlines(keepends=True), []
-    if not any(run.repeats for run in runs):
-        return code
-    for run in runs:
-        piece, lines = "".join(lines[: run.lines]), lines[run.lines :]
-        said = f": {', '.join(run.functions)}" if run.functions else ""
-        summary = f"<summary># As before{said} ({run.lines} lines)</summary>"
-        folds = run.repeats and run.lines >= FEWEST
-        pieces.append(f"<details>{summary}{piece}</details>" if folds else f'<span class="new-lines">{piece}</span>')
+def _folded(code: str, source: str) -> str:
+    """Return a cell's lines as HTML."""
+    lines, pieces = UNCOLOURED.sub(r"\1", code).splitlines(keepends=True), []
+    for shown, paragraphs in groupby(PARAGRAPH.findall(source), lambda paragraph: paragraph.startswith(SHOWN)):
+        count = len("".join(paragraphs).splitlines())
+        piece, lines = "".join(lines[:count]), lines[count:]
+        pieces.append(piece if shown else f"<details><summary># {count} lines</summary>{piece}</details>")
     return "".join(pieces + lines)

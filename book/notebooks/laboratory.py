@@ -7,7 +7,6 @@ from functools import cache
 from myst_nb.core.read import read_myst_markdown_notebook
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
-from pybtex.database import parse_file
 
 from book.assembly.results import E_NOTATION, formatted, look_up, measured, parse
 from book.assembly.website import BOOK
@@ -64,23 +63,15 @@ def number(text: str) -> str:
     return formatted(look_up(BOOK, id, key), spec)
 
 
-def _citation(keys: str) -> str:
-    bibliography = parse_file(PROJECT.bibliography).entries
-    entries = [bibliography[key.strip()] for key in keys.split(",")]
-    names = [" and ".join(str(p.last_names[0]) for p in entry.persons["author"]) for entry in entries]
-    return "(" + "; ".join(f"{n} {entry.fields['year']}" for n, entry in zip(names, entries, strict=True)) + ")"
-
-
 def _typeset(text: str) -> str:
     match = E_NOTATION.fullmatch(number(text))
     return rf"${match['mantissa']} \times 10^{{{int(match['exponent'])}}}$" if match else number(text)
 
 
 def _said(match: re.Match) -> str:
-    says = {"number": _typeset, "cite": _citation}
-    if match["role"] not in says:
-        raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: {' or '.join(says)}")
-    return says[match["role"]](match["text"])
+    if match["role"] != "number":
+        raise ValueError(f"the role {match['role']!r} of {PAGE.name} is not allowed: number")
+    return _typeset(match["text"])
 
 
 def _directive(match: re.Match) -> str:
@@ -103,12 +94,13 @@ def plain(text: str) -> str:
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 ABOUT = (
-    "From §5 of *Bump Mapping, or the Derivative Is the Texture*, version {version}. It runs with Python 3.11 or "
+    "From *Bump Mapping, or the Derivative Is the Texture*, version {version}. It runs with Python 3.11 or "
     "newer, NumPy, SymPy, mpmath and Matplotlib: no network, no other file."
 )
 
 
-def _notebook(title: str, body: list[dict]) -> NotebookNode:
+def a_notebook(title: str, body: list[dict]) -> NotebookNode:
+    """Return a notebook that begins with its title."""
     top = new_markdown_cell(f"# {title}\n\n{ABOUT.format(version=version())}")
     every = [NotebookNode(cell, id=f"cell-{number}") for number, cell in enumerate([top, *body])]
     return new_notebook(cells=every, metadata={"kernelspec": KERNEL})
@@ -122,6 +114,6 @@ def notebooks() -> dict[str, NotebookNode]:
         title = f"Cell {cell.number}. {cell.title}"
         body = [new_code_cell(p.text) if p.is_code else new_markdown_cell(plain(p.text)) for p in cell.parts]
         body = [part for part in body if part["source"]]
-        alone[cell.name] = _notebook(title, body)
+        alone[cell.name] = a_notebook(title, body)
         everything += [new_markdown_cell(f"## {title}"), *body]
-    return alone | {WHOLE: _notebook("The laboratory", everything)}
+    return alone | {WHOLE: a_notebook("The laboratory", everything)}

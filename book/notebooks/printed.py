@@ -1,30 +1,29 @@
-"""A program of `proofs/` as a NumPy function that a reader can follow: vectors whole, sines as sines.
+"""A program of `proofs/` as a NumPy function that a reader can follow: vectors whole, sines of half-turns.
 
     def bumped_normal(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta):
         ...
         m = beta*g + normal
 
-A vector is an array whose first axis is x, y, z; `dot` is its scalar product. The wave numbers are the cell's own.
+A vector is an array whose first axis is x, y, z; `dot` is its scalar product. A height that is any is an argument.
 """
 
 import re
 from collections.abc import Iterable
 from textwrap import wrap
 
-from sympy import Add, Expr, Function, Symbol
+from sympy import Add, Expr, Function, Symbol, atan2, pi
+from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
-from proofs.engine.half_turns import ordinary
+from proofs.engine.half_turns import atan2pi
 from proofs.engine.program import Program, chain
-from proofs.formulas import bump, displacement, image_derivative, shading
+from proofs.formulas import algebraic_form, bump, displacement, image_derivative, shading
 from proofs.formulas.chart import chart, chart_inverse
 from proofs.formulas.finite_difference import central
-from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, gradient, height
-from proofs.formulas.symbols import u, v
+from proofs.formulas.height_fields import ANY_FIELD, HEIGHT_FIELDS, gradient_from_factors, height
 from proofs.formulas.tangent_frame import seed_frame, tangent_frame
 
 WIDTH = 78  # characters of a line that a column of the page shows
-WAVE_NUMBERS = ("k_u", "k_v")  # names that a cell has of its own
 AXES = ("_x", "_y", "_z")
 DOT = Function("dot")
 NAMES = {"Abs": "abs", "Max": "maximum", "Min": "minimum", "atan2": "arctan2"}
@@ -91,7 +90,7 @@ def _lines(program: Program) -> list[str]:
         symbol, expression = waiting.pop(0)
         name, vector = symbol.name, symbol.name.endswith("_x")
         parts = [expression, *(waiting.pop(0)[1] for _ in AXES[1:])] if vector else [expression]
-        parts = [_with_dots(ordinary(part)) for part in parts]
+        parts = [_with_dots(part.replace(atan2pi, lambda y, x: atan2(y, x) / pi)) for part in parts]
         if not vector:
             text = printer.doprint(parts[0])
         elif all(_along(parts[0], axis) == part for axis, part in zip(AXES, parts, strict=True)):
@@ -105,8 +104,7 @@ def _lines(program: Program) -> list[str]:
 
 def _names(symbols: Iterable[Symbol]) -> list[str]:
     """Return the names of some symbols, each vector once."""
-    names = [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
-    return [name for name in names if name not in WAVE_NUMBERS]
+    return [s.name.removesuffix("_x") for s in symbols if not s.name.endswith(AXES[1:])]
 
 
 def function(name: str, program: Program) -> str:
@@ -117,11 +115,11 @@ def function(name: str, program: Program) -> str:
         lines = [at_once]  # nothing is named on the way
     else:
         lines.append(f"return {', '.join(outputs)}")
-    text = [f"def {name}({', '.join(_names(program.inputs))}):", *(f"    {line}" for line in lines)]
+    any_height = {f.name for _, line in program.definitions for f in line.atoms(AppliedUndef)}
+    text = [f"def {name}({', '.join([*_names(program.inputs), *any_height])}):", *(f"    {line}" for line in lines)]
     return "\n".join("\n".join(wrap(line, WIDTH, subsequent_indent=" " * 8)) for line in text)
 
 
-_any = AnyField("any", Function("height")(u, v))
 _lit = chain(
     "red_and_its_derivative",
     bump.normal_by_beta,
@@ -135,9 +133,11 @@ _lit = chain(
 )
 
 FUNCTIONS = {
-    **{f"height_fields.py, {name}": ("height", height(field)) for name, field in HEIGHT_FIELDS.items()},
-    **{f"height_fields.py, gradient of {name}": ("exact", gradient(field)) for name, field in HEIGHT_FIELDS.items()},
-    "finite_difference.py": ("central", central(_any)),
+    **{f"height_fields.py, {name}": (name, height(field)) for name, field in HEIGHT_FIELDS.items()},
+    **{f"height_fields.py, slopes of {n}": (f"{n}_slopes", gradient_from_factors(f)) for n, f in HEIGHT_FIELDS.items()},
+    "algebraic_form.py, square": ("complex_square", algebraic_form.complex_square),
+    "algebraic_form.py, product": ("complex_product", algebraic_form.complex_product),
+    "finite_difference.py": ("central", central(ANY_FIELD)),
     "chart.py": ("chart", chart),
     "chart.py, inverse": ("angles", chart_inverse),
     "tangent_frame.py": ("tangent_frame", tangent_frame),
@@ -151,11 +151,14 @@ FUNCTIONS = {
 """{what stands after `# Printed from proofs/formulas/` in a cell: (the function's name, its program)}"""
 
 PRINTED = re.compile(r"^# Printed from proofs/formulas/(?P<key>.+)\ndef (?:.*\n)(?:[ ].*\n)+", re.MULTILINE)
-SCENE = re.compile(r"^# The scene of §2.*\n(?:.*\n)*?def draw\(.*\n(?:(?: .*)?\n)*?(?=^\S)", re.MULTILINE)
+SHARED = re.compile(
+    r"^(# The (?:scene of §2|pipelines of §3).*)\n(?:.*\n)*?def render_(?:symbolic_)?bump\(.*\n(?:(?: .*)?\n)*?(?=^\S)",
+    re.MULTILINE,
+)
 
 
 def refreshed(page: str) -> str:
-    """Return the page's text with what its cells have from `proofs/` printed anew, and Cell 1's scene in the others.
+    """Return the page's text with what its cells have from `proofs/` printed anew, and what they share as at first.
 
     Raises ValueError on a function that is not known.
     """
@@ -165,5 +168,5 @@ def refreshed(page: str) -> str:
             raise ValueError(f"{match['key']!r} is not allowed: one of {', '.join(FUNCTIONS)}")
         return match[0].split("\n")[0] + "\n" + function(*FUNCTIONS[match["key"]]) + "\n"
 
-    first = SCENE.search(page)
-    return PRINTED.sub(printed, SCENE.sub(lambda match: first[0], page) if first else page)
+    first: dict[str, str] = {}
+    return PRINTED.sub(printed, SHARED.sub(lambda match: first.setdefault(match[1], match[0]), page))

@@ -1,4 +1,4 @@
-"""The seed chapter's own renderer: Cells 1 and 3 of its text, run with the one line mended that draws another scene.
+"""The seed chapter's own programs: its eight cells, with the one line mended that draws another scene.
 
 The line is the constant of B's quadratic (finding F1), printed in both cells.
 """
@@ -21,20 +21,23 @@ NAMES = {
     "shin": "shininess", "model": "model", "alpha": "floor_tint", "hf": "field", "ku": "ku", "kv": "kv", "beta": "beta",
 }  # fmt: skip
 """{the seed's name: the scene's}"""
-MENDED = "oc = np.array([0., 0., e]) - Cb; cB = float(oc @ oc) - R2*R2"
+MENDED = f"oc = np.array([0., 0., e]) - Cb; cB = float(oc @ oc) - R2*R2  # as printed: {PRINTED}"
+
+
+def seed_cells(quadratic: str = MENDED) -> list[str]:
+    """Return the programs of Cells 1 to 8; quadratic: the line in the place of PRINTED."""
+    text = SEED.read_text(encoding="utf-8").replace(PRINTED, quadratic)
+    return [cell.partition("\nExpect: ")[0] for cell in text.split(RUN)[1:]]
 
 
 @cache
 def seed_program(quadratic: str = MENDED) -> SimpleNamespace:
-    """Return the functions of Cells 1 and 3; quadratic: the line in the place of PRINTED. Raises ValueError."""
-    cells = SEED.read_text(encoding="utf-8").split(RUN)
+    """Return the functions of Cells 1 and 3; quadratic: as in `seed_cells`."""
+    cells = seed_cells(quadratic)
     names = {"np": np, "math": math}
-    for cell in (cells[1], cells[3]):
+    for cell in (cells[0], cells[2]):
         program = cell.partition(DRAWS)[0]
-        if program.count(PRINTED) != 1:
-            raise ValueError(f"{SEED.name}: {PRINTED!r} is not once in a cell")
-        program = "\n".join(line for line in program.splitlines() if not line.startswith("import "))
-        exec(program.replace(PRINTED, quadratic), names)
+        exec("\n".join(line for line in program.splitlines() if not line.startswith("import ")), names)
     return SimpleNamespace(**names)
 
 
