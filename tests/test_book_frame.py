@@ -111,7 +111,7 @@ def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_syste
     tab = visit("s3", java_script_enabled=False, color_scheme=mode)
     shown = [plot.get_attribute("src") for plot in tab.locator(".bd-article img.plot:visible").all()]
     assert {name.endswith(".dark.svg") for name in shown} == {mode == "dark"} and len(set(shown)) == len(shown)
-    assert tab.locator(".bd-article p > math").first.bounding_box()["width"] > 3
+    assert tab.locator(".bd-article section > p > math").first.bounding_box()["width"] > 3
 
 
 def test_a_formula_is_copied_as_tex(visit):

@@ -132,7 +132,8 @@ def test_links_turn_pages_and_the_way_back_leads_back(tab):
 
 
 def test_simulator_draws_its_slider_works_and_loupe_and_certificate_are_there(tab):
-    go(tab, "sim")
+    go(tab, "s4")
+    tab.evaluate("document.querySelectorAll('.sim-fold').forEach(fold => { fold.open = true })")
     seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
     before = tab.evaluate(seen)
     tab.press("#sim-eps", "Home")
