@@ -73,6 +73,7 @@ function simulator_start(root, compiled, module) {
     root.classList.toggle("sim-zoomed", state.zoom > 0); // a finger then moves the part that is shown, and not the page
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
+    root.dispatchEvent(new Event("state")); // for bounds, which are of one state alone
     clearTimeout(saved);
     saved = setTimeout(put_into_address, 300);
   }
@@ -278,6 +279,7 @@ function simulator_start(root, compiled, module) {
         certified.ask(state);
       }
       root.addEventListener("pixel", show);
+      root.addEventListener("state", () => certified.ask(state));
       show();
     });
     for (const box of ["#loupe", "#certified"]) watch.observe($(box));
