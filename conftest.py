@@ -1,4 +1,4 @@
-"""What every test shares: compiled shaders are kept in pytest's cache folder, and what takes longest begins first."""
+"""Fixtures of every test: compiled shaders are kept in pytest's cache folder, and what takes longest begins first."""
 
 import os
 

@@ -1,1 +1,1 @@
-"""What is read: the chapter's pages, figures and the machinery that builds them into a site."""
+"""The book: the chapter's pages, figures and the machinery that builds them into a site."""

@@ -1,4 +1,4 @@
-"""What the small interactives of §1 to §3 ask at a point, put together from the renderer's kernels and programs.
+"""Programs of the small interactives of §1 to §3, put together from the renderer's kernels and programs.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are: the still pictures call them here,
 the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
@@ -112,7 +112,7 @@ LINES = {"pixel_lines": PIXEL_LINES}
 """{kernel: the names of its inputs, and of the lines that it returns}."""
 
 IDEAS = (bump_at, surfaces, two_slopes, slope_parts, kernels.shadow, pixel_lines)
-"""What is compiled for them."""
+"""Functions that are compiled for them."""
 
 
 @cache

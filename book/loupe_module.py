@@ -1,4 +1,4 @@
-"""What the simulator's loupe and its certified bounds run, and the numbers beside it: a second program, for whom asks.
+"""Program of the simulator's loupe and its certified bounds, with the numbers beside it: a second program.
 
 Where a difference takes the height, and what it finds there, is noted while the renderer's own difference runs. A
 picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing_machine`.

@@ -41,7 +41,7 @@ def notebooks() -> dict[str, NotebookNode]:
 
 @cache
 def printed() -> list[str]:
-    """What the cells print when they are run in order, their pictures small and their times left out."""
+    """Return the output of the cells when they are run in order, their pictures small and their times left out."""
     program = 'print("\\0")\n'.join(DRAWN.sub(f"{SIDE}, {SIDE}", f"{cell}\n") for cell in seed_cells())
     command = [sys.executable, "-X", "utf8", "-W", "ignore", "-c", program]
     run = subprocess.run(command, env=os.environ | {"MPLBACKEND": "agg"}, check=True, capture_output=True, text=True)

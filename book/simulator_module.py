@@ -1,4 +1,4 @@
-"""What the simulator runs: the renderer's own shader and kernels as WebAssembly, and the numbers that go with them.
+"""Program of the simulator: the renderer's own shader and kernels as WebAssembly, and the numbers that go with them.
 
 A script, so that a page opened from a disk has it too.
 """

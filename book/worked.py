@@ -57,7 +57,7 @@ LINES = (
     ("hidden by a body: 1, or not: 0", "occluded_1", None),
     ("red, green, blue, clipped", "rgb_red rgb_green rgb_blue", None),
 )
-"""What is said of lines, their names, what is written out in the formula of the first (None: it has none).
+"""Words about lines, their names, and the names written out in the formula of the first (None: it has none).
 
 Without a name it is the head of a step.
 """

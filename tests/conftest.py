@@ -1,4 +1,4 @@
-"""What the tests of the book share: the built site, a server for it, and a browser."""
+"""Fixtures of the book's tests: the built site, a server for it, and a browser."""
 
 import os
 import re
@@ -72,13 +72,13 @@ def browser():
 
 @pytest.fixture(params=["http", "file"])
 def scheme(request):
-    """How a page is opened: over http, or from the disk."""
+    """Open a page over http, or from the disk."""
     return request.param
 
 
 @pytest.fixture
 def base(scheme, site, server):
-    """What the addresses of the site's pages begin with."""
+    """Return the start of the addresses of the site's pages."""
     return server if scheme == "http" else site.as_uri()
 
 

@@ -1,4 +1,4 @@
-"""What a picture's file shows."""
+"""Pictures in files."""
 
 import numpy as np
 from PIL import Image

@@ -1,4 +1,4 @@
-"""What the renderer refuses: always a ValueError of one line."""
+"""Refusals of the renderer: always a ValueError of one line."""
 
 import pytest
 

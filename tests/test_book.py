@@ -23,7 +23,7 @@ def pages(page_of):
 
 
 def placed():
-    """How often pages place each figure."""
+    """Count how often pages place each figure."""
     first = [id for id, _ in contents.placed(ROOT / "book", "chapter-figure|idea|worked-pixel")]
     texts = (path.read_text("utf-8") for path in contents.page_files(ROOT / "book").values())
     return Counter([*first, *(id for text in texts for id in re.findall(r"^:wiper: (\w+),", text, re.MULTILINE))])

@@ -1,4 +1,4 @@
-"""What pages have beside their words: formulas as MathML, style sheets without what no page uses, a policy."""
+"""The frame of pages: formulas as MathML, style sheets without what no page uses, a policy."""
 
 import re
 from html import escape, unescape

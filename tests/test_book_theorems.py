@@ -28,7 +28,7 @@ CARD = re.compile(r'<section class="theorem [^>]*id="theorem-(\w+)".*?</section>
 
 @pytest.fixture(scope="module")
 def proofs(site):
-    """What the site was built from."""
+    """The proofs that the site was built from."""
     return load(ROOT / "book")
 
 

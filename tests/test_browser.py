@@ -81,7 +81,7 @@ SEEN = """async () => {
 
 
 def violations(tab, mode="light", place="html"):
-    """What axe-core finds, if it is installed, where all that is folded is open."""
+    """Return the faults that axe-core finds, if it is installed, where all that is folded is open."""
     if not AXE.is_file():
         return []
     tab.evaluate("document.querySelectorAll('details').forEach(fold => fold.open = true)")

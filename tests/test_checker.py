@@ -37,7 +37,7 @@ def card(tab, theorem="unit_length"):
 
 
 def verdict(place, button=None):
-    """What a place says, after a button of it was pressed."""
+    """Return the text of a place, after a button of it was pressed."""
     if button:
         place.get_by_role("button", name=button, exact=True).click()
     place.locator(".check-verdict > p").first.wait_for()
@@ -72,7 +72,7 @@ def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
 
 
 def test_a_statement_is_changed_from_the_keyboard_and_by_typing_and_put_back(visit):
-    """What cannot be read is refused in words; and axe-core finds nothing in a card where all is open."""
+    """Refuse in words a line that cannot be read; and axe-core finds nothing in a card where all is open."""
     tab = visit("lemmas")
     place, press = card(tab), tab.keyboard.press
     rejected, changed = place.locator(".check-editor .check-rejected"), place.locator(".check-changed")

@@ -46,7 +46,7 @@ def test_the_map_is_of_the_house_and_every_question_has_its_file():
 
 
 def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):
-    """What a source or a document calls, and every module that runs by itself."""
+    """Return the modules that a source or a document calls, and every module that runs by itself."""
     commands = set()
     for path in (*DOCUMENTS, *(path for package in PACKAGES for path in files_in(ROOT / package) if not is_test(path))):
         if path.suffix in (".py", ".md", ""):

@@ -78,7 +78,7 @@ def by_mpmath(text):
 
 
 def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
-    """How far heights and slopes of a field are from those of a text, over their size, off the creases."""
+    """Return the distance of a field's heights and slopes from those of a text, over their size, off the creases."""
     scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
     here = random.uniform(0.01, 0.99, (2, count))
     here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(count)]

@@ -26,7 +26,7 @@ SHADING = ("model", "ambient", "albedo_a", "albedo_b", "ka", "kd", "ks", "shinin
 
 
 def same(one, other):
-    """Whether two frames are the same, bit for bit."""
+    """Return whether two frames are the same, bit for bit."""
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 

@@ -32,7 +32,7 @@ OFTEN = {
     "size": [128, 256, 512],
     "zoom": [0, 0, 3, 10],
 }
-"""What random states are made of: odd and fractional wave numbers among them."""
+"""Values of random states: odd and fractional wave numbers among them."""
 PARTS = "gradient", "normal", "rgb"
 # For each of several states the line of Python, and what the page knows and shows of the pixel by both pipelines.
 PIXELS = """wanted => wanted.map(given => {

@@ -1,4 +1,4 @@
-"""What a scene does not need is not computed: the counts hold it, not the clock."""
+"""Skipped work: the counts hold that a scene computes only its own, not the clock."""
 
 from dataclasses import replace
 from types import SimpleNamespace

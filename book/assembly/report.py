@@ -37,7 +37,7 @@ def remember(before: dict[str, str]) -> None:
 
 
 def is_fresh() -> bool:
-    """Whether the report is the one that a run over the sources as they are has written."""
+    """Return whether the report is the one that a run over the sources as they are has written."""
     return REPORT.is_file() and (stamps.read("report") or {}).items() >= _stamp(reported_hashes()).items()
 
 
@@ -62,5 +62,5 @@ def load() -> dict[str, dict]:
 
 
 def asked() -> dict[str, bool]:
-    """Whether the second checker and Coq have read, on this machine, what the report is about."""
+    """Return whether the second checker and Coq have read, on this machine, what the report is about."""
     return stamps.table_in(REPORT)["asked"]

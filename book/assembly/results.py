@@ -42,7 +42,7 @@ def records_of(book: Path, id: str) -> list[str]:
 
 
 def remark(book: Path, id: str) -> str | None:
-    """What has to be said beside the numbers of an id where the code has changed since they were measured; or None."""
+    """Return the remark beside the numbers of an id where the code has changed since they were measured; or None."""
     return "; ".join(filter(None, map(records.remark, records_of(book, id)))) or None
 
 

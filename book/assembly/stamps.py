@@ -1,4 +1,4 @@
-"""What was done, and from which sources: small JSON files in `.stamps/`.
+"""Stamps of the steps that were done, and of their sources: small JSON files in `.stamps/`.
 
 A result is up to date when its stamp equals what `verify.evidence.sources` finds now.
 """
@@ -17,13 +17,13 @@ LOCK_FILE = ROOT / "requirements.lock"
 
 
 class Refused(ValueError):
-    """What cannot be done, said in one line; `status` is the command's exit status."""
+    """A failure in one line; `status` is the command's exit status."""
 
     status = 2
 
 
 def table_in(path: Path) -> dict:
-    """What a JSON, a TOML or a YAML file holds."""
+    """Return the content of a JSON, a TOML or a YAML file."""
     loads = {".toml": tomllib.loads, ".yml": yaml.safe_load}.get(path.suffix, json.loads)
     return loads(path.read_text(encoding="utf-8"))
 

@@ -25,7 +25,7 @@ def site_hashes() -> dict[str, str]:
 
 
 def execution_cache() -> Path:
-    """Where executed cells are kept: a folder for each state of the packages that a cell can import.
+    """Return the folder of executed cells: one for each state of the packages that a cell can import.
 
     Jupyter's own cache looks at the cells alone; this way prose edits run nothing, package edits everything.
     """

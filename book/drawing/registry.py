@@ -1,4 +1,4 @@
-"""What a figure is: a registered function that returns a `Drawing`.
+"""Registry of figures: each is a registered function that returns a `Drawing`.
 
     @figure
     def eps_sweep() -> Drawing:

@@ -1,4 +1,4 @@
-"""How a picture of the book looks: the two widths, the light page's colours, labels in place of legends.
+"""Style of the book's pictures: the two widths, the light page's colours, labels in place of legends.
 
     from book.drawing.style import curve, decades, plot, slope_triangle
     fig, ax = plot(width="text", height=3.6)
@@ -71,7 +71,7 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
 
 
 def bound_style() -> dict[str, object]:
-    """How a bound is drawn: dashed, black (light grey on the dark page)."""
+    """Return the look of a bound: dashed, black (light grey on the dark page)."""
     return {"color": colour_of("bound"), "linestyle": (0, (5, 3)), "linewidth": 1.3}
 
 

@@ -72,7 +72,7 @@ BEGIN_A_PAGE = """numbers => {
 
 
 def printed(tab: Page) -> bytes:
-    """What a tab shows as PDF; the same bytes each time.
+    """Print a tab as PDF; the same bytes each time.
 
     A heading may find room at the foot of a page and its text none: Chromium then lays it out on both pages and has it
     twice in the outline. Such a one begins a page, and all is printed again.

@@ -28,7 +28,7 @@ LARGEST_DATA = 12_000
 
 
 class Addresses(HTMLFormatter):
-    """What bs4 writes, but that a drawing's < and > stay what they are in its address: they would be four letters."""
+    """Write as bs4 does, but that a drawing's < and > stay what they are in its address: they would be four letters."""
 
     def attribute_value(self, value: str) -> str:
         """The value between its quotation marks."""
@@ -79,7 +79,7 @@ class Chapter:
         link["href"], link["download"] = address, f"{file.name}.gz"
 
     def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
-        """What pages load as <link> or <script>, each once: its file and its element.
+        """Return the files that pages load as <link> or <script>, each once: its file and its element.
 
         Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """

@@ -1,4 +1,4 @@
-"""What pages load, as text that stands in the document: pictures, style sheets, scripts, files."""
+"""Files that pages load, as text that stands in the document: pictures, style sheets, scripts, files."""
 
 import base64
 import gzip
@@ -57,7 +57,7 @@ def svg_parts(path: Path) -> list[str]:
 
 
 def svg_address(parts: list[str]) -> str:
-    """Those parts as an address; it stands between double quotation marks."""
+    """Return the parts as an address; it stands between double quotation marks."""
     return "data:image/svg+xml;charset=utf-8," + "<".join(parts)
 
 

@@ -15,7 +15,7 @@ def ids_of(part: Tag) -> list[str]:
 
 
 class Names:
-    """What the ids of the pages are called in the one file."""
+    """Names of the pages' ids in the one file."""
 
     def __init__(self, pages: Iterable[Page], reserved: Iterable[str]):
         """pages: every page of the file; reserved: ids of what stands around them, which keep their names."""

@@ -30,7 +30,7 @@ class Page:
 
     @property
     def listing(self) -> bool:
-        """Whether it is a source's listing, which has no place in the order of the chapter."""
+        """Return whether it is a source's listing, which has no place in the order of the chapter."""
         return self.name.startswith("source/")
 
     @property

@@ -20,7 +20,7 @@ def difference(light: list[str], dark: list[str]) -> list[str] | None:
 
 
 def change(old: str, new: str) -> str:
-    """What makes the new part of the old one."""
+    """Return the function that makes the new part of the old one."""
     start = len(commonprefix([old, new]))  # noqa: RUF071
     end = len(commonprefix([old[start:][::-1], new[start:][::-1]]))  # noqa: RUF071
     return f"{start} {end} {new[start : len(new) - end]}"

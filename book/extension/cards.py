@@ -74,7 +74,7 @@ def beside(formally: dict) -> tuple[dict[str, str], int, int]:
 
 
 def axioms(names: list[str]) -> str:
-    """What a formal proof takes from Coq's library without proof."""
+    """Name the axioms that a formal proof takes from Coq's library without proof."""
     about = [AXIOMS[name] for name in names if name in AXIOMS]
     about += ["Coq's machine numbers"] if len(about) < len(names) else []
     return f"Coq's axioms of {', '.join(dict.fromkeys(about))}" if about else "no axiom"

@@ -56,7 +56,7 @@ def packed(data: dict | list) -> nodes.raw:
 
 
 def given(book: Here, id: str) -> list[str]:
-    """What the theorem's statements take as given from elsewhere, in words."""
+    """Name in words what the theorem's statements borrow."""
     claims = book.proofs.theorems[id].claims
     borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
@@ -65,7 +65,7 @@ def given(book: Here, id: str) -> list[str]:
 
 
 def statements_of(claims: list[dict]) -> list[dict]:
-    """What the claims state, each of them once or several times."""
+    """Return the statements of the claims, each of them once or several times."""
     return [pair["statement"] for claim in claims for pair in claim["statements"]]
 
 

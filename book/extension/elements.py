@@ -51,7 +51,7 @@ class Formula(nodes.General, nodes.Inline, nodes.Element):
 
 
 def _hold(value):
-    """What Jinja prints for a value: for nodes, a place that is theirs."""
+    """Return the text that Jinja prints for a value: for nodes, a place that is theirs."""
     found = [value] if isinstance(value, nodes.Node) else value
     if not isinstance(found, list):
         return value

@@ -9,14 +9,14 @@ def count(number: int, word: str) -> str:
 
 
 def killed(mutant: dict) -> bool:
-    """Whether a false variant was refuted, or a refuted claim's true variant proved and spared."""
+    """Return whether a false variant was refuted, or a refuted claim's true variant proved and spared."""
     if "variant" in mutant:
         return mutant["accepted"] and mutant["spared"]
     return mutant["refused"] and mutant["counterexample"] is not None
 
 
 def findings(entry: dict) -> list[str]:
-    """What the last run found, part by part."""
+    """Return the results of the last run, part by part."""
     refuted, parts = kind(entry["grade"]) == "refuted", []
     if entry.get("statements"):
         what = count(entry["statements"], "exact counterexample" if refuted else "certificate")

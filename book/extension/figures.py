@@ -70,7 +70,7 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
 
 
 def _pictures(here: SphinxDirective, id: str, alt: str) -> list[dict]:
-    """What is said of the pictures of a figure, for the light page and the dark one, which the site then has."""
+    """Return the words about a figure's pictures, for the light page and the dark one, which the site then has."""
     source, description = Path(here.env.srcdir, "_generated"), load_result(Path(here.env.srcdir), id)
     width, height = (size * here.options.get("zoom", 1) for size in description["size"])
     plot = "plot exact" if description.get("exact") else "plot"

@@ -36,7 +36,7 @@ from renderer.intervals import Interval
 
 
 class Look(NamedTuple):
-    """How a verdict is shown: its class in the style sheet, sign and word; the title of its claims; what it means."""
+    """Look of a verdict: its class in the style sheet, sign and word; the title of its claims; what it means."""
 
     slug: str
     sign: str

@@ -1,4 +1,4 @@
-"""What a page is called, whatever folder it stands in, its sections' own ids, how cells run; and the compiled code."""
+"""Names of pages in whatever folder, ids of their sections, the execution of cells; and the compiled code."""
 
 import os
 from functools import partial

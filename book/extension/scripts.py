@@ -1,4 +1,4 @@
-"""What a page may do and what it loads, and HTML as readers need it where Sphinx writes some that they cannot use."""
+"""Policy and scripts of a page, and HTML as readers need it where Sphinx writes some that they cannot use."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What the book knows of the theorems: the checked objects, their last run, and which page places which."""
+"""Theorems as the book has them: the checked objects, their last run, and which page places which."""
 
 import re
 from collections.abc import Iterable
@@ -124,7 +124,7 @@ class Here:
         return f"{self.page(LEGEND[0])}#{LEGEND[1]}"
 
     def name(self, id: str) -> str:
-        """What a link to a theorem says."""
+        """Return the text of a link to a theorem."""
         return f"{self.label(id)} ({self.proofs.theorems[id].title})"
 
 

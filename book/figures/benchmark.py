@@ -1,4 +1,4 @@
-"""What was measured and kept: times against pixels and errors by `make bench`, and the counts of long runs."""
+"""Figures of committed records: times against pixels and errors by `make bench`, and the counts of long runs."""
 
 import re
 from collections.abc import Mapping

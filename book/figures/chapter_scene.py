@@ -1,4 +1,4 @@
-"""What the figures share: the chapter's scene, its rasters, and renders that several figures look at."""
+"""Parts that figures share: the chapter's scene, its rasters, and renders that several figures look at."""
 
 from functools import cache
 

@@ -16,7 +16,7 @@ def _order(values):
 
 @figure
 def frontier_silhouette() -> Drawing:
-    """How far displacement moves the silhouette against β, and what the first two orders leave over."""
+    """Displacement of the silhouette against β, and the remainder after the first two orders."""
     fig, ax = plot(height=3.9)
     remainders = fiction.silhouette_remainders(BETAS)
     for left, (text, role, dash) in zip(remainders, (

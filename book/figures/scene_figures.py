@@ -77,7 +77,7 @@ def _point(numbers):
 
 @figure
 def default_scene() -> Drawing:
-    """What the chapter's scene is made of, for the table in §2; numbers only."""
+    """Numbers of the chapter's scene, for the table in §2; numbers only."""
     names = ("radius", "eye", "ball_radius", "beta", "shininess", "ka", "kd", "ks", "floor_tint")
     numbers = {name: f"{getattr(SCENE, name):g}" for name in names}
     for number, light in enumerate(SCENE.lights, 1):

@@ -1,4 +1,4 @@
-"""What the seed's cells compute and say of its pictures, done again and looked at; numbers only, for the ledger."""
+"""Numbers of the seed's cells and pictures, computed again and looked at; numbers only, for the ledger."""
 
 import math
 from collections.abc import Callable
@@ -66,7 +66,7 @@ def image_slope_ratio() -> float:
 
 @figure(record="frames")
 def seed_times(record: dict) -> Drawing:
-    """How many times as long the seed's loops take by a central difference as exactly; numbers only."""
+    """Time of the seed's loops by a central difference over the exact time; numbers only."""
     times = record["numbers"]
     return Drawing(numbers={"ratio_128": times["seed_central_128_1_ms"] / times["seed_exact_128_1_ms"]})
 

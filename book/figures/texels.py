@@ -41,7 +41,7 @@ def _same_bytes(scene):
 
 @figure("normal_map")
 def map_of_normals() -> Drawing:
-    """How far a fetched normal is from N' against the texels: baked exactly, by differences, and one from the other."""
+    """Distance of a fetched normal from N' against the texels: baked exactly, by differences, one from the other."""
     texels = np.array(normal_map.TEXELS)
     fig, axes = plot(height=4.4, ncols=2, sharey=True)
     numbers, at = {"eps": normal_map.EPS, "at": AT}, normal_map.TEXELS.index(AT)

@@ -57,7 +57,7 @@ def work_precision_figure(record: dict) -> Drawing:
 
 @figure(record="work_precision frames")
 def gains(gradients: dict, frames: dict) -> Drawing:
-    """How many times as long the central difference takes as the exact gradient, the more is drawn beside it."""
+    """Time by a central difference over time by the exact gradient, the more is drawn beside it."""
     ratios = frames["numbers"]
     times = {
         "the gradient alone": work_precision.gradient_numbers(gradients["gradients"])["central_to_exact"],

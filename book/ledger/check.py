@@ -22,7 +22,7 @@ KEY = re.compile(r"^@\w+\{\s*([^,\s]+)\s*,", re.MULTILINE)  # of the bibliograph
 
 @dataclass(frozen=True)
 class Run:
-    """What a run has found: the report's entries of theorems by id; pages, bibliography keys; and a question.
+    """Results of a run: the report's entries of theorems by id; pages, bibliography keys; and a question.
 
     number: the value of "figure.key", or ValueError.
     """
@@ -45,7 +45,7 @@ def last_run() -> Run:
 
 
 def node_exists(node: str) -> bool:
-    """Whether a test of this node id, "tests/test_x.py::test_y", is there; its parameters are not looked at."""
+    """Return whether a test of this node id, "tests/test_x.py::test_y", is there; its parameters are not looked at."""
     file, _, name = node.partition("::")
     return name.partition("[")[0] in tests_in(stamps.ROOT / file)
 
@@ -73,7 +73,7 @@ def faults_in(ledger: Ledger, run: Run) -> list[str]:
 
 
 def refutes(piece: Evidence, run: Run) -> bool:
-    """Whether a piece of evidence speaks against its claim."""
+    """Return whether a piece of evidence speaks against its claim."""
     if piece.kind == "number":
         return bool(piece.claimed) and not relation(piece.claimed).holds(run.number(piece.name))
     if piece.refutes is None:
@@ -91,7 +91,7 @@ def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
 
 
 def _odd(piece: Evidence, run: Run) -> str:
-    """What is wrong with a piece of evidence; or ""."""
+    """Return the fault of a piece of evidence; or ""."""
     if piece.kind == "number":
         try:
             value = run.number(piece.name)
@@ -111,7 +111,7 @@ def _odd(piece: Evidence, run: Run) -> str:
 
 
 def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
-    """Whether the evidence bears out the verdict; the evidence itself is in order."""
+    """Return whether the evidence bears out the verdict; the evidence itself is in order."""
     against = [piece.name for piece in claim.evidence if refutes(piece, run)]
     if claim.verdict == "holds" and against:
         yield f"verdict: 'holds', but {', '.join(against)} refutes it"

@@ -35,7 +35,7 @@ class Relation(NamedTuple):
     numbers: tuple[float, ...]
 
     def holds(self, value: float | Interval) -> bool:
-        """Whether a number satisfies it; of one that is enclosed, whether it certainly does."""
+        """Return whether a number satisfies it; of one that is enclosed, whether it certainly does."""
         ends = (value.lower, value.upper) if isinstance(value, Interval) else (value,)
         return all(HOLDS[self.sign](end, *self.numbers) for end in ends)
 
@@ -61,7 +61,7 @@ KINDS = ("theorem", "number", "test", "source")
 
 
 class BadLedger(ValueError):
-    """What is wrong with the ledger, one line a fault; each names the entry and the field."""
+    """Return the ledger's faults, one line a fault; each names the entry and the field."""
 
     def __init__(self, faults: list[str]):
         super().__init__("the ledger does not stand:\n" + "\n".join(f"  {fault}" for fault in faults))
@@ -100,7 +100,7 @@ class LedgerClaim:
 
     @property
     def of_seed(self) -> bool:
-        """Whether the seed says it; otherwise the book does."""
+        """Return whether the seed says it; otherwise the book does."""
         return self.where.startswith("seed:")
 
 
@@ -154,7 +154,7 @@ def _read(path: Path, kind: str, faults: list[str]) -> dict:
 
 
 def _faults(kind: str, table: dict, name: str) -> Iterator[tuple[str, Any]]:
-    """What schema.json has against a table: its name, the field, the value, and what is allowed; and that field."""
+    """Return a table's fault by schema.json: its name, field, value and what is allowed; and that field."""
     schema = {"$ref": f"#/$defs/{kind}", "$defs": SCHEMA["$defs"]}
     for error in Draft202012Validator(schema).iter_errors(table):
         place = " ".join([name, *map(str, error.absolute_path)])

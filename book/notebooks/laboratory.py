@@ -42,7 +42,7 @@ class Cell:
 
     @property
     def code(self) -> str:
-        """What it runs."""
+        """Return the code that it runs."""
         return "\n".join(part.text for part in self.parts if part.is_code)
 
 

@@ -1,1 +1,1 @@
-"""What a release says of itself, and what moved since the one before."""
+"""Releases: the record of each, and the differences from the one before."""

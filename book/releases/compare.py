@@ -1,4 +1,4 @@
-"""What moved between two records: theorems, numbers, pictures. Nothing here judges; `notes` does."""
+"""Differences of two records: theorems, numbers, pictures. Nothing here judges; `notes` does."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -29,7 +29,7 @@ class Change:
 def _compared(
     before: dict, after: dict, words: Callable[[dict], str], both: Callable[..., Iterator[Change]], named: bool = False
 ) -> list[Change]:
-    """What is in one record alone, in `words`, and `both(id, old, new)` of the rest; named: what is gone must be."""
+    """Yield the entries of one record alone, in `words`, and `both(id, old, new)` of the rest."""
     changes = [Change(id, "added", words(after[id])) for id in after.keys() - before.keys()]
     changes += [Change(id, "removed", words(before[id]), named) for id in before.keys() - after.keys()]
     for id in before.keys() & after.keys():
@@ -38,7 +38,7 @@ def _compared(
 
 
 def standing(theorem: dict) -> tuple[int, int]:
-    """How weak a grade is: its place in the order of grades, then the number of cited lemmas that it is given."""
+    """Return a grade's weakness: its place in the order of grades, then the number of cited lemmas that it is given."""
     grade = theorem["grade"]
     return (STANDING.index(grade) if grade in STANDING else len(STANDING)), len(theorem["given"])
 

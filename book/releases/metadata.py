@@ -1,4 +1,4 @@
-"""What a package index is told: README as it stands, but for links, which lead to the repository that has the files."""
+"""Metadata for a package index: README as it stands, but for links, which lead to the repository that has the files."""
 
 import re
 from pathlib import Path

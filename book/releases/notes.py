@@ -23,7 +23,7 @@ def section(version: str) -> str:
 
 
 def names(id: str, text: str) -> bool:
-    """Whether a text names an id as a whole (u_curve.least_at does not), or its family in backticks: `u_curve.*`."""
+    """Return whether a text names an id whole (u_curve.least_at does not), or its family in backticks: `u_curve.*`."""
     if any(fnmatchcase(id, family) for family in re.findall(r"`([\w:]+\.[\w.]*\*[\w.*]*)`", text)):
         return True
     return re.search(rf"(?<![\w:-]){re.escape(id)}(?![\w-]|\.\w)", text) is not None

@@ -87,7 +87,7 @@ def tolerance(name: str, value: int | float | str) -> float | str:
 
 
 def is_within(before: int | float | str, after: int | float | str, allowed: float | str) -> bool:
-    """Whether a number is still what it was, as far as its tolerance says."""
+    """Return whether a number is still what it was, as far as its tolerance says."""
     if allowed == ANY or (before == after and type(before) is type(after)):
         return True
     if isinstance(before, str) or isinstance(after, str):

@@ -1,4 +1,4 @@
-"""Whether a build from a clean clone in another folder gives the same bytes as the one here."""
+"""Check that a build from a clean clone in another folder gives the same bytes as the one here."""
 
 import os
 import subprocess
