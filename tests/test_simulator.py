@@ -244,13 +244,17 @@ def test_words_beside_the_pictures_follow_the_state(tab):
     tab.wait_for_selector(".sim-curve path.bound", state="detached")
     slide(tab, "eps", -14)
     says(tab, ".sim-pixel tbody tr:first-child td >> nth=-1", re.compile("e−.$"))  # not in floats
+    grey, ink = (f"e => getComputedStyle(e{part}).color" for part in ("", ".parentElement"))
+    digits = tab.locator(".sim-pixel tbody .same").first  # in which the two numbers agree
+    assert digits.evaluate(grey) != digits.evaluate(ink)
     type_into(tab, "beta", "0")
     says(tab, ".sim-pixel tbody tr:last-child td >> nth=-1", "0.0e0 · 0 ulp")
     tab.select_option("#sim-scale", "1e4")
     says(tab, ".sim-bar span >> nth=-1", "10⁻⁴")
 
 
-SCREENS = [(1440, 900, 512), (1280, 720, 360), (820, 1180, 380), (1180, 820, 400), (1920, 1080, 700), (2560, 1300, 640)]
+SCREENS = [(1440, 900, 512), (1280, 720, 360), (1024, 768, 380), (820, 1180, 380), (1180, 820, 400), (1920, 1080, 700)]
+SCREENS += [(2560, 1300, 640)]
 TOGETHER = ["[data-picture=numeric]", "[data-picture=symbolic]", "[data-picture=difference]", "#sim-eps", "#sim-ku"]
 TOGETHER += ["#sim-beta", "#sim-kv", "[data-parameter=field]", "#sim-view", "#sim-method", "#sim-scale", "#sim-size"]
 TOGETHER += [".sim-zoom", ".sim-curve", ".sim-strip", ".sim-headline", ".sim-bar", ".sim-presets"]

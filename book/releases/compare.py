@@ -29,7 +29,10 @@ class Change:
 def _compared(
     before: dict, after: dict, words: Callable[[dict], str], both: Callable[..., Iterator[Change]], named: bool = False
 ) -> list[Change]:
-    """Yield the entries of one record alone, in `words`, and `both(id, old, new)` of the rest."""
+    """Return the entries of one record alone, in `words`, and `both(id, old, new)` of the rest.
+
+    named: whether release notes have to name what is gone.
+    """
     changes = [Change(id, "added", words(after[id])) for id in after.keys() - before.keys()]
     changes += [Change(id, "removed", words(before[id]), named) for id in before.keys() - after.keys()]
     for id in before.keys() & after.keys():

@@ -323,7 +323,7 @@ function simulator_start(root, compiled, module) {
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || is_typed(event) || !"zy".includes(event.key.toLowerCase())) return;
     event.preventDefault();
-    if (event.key === "z") go(past, undone);
+    if (event.key.toLowerCase() === "z" && !event.shiftKey) go(past, undone);
     else go(undone, past);
   });
   window.addEventListener("hashchange", ({ newURL }) => from_address(new URL(newURL || location.href).hash));
