@@ -63,7 +63,7 @@ def gains(gradients: dict, frames: dict) -> Drawing:
         "the gradient alone": work_precision.gradient_numbers(gradients["gradients"])["central_to_exact"],
         "sphere A alone": ratios["a_alone_central_to_algebraic"],
         "a picture, 1024²": ratios["central_1024_2_ms"] / ratios["algebraic_1024_2_ms"],
-        "a picture, in Python loops": ratios["seed_central_to_exact"],
+        "a picture, in the seed's loops": ratios["seed_central_to_exact"],
     }
     fig, ax = plot(height=2.2)
     bars = ax.barh([*times], [*times.values()], color=colour_of("symbolic"), height=0.6)
