@@ -16,7 +16,7 @@ class Shader(NamedTuple):
 
     group: (machine, scene, want, pixels) → an object with `draw()`, and these as attributes. scene, light: the forms of
     their numbers. rounded: the names of a scene's numbers that are not exact. counted: the kinds of work. planes: the
-    names of the stored planes.
+    names of the stored planes. around: group → that of a machine around its own, which is drawn.
     """
 
     group: Callable
@@ -25,6 +25,7 @@ class Shader(NamedTuple):
     rounded: Sequence[str]
     counted: Sequence[str]
     planes: Sequence[str]
+    around: Callable = lambda group: group
 
 
 def flat(numbers: SimpleNamespace) -> list:

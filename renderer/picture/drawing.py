@@ -1,13 +1,16 @@
 """`render`, the way from a scene to a picture: everything from nothing, or sphere A alone on a stage."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from renderer.checks import check_kind, check_truth, not_allowed
+from renderer.machines import compiling
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage, shading_of
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Crop, Raster
-from renderer.scene.scene import Scene
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -38,6 +41,7 @@ def render(
     stage: Stage | None = None,
     into: Frame | None = None,
     bounds: bool = False,
+    derivatives: Iterable[str] = (),
 ) -> Frame:
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
@@ -46,7 +50,10 @@ def render(
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
     earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
-    drawn whole. Raises ValueError that names what is not allowed.
+    drawn whole. derivatives: the numbers of the scene by which `Frame.derivatives` are wanted, by the names that its
+    record has, such as "beta", "albedo_a[0]", "lights[1].position[2]": the same picture, by ku and kv that of
+    `exact("general")`; on a stage A alone is drawn if none but ku, kv and beta are wanted. Raises ValueError that names
+    what is not allowed.
 
     >>> from renderer import Scene, central, render
     >>> symbolic, numeric = (render(Scene(), 16, 16, method) for method in (None, central(1e-3)))
@@ -57,28 +64,38 @@ def render(
     """
     method = checked_method("gradient", gradient if gradient is not None else exact())
     check_kind("scene", scene, Scene)
-    bounds = check_truth("bounds", bounds)
+    bounds, by = check_truth("bounds", bounds), ()
+    if derivatives != ():
+        with compiling:
+            from renderer.shader import slopes  # what most pictures never need to import
+
+        by, method = slopes.asked(scene, method, derivatives)
     raster, threads = Raster(width, height, crop), checked_threads(threads)
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(scene, raster)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
-    complete = bounds or stage is None
+    complete = bounds or stage is None or not set(by) <= set(MOVE_NO_BOUNDARY)
     stage = Stage(scene, raster) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
     named, enclosure = dict(zip(COLORS, planes, strict=True)), None
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
+    moving = stage.new_plane(channels=3 * len(by) * (1 + bounds)) if by else None
+    if by:
+        moving[...] = 0.0  # off A, where that alone is drawn
+        named |= dict(zip(slopes.slope_planes(len(by), bounds), moving, strict=True))
     if complete:
-        counts = stage.draw(scene, method, threads, named, bounds=bounds)
+        counts = stage.draw(scene, method, threads, named, bounds=bounds, by=by)
     else:
-        counts = _draw_on(stage, scene, method, threads, named, None if into else planes)
-    return Frame(scene, method, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure)
+        counts = _draw_on(stage, scene, method, threads, named, None if into else planes, by)
+    counted = dict(zip(WORK, counts.tolist(), strict=True))
+    return Frame(scene, method, stage, planes, counted, enclosure, by, moving)
 
 
-def _draw_on(stage, scene, method, threads, named, fresh):
+def _draw_on(stage, scene, method, threads, named, fresh, by):
     """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
     copy, counts = None, 0
     if fresh is not None:
@@ -87,4 +104,4 @@ def _draw_on(stage, scene, method, threads, named, fresh):
         def copy(rows):
             fresh[:, rows] = rest[:, rows]
 
-    return counts + stage.draw(scene, method, threads, named, copy, chambers_known=True, surfaces="a")
+    return counts + stage.draw(scene, method, threads, named, copy, chambers_known=True, surfaces="a", by=by)

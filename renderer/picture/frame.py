@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_whole, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, check_whole, not_allowed
 from renderer.files import pictures
 from renderer.files.record import Drawing, text_of
 from renderer.files.srgb import to_bytes
@@ -21,6 +21,8 @@ from renderer.scene.scene import Scene
 from renderer.shader.numbers import read_only, way_of
 from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
+
+BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
 
 
 @dataclass(eq=False, repr=False)
@@ -45,6 +47,8 @@ class Frame:
     _planes: np.ndarray | None
     _counts: dict[str, int]
     _enclosure: tuple[np.ndarray, np.ndarray] | None = None
+    _by: tuple[str, ...] = ()
+    _slopes: np.ndarray | None = None
 
     @property
     def raster(self) -> Raster:
@@ -163,6 +167,54 @@ class Frame:
         Raises ValueError without bounds.
         """
         return self._enclosed("open", 1) > 0
+
+    def _moving(self, first):
+        """Return {name: (height, width, 3)} of slopes, or of the bounds that stand after them."""
+        planes = self._slopes if self._slopes is None else self._slopes[..., : self.raster.shape[1]]
+        places = range(3 * first * len(self._by), 3 * (first + 1) * len(self._by), 3)
+        return {n: np.moveaxis(planes[p : p + 3], 0, -1) for n, p in zip(self._by, places, strict=True)}
+
+    @property
+    def derivatives(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: the slope of each colour by a number, drawn with `derivatives=(name, …)`.
+
+        It is that of the exact picture, or of a difference's. A clipped colour has slope 0. By a number on which
+        boundaries depend it is the slope inside them.
+
+        >>> from renderer import Scene, render
+        >>> frame = render(Scene(), 16, 16, derivatives=("beta", "eye"))
+        >>> {name: round(float(abs(slope).max()), 2) for name, slope in frame.derivatives.items()}
+        {}
+        >>> frame.moves_boundaries
+        ('eye',)
+        """
+        return self._moving(0)
+
+    @property
+    def derivative_bounds(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: |slope − exact| is at most this, of a frame drawn with `bounds=True`.
+
+        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves: there is no slope.
+        Raises ValueError without bounds.
+        """
+        self._enclosed("derivative_bounds", 0)
+        return self._moving(1)
+
+    def derivative(self, direction: dict[str, float]) -> np.ndarray:
+        """Return the slope in a direction of several numbers, {name: its part}: (height, width, 3) float64.
+
+        Raises ValueError on a number by which the frame has no slope.
+        """
+        slopes = self.derivatives
+        for name in check_kind("direction", direction, dict, "{name: number}"):
+            check_choice("direction", name, slopes)
+        parts = (check_number(name, part) * slopes[name] for name, part in direction.items())
+        return sum(parts, np.zeros(self.rgb.shape))
+
+    @property
+    def moves_boundaries(self) -> tuple[str, ...]:
+        """The numbers, of `derivatives`, on which boundaries depend: their edges add to the slope of a mean of pixels."""
+        return tuple(name for name in self._by if name.startswith(BOUNDARIES) or "position" in name)
 
     @property
     def chambers(self) -> np.ndarray:

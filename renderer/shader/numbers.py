@@ -1,7 +1,7 @@
 """The numbers that the shader reads: of the scene, of each light, and boxes of the image in which each thing lies."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -17,7 +17,7 @@ from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
 from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
 FIRST_LIGHT_BIT = 2
-AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "albedo_a", "albedo_b")
+AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "ka", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
 
 
@@ -42,17 +42,21 @@ def reach_of_a(eye: float, radius: float) -> float:
     return reach
 
 
-def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
-    """Return (field, way): how the gradient of a scene is taken by a method; not at all where there is no bump."""
+def way_of(scene: Scene, method: GradientMethod, by: Sequence[str] = ()) -> tuple[Any, str]:
+    """Return (field, way): how the gradient of a scene is taken by a method; not at all where no bump is, nor begins."""
     algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
     way = "algebraic" if algebraic else "general" if method.name == "exact" else method.name
-    return scene.field, "flat" if scene.beta == 0.0 else way
+    if scene.beta == 0.0:
+        way = "flat" if "beta" not in by else "general" if algebraic else way
+    return scene.field, way
 
 
-def style_of(scene: Scene) -> tuple[Any, str]:
+def style_of(scene: Scene, by: Sequence[str] = ()) -> tuple[Any, str]:
     """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
     squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
-    return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
+    if scene.ks == 0.0:
+        return scene.model, "base" if "ks" in by else "diffuse"
+    return scene.model, "squared" if squared else "base"
 
 
 class Want(NamedTuple):
@@ -63,7 +67,8 @@ class Want(NamedTuple):
     highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
-    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`). by: the names of
+    numbers by which each colour's slopes are (`renderer.shader.slopes`).
     """
 
     ways: tuple
@@ -75,11 +80,21 @@ class Want(NamedTuple):
     stored: tuple = ()
     charted: bool = False
     bounds: bool = False
+    by: tuple = ()
 
     @property
     def shader(self) -> Shader:
         """The shader that draws it."""
-        return SHADER
+        if not self.by:
+            return SHADER
+        from renderer.shader.slopes import shader_of  # what most pictures never need to import
+
+        return shader_of(self, SHADER)
+
+    @property
+    def by_color(self) -> bool:
+        """True if a black light, which adds nothing, is to be looked at all the same."""
+        return any(name.startswith("lights") and "color" in name for name in self.by)
 
     @property
     def is_long(self) -> bool:
@@ -87,9 +102,10 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
-def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
-    """Return the Want of a scene's picture by a method."""
-    return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
+def want_of(scene: Scene, method: GradientMethod, by: tuple = (), **more: Any) -> Want:
+    """Return the Want of a scene's picture by a method, with slopes by some of its numbers."""
+    choices = (way_of(scene, method, by),), (style_of(scene, by),)
+    return Want(*choices, scene.shininess.is_integer(), by=by, **more)
 
 
 def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
@@ -117,6 +133,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         turn_u=-1.0 if power_u < 0 else 1.0,  # and the sign that negative ones give to imaginary parts
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
+        ambient_light=scene.ambient,
         ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),
         floor_light=light,  # red and green; blue
         floor_dark=dark,

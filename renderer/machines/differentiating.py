@@ -1,0 +1,238 @@
+"""The numbers of a machine around a machine: each is one of the inner machine's and its slopes, by numbers of a scene.
+
+The machine is `renderer.machines.differentiating_machine`.
+
+The inner machine's values stay as they are, to the last bit. It may be the enclosing machine: then each slope has a
+bound. A slope that is the float 0.0 is 0 wherever the number is, and costs nothing; a number without slopes has none.
+
+Where a selection jumps the slope is that of the side that is computed. With bounds, those of both sides lie within the
+bound where the mask is open, and where what is compared is exactly equal and the slopes are not: a tie.
+"""
+
+import math
+import operator
+import sys
+from collections.abc import Callable
+from itertools import chain, repeat, zip_longest
+from typing import Any
+
+from renderer import kernels, operations
+from renderer.machines import enclosing
+from renderer.machines.bounded import is_zero, plus, times
+from renderer.machines.enclosing import Enclosed, either, enclosed
+from renderer.operations import pi, where as inner_where
+
+Slopes = tuple
+
+
+def _sum(*slopes):
+    return tuple(plus(*each) for each in zip_longest(*slopes, fillvalue=0.0))
+
+
+def _scaled(size, slopes):
+    return tuple(times(size, slope) for slope in slopes)
+
+
+class Mask:
+    """A condition of numbers, as the inner machine has it, and for each slope where there is a tie, or None."""
+
+    def __init__(self, inner: Any, ties: tuple = ()):
+        self.inner, self.ties = inner, ties
+
+    def __and__(self, other):
+        return Mask(self.inner & other.inner, _either(self.ties, other.ties))
+
+    def __or__(self, other):
+        return Mask(self.inner | other.inner, _either(self.ties, other.ties))
+
+    def __invert__(self):
+        return Mask(~self.inner, self.ties)
+
+    def select(self, slopes: Slopes, others: Slopes) -> Slopes:
+        """Return the slopes of one of two numbers; at a tie within the bounds of both."""
+        sides = zip_longest(slopes, others, fillvalue=0.0)
+        return tuple(self._select(*each, tie) for each, tie in zip(sides, chain(self.ties, repeat(None)), strict=False))
+
+    def _select(self, slope, other, tie):
+        if is_zero(slope) and is_zero(other):
+            return 0.0
+        mask = self.inner if tie is None else enclosing.Mask(self.inner.holds, either(self.inner.open, tie))
+        return inner_where(mask, slope, other)
+
+
+def _either(ties, others):
+    return tuple(either(*each) for each in zip_longest(ties, others))
+
+
+def _ties(a, b):
+    """Return for each slope where two numbers are exactly equal, and this slope of theirs is not; without bounds ()."""
+    if not isinstance(a.value, Enclosed) and not isinstance(b.value, Enclosed):
+        return ()
+    equal = enclosed(a.value).value == enclosed(b.value).value
+    apart = [plus(abs(slope.value), slope.error) for slope in map(enclosed, (a - b).slopes)]
+    return tuple(
+        (equal if size else None) if isinstance(size, float) else equal & ~(size == 0.0) for size in apart
+    )
+
+
+def _comparison(compare):
+    """Return the method by which two Sloped are compared: a Mask."""
+
+    def compared(self, other):
+        if self is other:  # x = x, which asks for NaN
+            return Mask(compare(self.value, self.value))
+        other = sloped(other)
+        return Mask(compare(self.value, other.value), _ties(self, other))
+
+    return compared
+
+
+class Sloped:
+    """A number of the inner machine, and its slopes."""
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, value: Any, slopes: Slopes = ()):
+        self.value, self.slopes = value, () if all(map(is_zero, slopes)) else slopes
+
+    @classmethod
+    def of(cls, number: Any) -> "Sloped":
+        """Return a number that does not move as Sloped, if it is not one."""
+        return number if isinstance(number, Sloped) else cls(number)
+
+    def __add__(self, other):
+        other = sloped(other)
+        return Sloped(self.value + other.value, _sum(self.slopes, other.slopes))
+
+    def __neg__(self):
+        return Sloped(-self.value, _scaled(-1.0, self.slopes))
+
+    def __sub__(self, other):
+        return self + -sloped(other)
+
+    def __rsub__(self, other):
+        return sloped(other) - self
+
+    def product_slopes(self, other: "Sloped") -> Slopes:
+        """Return the slopes of a product."""
+        return _sum(_scaled(other.value, self.slopes), _scaled(self.value, other.slopes))
+
+    def __mul__(self, other):
+        other = sloped(other)
+        return Sloped(self.value * other.value, self.product_slopes(other))
+
+    def __truediv__(self, other):
+        other = sloped(other)
+        quotient = self.value / other.value
+        slopes = _sum(self.slopes, _scaled(-quotient, other.slopes))
+        return Sloped(quotient, slopes and _scaled(1.0 / other.value, slopes))
+
+    def __rtruediv__(self, other):
+        return sloped(other) / self
+
+    def __abs__(self):
+        return Sloped(abs(self.value), self.slopes and where(self < 0.0, -self, self).slopes)
+
+    __radd__, __rmul__ = __add__, __mul__
+    __lt__ = _comparison(operator.lt)
+    __le__ = _comparison(operator.le)
+    __gt__ = _comparison(operator.gt)
+    __ge__ = _comparison(operator.ge)
+    __eq__ = _comparison(operator.eq)
+    __ne__ = _comparison(operator.ne)
+
+
+sloped = Sloped.of
+
+
+def where(mask: Mask, value: Any, otherwise: Any) -> Sloped:
+    """Return the selected side, with its slopes."""
+    value, otherwise = sloped(value), sloped(otherwise)
+    chosen = inner_where(mask.inner, value.value, otherwise.value)
+    return Sloped(chosen, mask.select(value.slopes, otherwise.slopes))
+
+
+def sqrt(a: Sloped) -> Sloped:
+    """Return √a. At 0 its slope is taken for 0: a NaN would spoil every sum over a picture."""
+    root = operations.sqrt(a.value)
+    return Sloped(root, a.slopes and _scaled(inner_where(root > 0.0, 0.5 / root, 0.0), a.slopes))
+
+
+def floor(a: Sloped) -> Sloped:
+    """Return ⌊a⌋, which does not move but where it jumps."""
+    return Sloped(operations.floor(a.value))
+
+
+def rint(a: Sloped) -> Sloped:
+    """Return the whole number nearest to a, likewise."""
+    return Sloped(operations.rint(a.value))
+
+
+def sign(a: Any) -> Sloped:
+    """Return −1, 0 or 1, likewise; with bounds, that of a slope is infinite where an exact 0 is crossed."""
+    a = sloped(a)
+    jumps = (0.0 if tie is None else Enclosed(0.0, inner_where(tie, math.inf, 0.0)) for tie in _ties(a, Sloped(0.0)))
+    return Sloped(operations.sign(a.value), tuple(jumps))
+
+
+def two_product(a: Any, b: Any) -> tuple[Sloped, Sloped]:
+    """Return a product in two parts, of which the first has the slopes."""
+    a, b = sloped(a), sloped(b)
+    product, rest = kernels.two_product(a.value, b.value)
+    return Sloped(product, a.product_slopes(b)), Sloped(rest)
+
+
+def add_half_turns(a: Any, b: Any) -> tuple[Sloped, Sloped]:
+    """Return a sum of half-turns in two parts likewise."""
+    a, b = sloped(a), sloped(b)
+    total, lost = operations.add_half_turns(a.value, b.value)
+    return Sloped(total, _sum(a.slopes, b.slopes)), Sloped(lost)
+
+
+def _of_sum(kernel: Callable, slope: Callable) -> Callable:
+    """Return a function of a number in two parts; slope: its own, of its value and the parts."""
+
+    def function(product: Any, rest: Any = 0.0) -> Sloped:
+        product, rest = sloped(product), sloped(rest)
+        parts, slopes = (product.value, rest.value), _sum(product.slopes, rest.slopes)
+        result = kernel(*parts)
+        return Sloped(result, slopes and _scaled(slope(result, *parts), slopes))
+
+    return function
+
+
+sinpi = _of_sum(kernels.sinpi, lambda _, *parts: pi * kernels.cospi(*parts))
+cospi = _of_sum(kernels.cospi, lambda _, *parts: -pi * kernels.sinpi(*parts))
+exp = _of_sum(kernels.exp, lambda result, *_: result)
+
+
+def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
+    """Return atan2(y, x)/π, whose slope at the pole, y = x = 0, is taken for 0."""
+    y, x = sloped(ordinate), sloped(abscissa)
+    slopes, square = _sum(_scaled(x.value, y.slopes), _scaled(-y.value, x.slopes)), x.value * x.value + y.value * y.value
+    inverse = slopes and inner_where(square > 0.0, 1.0 / (pi * square), 0.0)
+    return Sloped(kernels.atan2pi(y.value, x.value), _scaled(inverse, slopes))
+
+
+def log(a: Sloped) -> Sloped:
+    """Return log a."""
+    return Sloped(kernels.log(a.value), a.slopes and _scaled(1.0 / a.value, a.slopes))
+
+
+def power(number: Any, exponent: Any) -> Sloped:
+    """Return a^p, whose slope where a is not positive is 0."""
+    number, exponent = sloped(number), sloped(exponent)
+    a, p = number.value, exponent.value
+    result = kernels.power(a, p)
+    slopes = number.slopes and _scaled(inner_where(a > 0.0, p * result / a, 0.0), number.slopes)
+    return of_whole_power(Sloped(result, slopes), number, exponent)
+
+
+def of_whole_power(result: Sloped, base: Any, exponent: Any) -> Sloped:
+    """Return a power, with its slopes by the exponent too."""
+    exponent, a = sloped(exponent), sloped(base).value
+    moved = exponent.slopes and inner_where(a > 0.0, result.value * kernels.log(a), 0.0)
+    return Sloped(result.value, _sum(result.slopes, _scaled(moved, exponent.slopes)))
+
+
+Mask.machine = Sloped.machine = sys.modules[__name__]  # type: ignore[attr-defined]  # `renderer.operations` asks it
