@@ -1,6 +1,7 @@
 """Slopes of a picture by numbers of its scene: the numbers' names, and where the slopes begin."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import repeat
 from types import SimpleNamespace
 from typing import Any
@@ -11,9 +12,9 @@ from renderer.machines.differentiating import Sloped
 from renderer.machines.differentiating_machine import Differentiating, Pixels, with_slopes
 from renderer.machines.forms import COLORS, Shader, of_form
 from renderer.operations import where
-from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.methods import exact
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import FIRST_LIGHT_BIT, Want
+from renderer.shader.numbers import FIRST_LIGHT_BIT, Shot, Want
 
 OF_BODY = {"ball_center": "ball", "ball_radius": "ball", "albedo_b": "ball", "floor_tint": "floor"}
 ALLOWED = "names of the scene's numbers as its record has them, such as beta, albedo_a[0], lights[1].position[2]"
@@ -38,19 +39,28 @@ def numbers_of(scene: Scene) -> Iterator[tuple[str, str]]:
             yield from zip(_parts(f"{name}.{part}", value or "rgb"), repeat("" if light.color else name))
 
 
-def asked(scene: Scene, method: GradientMethod, names: Iterable[str]) -> tuple[tuple[str, ...], GradientMethod]:
-    """Return the names of numbers, and the method that has slopes by them. Raises ValueError on what has none."""
-    names, numbers = check_items("derivatives", names, ALLOWED), dict(numbers_of(scene))
+def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, tuple]]:
+    """Return the shot that has slopes by numbers of its scene, and the parts of its Want that they change.
+
+    Where the picture needs no gradient, or no highlight, its slope may. Raises ValueError on what has no slope.
+    """
+    names, numbers = check_items("derivatives", names, ALLOWED), dict(numbers_of(shot.scene))
     for name in names:
         if not isinstance(name, str) or name not in numbers:
             raise not_allowed("derivatives", name, ALLOWED)
         if numbers[name]:
             raise not_allowed("derivatives", name, f"no number of {numbers[name]}, which is off in this scene")
-    if method.name == "exact" and {"ku", "kv"} & set(names):
-        if method.form == "algebraic":
-            raise not_allowed("form", method.form, "general or auto beside a slope by ku or kv: whole powers have none")
-        method = exact("general")
-    return tuple(dict.fromkeys(names)), method
+    method = shot.method.name
+    if method == "exact" and {"ku", "kv"} & set(names):
+        if shot.method.form == "algebraic":
+            raise not_allowed("form", "algebraic", "general or auto beside a slope by ku or kv: whole powers have none")
+        shot = replace(shot, method=exact("general"))
+    ((field, way),), ((model, style),) = shot.want.ways, shot.want.lights
+    if way == "flat" and "beta" in names:
+        way = "general" if method == "exact" else method
+    if style == "diffuse" and "ks" in names:
+        style = "base"
+    return shot, {"by": tuple(dict.fromkeys(names)), "ways": ((field, way),), "lights": ((model, style),)}
 
 
 def slope_planes(count: int, bounds: bool) -> list[str]:
