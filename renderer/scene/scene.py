@@ -1,7 +1,9 @@
 """The scene and its lights, checked when they are made."""
 
 import math
-from dataclasses import asdict, dataclass, field, fields
+import re
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -60,6 +62,17 @@ def _light_from_record(number, record):
     if not isinstance(record, dict) or not {"position"} <= record.keys() <= {"position", "color"}:
         raise not_allowed(f"lights[{number}]", record, "a record with a position and a color")
     return Light(**record)
+
+
+def _with(value, path, number):
+    """Return a value with a number in place of that at the end of a path of names and places."""
+    if not path:
+        return number
+    first, *rest = path
+    if isinstance(value, tuple):
+        place = int(first)
+        return *value[:place], _with(value[place], rest, number), *value[place + 1 :]
+    return replace(value, **{first: _with(getattr(value, first), rest, number)})
 
 
 def _given(default, help, check, *allowed):
@@ -140,6 +153,19 @@ class Scene:
             check_kind("lights", values["lights"], list, "a list of records")
             values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
         return cls(**values)
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> "Scene":
+        """Return the scene with other numbers: {name as the record has it, such as "lights[0].position[2]": number}.
+
+        Raises ValueError on a name that is none, or a number that is not allowed.
+        """
+        scene = self
+        for name, number in check_kind("numbers", numbers, Mapping).items():
+            try:
+                scene = _with(scene, re.findall(r"\w+", name), number)
+            except (TypeError, AttributeError, IndexError):
+                raise not_allowed("numbers", name, "names of the scene's numbers, as its record has them") from None
+        return scene
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
