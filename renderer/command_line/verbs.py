@@ -50,23 +50,40 @@ def draw_image(options: Namespace) -> None:
         shot = Shot(scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop))
     picture = shot.scene, shot.raster.width, shot.raster.height
     more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
-    if target.suffix.lower() == ".npy":
+    by, suffix = options.by or (), target.suffix.lower()
+    if by[1:] and suffix != ".npz":
+        raise not_allowed("by", ",".join(by), "one number, where --out is no .npz")
+    if suffix == ".npy" and not by:
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
         height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="band"))
     else:
-        frame = render(*picture, **more, bounds=bounds is not None)
+        frame = render(*picture, **more, bounds=bounds is not None, derivatives=by)
         height, width = frame.raster.shape
-        if options.out == PIPE:
+        if by and suffix != ".npz":
+            _write_slope(target, suffix, *by, *frame.derivatives.values())
+        elif options.out == PIPE:
             sys.stdout.buffer.write(frame._repr_png_())
         else:
             frame.save(target)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:
-        files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open})
+        files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open} | frame.slope_arrays())
         largest, opened = frame.bounds.max(), frame.open.sum()
         print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open", file=told)
+
+
+def _write_slope(target, suffix, name, slope):
+    """Write a slope: as it is to a .npy, in colours to a picture or a pipe."""
+    if suffix == ".npy":
+        files.write_npy(target, slope.shape[:2], [slope])
+        return
+    image = views.derivative_view(slope, name)
+    if target == Path(PIPE):
+        sys.stdout.buffer.write(files.png_of(image))
+    else:
+        (files.write_png if suffix == ".png" else files.write_tiff)(target, image)
 
 
 def _drawn_again(options):

@@ -70,9 +70,7 @@ def _ties(a, b):
         return ()
     equal = enclosed(a.value).value == enclosed(b.value).value
     apart = [plus(abs(slope.value), slope.error) for slope in map(enclosed, (a - b).slopes)]
-    return tuple(
-        (equal if size else None) if isinstance(size, float) else equal & ~(size == 0.0) for size in apart
-    )
+    return tuple((equal if size else None) if isinstance(size, float) else equal & ~(size == 0.0) for size in apart)
 
 
 def _comparison(compare):
@@ -209,7 +207,10 @@ exp = _of_sum(kernels.exp, lambda result, *_: result)
 def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
     """Return atan2(y, x)/π, whose slope at the pole, y = x = 0, is taken for 0."""
     y, x = sloped(ordinate), sloped(abscissa)
-    slopes, square = _sum(_scaled(x.value, y.slopes), _scaled(-y.value, x.slopes)), x.value * x.value + y.value * y.value
+    slopes, square = (
+        _sum(_scaled(x.value, y.slopes), _scaled(-y.value, x.slopes)),
+        x.value * x.value + y.value * y.value,
+    )
     inverse = slopes and inner_where(square > 0.0, 1.0 / (pi * square), 0.0)
     return Sloped(kernels.atan2pi(y.value, x.value), _scaled(inverse, slopes))
 

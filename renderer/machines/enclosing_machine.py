@@ -108,7 +108,10 @@ class Pixels:
             decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
         elif f"{name}_bound" in self._planes:
-            bound, largest = number.bound, 1.0 if name in COLORS else math.inf  # which a slope's is too where it is none
+            bound, largest = (
+                number.bound,
+                1.0 if name in COLORS else math.inf,
+            )  # which a slope's is too where it is none
             self._pixels.store(f"{name}_bound", where(bound < largest, bound, largest))  # also where it is NaN
 
 

@@ -131,7 +131,7 @@ class Frame:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
         `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers` and `surface_data`. A `.png` and a `.npz` carry the scene, the method and the raster:
+        `.npz`: `rgb`, `chambers`, `surface_data` and `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method and the raster:
         `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
 
         Raises ValueError on another name, or one that cannot be written.
@@ -141,7 +141,7 @@ class Frame:
             case ".png":
                 pictures.write_png(path, to_bytes(self.rgb), self._record())
             case ".npz":
-                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data}
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
@@ -208,6 +208,12 @@ class Frame:
         """
         self._enclosed("derivative_bounds", 0)
         return self._moving(1)
+
+    def slope_arrays(self) -> dict[str, np.ndarray]:
+        """Return {"derivative_" and a number's name: its slopes}, and "derivative_bound_…" with bounds, for a file."""
+        arrays = {f"derivative_{name}": slope for name, slope in self.derivatives.items()}
+        bounds = self.derivative_bounds if self.bounded else {}
+        return arrays | {f"derivative_bound_{name}": bound for name, bound in bounds.items()}
 
     def derivative(self, direction: dict[str, float]) -> np.ndarray:
         """Return the slope in a direction of several numbers, {name: its part}: (height, width, 3) float64.
