@@ -87,8 +87,9 @@ def render(
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
     moving = stage.new_plane(channels=3 * len(by) * (1 + bounds)) if by else None
     if by:
-        moving[...] = 0.0  # off A, where that alone is drawn
         named |= dict(zip(slopes.slope_planes(len(by), bounds), moving, strict=True))
+    if by and not complete:
+        moving[...] = 0.0  # off A
     if complete:
         counts = stage.draw(shot, threads, named, bounds=bounds, **changes)
     else:

@@ -131,8 +131,9 @@ class Frame:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
         `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers`, `surface_data` and `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method and the raster:
-        `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
+        `.npz`: `rgb`, `chambers`, `surface_data`, `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method
+        and the raster: `python -m renderer image --again FILE` draws them again, unless a field of one's own has no
+        text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
@@ -228,7 +229,7 @@ class Frame:
 
     @property
     def moves_boundaries(self) -> tuple[str, ...]:
-        """The numbers, of `derivatives`, on which boundaries depend: their edges add to the slope of a mean of pixels."""
+        """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
         return tuple(name for name in self._by if name.startswith(BOUNDARIES) or "position" in name)
 
     @property

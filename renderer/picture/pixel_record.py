@@ -65,7 +65,8 @@ def pixel(
 ) -> PixelRecord:
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
-    `normal` is N' on sphere A. derivatives: as for `render`; the record has {name: slopes of rgb}. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+    `normal` is N' on sphere A. derivatives: as for `render`; the record has {name: slopes of rgb}. Its rgb is bit for
+    bit that of `render`. Raises ValueError as `render` does.
 
     >>> from renderer import Scene, pixel
     >>> record = pixel(Scene(), 16, 16, 8, 9)

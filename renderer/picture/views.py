@@ -94,7 +94,7 @@ def derivative_view(slope: np.ndarray, name: str) -> np.ndarray:
     largest = np.take_along_axis(slope, np.abs(slope).argmax(axis=2)[..., None], axis=2)[..., 0]
     end = float(np.abs(largest).max()) or 1.0
     image = matplotlib.colormaps[DIVERGING](0.5 + 0.5 * (largest / end), bytes=True)[..., :3]
-    return with_colour_bar(image, (-end, end), f"largest slope of a channel by {name}", DIVERGING)
+    return with_colour_bar(image, (-end, end), f"slope by {name}", DIVERGING)
 
 
 def with_colour_bar(
@@ -103,7 +103,7 @@ def with_colour_bar(
     label: str = "largest |ΔI| of a channel",
     colours: str = "inferno",
 ) -> np.ndarray:
-    """Return a picture, by default a logarithmic difference, with its colour bar at the right: uint8, its pixels kept."""
+    """Return a picture, by default a logarithmic difference, with its colour bar at the right: uint8, pixels kept."""
     with extra("plot"):
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
