@@ -13,6 +13,7 @@ import math
 import operator
 import sys
 from collections.abc import Callable
+from functools import partial
 from itertools import chain, repeat, zip_longest
 from typing import Any
 
@@ -187,21 +188,16 @@ def add_half_turns(a: Any, b: Any) -> tuple[Sloped, Sloped]:
     return Sloped(total, _sum(a.slopes, b.slopes)), Sloped(lost)
 
 
-def _of_sum(kernel: Callable, slope: Callable) -> Callable:
-    """Return a function of a number in two parts; slope: its own, of its value and the parts."""
-
-    def function(product: Any, rest: Any = 0.0) -> Sloped:
-        product, rest = sloped(product), sloped(rest)
-        parts, slopes = (product.value, rest.value), _sum(product.slopes, rest.slopes)
-        result = kernel(*parts)
-        return Sloped(result, slopes and _scaled(slope(result, *parts), slopes))
-
-    return function
+def _of_half_turns(kernel: Callable, other: Callable, turn: float, turns: Any, rest: Any = 0.0) -> Sloped:
+    """Return sin πx or cos πx of a number in two parts; its slope is `turn` times the other one."""
+    turns, rest = sloped(turns), sloped(rest)
+    slopes = _sum(turns.slopes, rest.slopes)
+    slopes = slopes and _scaled(turn * other(turns.value, rest.value), slopes)
+    return Sloped(kernel(turns.value, rest.value), slopes)
 
 
-sinpi = _of_sum(kernels.sinpi, lambda _, *parts: pi * kernels.cospi(*parts))
-cospi = _of_sum(kernels.cospi, lambda _, *parts: -pi * kernels.sinpi(*parts))
-exp = _of_sum(kernels.exp, lambda result, *_: result)
+sinpi = partial(_of_half_turns, kernels.sinpi, kernels.cospi, pi)
+cospi = partial(_of_half_turns, kernels.cospi, kernels.sinpi, -pi)
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
@@ -213,6 +209,12 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
     )
     inverse = slopes and inner_where(square > 0.0, 1.0 / (pi * square), 0.0)
     return Sloped(kernels.atan2pi(y.value, x.value), _scaled(inverse, slopes))
+
+
+def exp(a: Sloped) -> Sloped:
+    """Return exp a."""
+    result = kernels.exp(a.value)
+    return Sloped(result, _scaled(result, a.slopes))
 
 
 def log(a: Sloped) -> Sloped:

@@ -27,8 +27,7 @@ class Variable:
 
 
 class Differentiating:
-    """The machine around another one. seeds_of: light → the slopes of its numbers, by one scene's number after another.
-    """
+    """The machine around another one. seeds_of: light → the slopes of its numbers, by each of the scene's."""
 
     def __init__(self, inner: Any, slopes: int, seeds_of: Callable[[SimpleNamespace], list]):
         self.inner, self._none, self._seeds_of = inner, (0.0,) * slopes, seeds_of

@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
+from functools import reduce
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -64,15 +65,20 @@ def _light_from_record(number, record):
     return Light(**record)
 
 
+def _part(value, name):
+    """Return a part of a tuple or of a dataclass."""
+    return value[int(name)] if isinstance(value, tuple) else getattr(value, name)
+
+
 def _with(value, path, number):
     """Return a value with a number in place of that at the end of a path of names and places."""
     if not path:
         return number
     first, *rest = path
+    part = _with(_part(value, first), rest, number)
     if isinstance(value, tuple):
-        place = int(first)
-        return *value[:place], _with(value[place], rest, number), *value[place + 1 :]
-    return replace(value, **{first: _with(getattr(value, first), rest, number)})
+        return *value[: int(first)], part, *value[int(first) + 1 :]
+    return replace(value, **{first: part})
 
 
 def _given(default, help, check, *allowed):
@@ -166,6 +172,10 @@ class Scene:
             except (TypeError, AttributeError, IndexError):
                 raise not_allowed("numbers", name, "names of the scene's numbers, as its record has them") from None
         return scene
+
+    def number(self, name: str) -> float:
+        """Return a number by such a name."""
+        return reduce(_part, re.findall(r"\w+", name), self)  # type: ignore[arg-type]
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
