@@ -23,6 +23,7 @@ from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
 
 BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
+ON_ONE = ("beta", "ku", "kv", "albedo_a"), ("albedo_b",), ("floor_tint",)  # what moves the colours of A, B, the floor
 
 
 @dataclass(eq=False, repr=False)
@@ -70,10 +71,15 @@ class Frame:
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
-        specular_powers, light_terms.
+        specular_powers, light_terms. slopes: {name: the pixels of the surfaces where one of `derivatives` is not 0 for
+        certain}.
         """
         codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
-        _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        _, *surfaces = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        on_a, on_b, on_floor = surfaces
+        moved = {
+            name: surfaces[place] for place, names in enumerate(ON_ONE) for name in self._by if name.startswith(names)
+        }
         ((field, way),) = self.shot.want.ways
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
         gradients = self._counts["gradient_evaluations"]
@@ -86,6 +92,7 @@ class Frame:
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
+            "slopes": dict.fromkeys(self._by, sum(surfaces)) | moved,
         }
 
     def hand_over(self) -> np.ndarray:
