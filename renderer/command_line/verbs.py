@@ -51,8 +51,8 @@ def draw_image(options: Namespace) -> None:
     picture = shot.scene, shot.raster.width, shot.raster.height
     more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
     by, suffix = options.by or (), target.suffix.lower()
-    if by[1:] and suffix != ".npz":
-        raise not_allowed("by", ",".join(by), "one number, where --out is no .npz")
+    if by and suffix != ".npz" and not (len(by) == 1 and suffix in (".png", ".npy")):
+        raise not_allowed("by", ",".join(by), "several numbers for a .npz, one for a .png or a .npy")
     if suffix == ".npy" and not by:
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
@@ -61,7 +61,11 @@ def draw_image(options: Namespace) -> None:
         frame = render(*picture, **more, bounds=bounds is not None, derivatives=by)
         height, width = frame.raster.shape
         if by and suffix != ".npz":
-            _write_slope(target, suffix, *by, *frame.derivatives.values())
+            (slope,) = frame.derivatives.values()
+            if suffix == ".npy":
+                files.write_npy(target, slope.shape[:2], [slope])
+            else:
+                files.write_png(target, views.derivative_view(slope, *by))
         elif options.out == PIPE:
             sys.stdout.buffer.write(frame._repr_png_())
         else:
@@ -72,18 +76,6 @@ def draw_image(options: Namespace) -> None:
         files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open} | frame.slope_arrays())
         largest, opened = frame.bounds.max(), frame.open.sum()
         print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open", file=told)
-
-
-def _write_slope(target, suffix, name, slope):
-    """Write a slope: as it is to a .npy, in colours to a picture or a pipe."""
-    if suffix == ".npy":
-        files.write_npy(target, slope.shape[:2], [slope])
-        return
-    image = views.derivative_view(slope, name)
-    if target == Path(PIPE):
-        sys.stdout.buffer.write(files.png_of(image))
-    else:
-        (files.write_png if suffix == ".png" else files.write_tiff)(target, image)
 
 
 def _drawn_again(options):

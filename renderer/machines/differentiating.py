@@ -13,7 +13,6 @@ import math
 import operator
 import sys
 from collections.abc import Callable
-from functools import partial
 from itertools import chain, repeat, zip_longest
 from typing import Any
 
@@ -22,8 +21,6 @@ from renderer.machines import enclosing
 from renderer.machines.bounded import is_zero, plus, times
 from renderer.machines.enclosing import Enclosed, either, enclosed
 from renderer.operations import pi, where as inner_where
-
-Slopes = tuple
 
 
 def _sum(*slopes):
@@ -34,40 +31,35 @@ def _scaled(size, slopes):
     return tuple(times(size, slope) for slope in slopes)
 
 
+def _joined(join):
+    """Return the method by which two conditions become one."""
+    return lambda self, other: Mask(
+        join(self.inner, other.inner), tuple(either(*each) for each in zip_longest(self.ties, other.ties))
+    )
+
+
 class Mask:
     """A condition of numbers, as the inner machine has it, and for each slope where there is a tie, or None."""
 
     def __init__(self, inner: Any, ties: tuple = ()):
         self.inner, self.ties = inner, ties
 
-    def __and__(self, other):
-        return Mask(self.inner & other.inner, _either(self.ties, other.ties))
-
-    def __or__(self, other):
-        return Mask(self.inner | other.inner, _either(self.ties, other.ties))
+    __and__, __or__ = map(_joined, (operator.and_, operator.or_))
 
     def __invert__(self):
         return Mask(~self.inner, self.ties)
 
-    def select(self, slopes: Slopes, others: Slopes) -> Slopes:
-        """Return the slopes of one of two numbers; at a tie within the bounds of both."""
-        sides = zip_longest(slopes, others, fillvalue=0.0)
-        return tuple(self._select(*each, tie) for each, tie in zip(sides, chain(self.ties, repeat(None)), strict=False))
-
-    def _select(self, slope, other, tie):
+    def select(self, slope: Any, other: Any, tie: Any) -> Any:
+        """Return a slope of one of two numbers; at a tie within the bounds of both."""
         if is_zero(slope) and is_zero(other):
             return 0.0
         mask = self.inner if tie is None else enclosing.Mask(self.inner.holds, either(self.inner.open, tie))
         return inner_where(mask, slope, other)
 
 
-def _either(ties, others):
-    return tuple(either(*each) for each in zip_longest(ties, others))
-
-
 def _ties(a, b):
     """Return for each slope where two numbers are exactly equal, and this slope of theirs is not; without bounds ()."""
-    if not isinstance(a.value, Enclosed) and not isinstance(b.value, Enclosed):
+    if not any(isinstance(number.value, Enclosed) for number in (a, b)):
         return ()
     equal = enclosed(a.value).value == enclosed(b.value).value
     apart = [plus(abs(slope.value), slope.error) for slope in map(enclosed, (a - b).slopes)]
@@ -91,7 +83,7 @@ class Sloped:
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, value: Any, slopes: Slopes = ()):
+    def __init__(self, value: Any, slopes: tuple = ()):
         self.value, self.slopes = value, () if all(map(is_zero, slopes)) else slopes
 
     @classmethod
@@ -112,7 +104,7 @@ class Sloped:
     def __rsub__(self, other):
         return sloped(other) - self
 
-    def product_slopes(self, other: "Sloped") -> Slopes:
+    def product_slopes(self, other: "Sloped") -> tuple:
         """Return the slopes of a product."""
         return _sum(_scaled(other.value, self.slopes), _scaled(self.value, other.slopes))
 
@@ -147,14 +139,9 @@ sloped = Sloped.of
 def where(mask: Mask, value: Any, otherwise: Any) -> Sloped:
     """Return the selected side, with its slopes."""
     value, otherwise = sloped(value), sloped(otherwise)
-    chosen = inner_where(mask.inner, value.value, otherwise.value)
-    return Sloped(chosen, mask.select(value.slopes, otherwise.slopes))
-
-
-def sqrt(a: Sloped) -> Sloped:
-    """Return √a. At 0 its slope is taken for 0: a NaN would spoil every sum over a picture."""
-    root = operations.sqrt(a.value)
-    return Sloped(root, a.slopes and _scaled(inner_where(root > 0.0, 0.5 / root, 0.0), a.slopes))
+    sides = zip_longest(value.slopes, otherwise.slopes, fillvalue=0.0)
+    slopes = (mask.select(*each, tie) for each, tie in zip(sides, chain(mask.ties, repeat(None)), strict=False))
+    return Sloped(inner_where(mask.inner, value.value, otherwise.value), tuple(slopes))
 
 
 def floor(a: Sloped) -> Sloped:
@@ -188,20 +175,27 @@ def add_half_turns(a: Any, b: Any) -> tuple[Sloped, Sloped]:
     return Sloped(total, _sum(a.slopes, b.slopes)), Sloped(lost)
 
 
-def _of_half_turns(kernel: Callable, other: Callable, turn: float, turns: Any, rest: Any = 0.0) -> Sloped:
-    """Return sin πx or cos πx of a number in two parts; its slope is `turn` times the other one."""
-    turns, rest = sloped(turns), sloped(rest)
-    slopes = _sum(turns.slopes, rest.slopes)
-    slopes = slopes and _scaled(turn * other(turns.value, rest.value), slopes)
-    return Sloped(kernel(turns.value, rest.value), slopes)
+def _function(kernel: Callable, slope: Callable) -> Callable[..., Sloped]:
+    """Return a function of a number that may come in two parts; slope: its own, of its value and the parts'."""
+
+    def function(number: Any, *rest: Any) -> Sloped:
+        parts = [part.value for part in map(sloped, (number, *rest))]
+        result, slopes = kernel(*parts), sloped(number).slopes
+        return Sloped(result, slopes and _scaled(slope(result, *parts), slopes))
+
+    return function
 
 
-sinpi = partial(_of_half_turns, kernels.sinpi, kernels.cospi, pi)
-cospi = partial(_of_half_turns, kernels.cospi, kernels.sinpi, -pi)
+# At 0 a root's slope is taken for 0, as is an angle's at the pole: a NaN would spoil every sum over a picture.
+sqrt = _function(operations.sqrt, lambda root, _: inner_where(root > 0.0, 0.5 / root, 0.0))
+exp = _function(kernels.exp, lambda result, _: result)
+log = _function(kernels.log, lambda _, a: 1.0 / a)
+sinpi = _function(kernels.sinpi, lambda _, *parts: pi * kernels.cospi(*parts))
+cospi = _function(kernels.cospi, lambda _, *parts: -pi * kernels.sinpi(*parts))
 
 
 def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
-    """Return atan2(y, x)/π, whose slope at the pole, y = x = 0, is taken for 0."""
+    """Return atan2(y, x)/π."""
     y, x = sloped(ordinate), sloped(abscissa)
     slopes, square = (
         _sum(_scaled(x.value, y.slopes), _scaled(-y.value, x.slopes)),
@@ -209,17 +203,6 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Sloped:
     )
     inverse = slopes and inner_where(square > 0.0, 1.0 / (pi * square), 0.0)
     return Sloped(kernels.atan2pi(y.value, x.value), _scaled(inverse, slopes))
-
-
-def exp(a: Sloped) -> Sloped:
-    """Return exp a."""
-    result = kernels.exp(a.value)
-    return Sloped(result, _scaled(result, a.slopes))
-
-
-def log(a: Sloped) -> Sloped:
-    """Return log a."""
-    return Sloped(kernels.log(a.value), a.slopes and _scaled(1.0 / a.value, a.slopes))
 
 
 def power(number: Any, exponent: Any) -> Sloped:

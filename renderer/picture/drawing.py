@@ -85,16 +85,19 @@ def render(
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    moving = stage.new_plane(channels=3 * len(by) * (1 + bounds)) if by else None
+    parts = ((), ())
     if by:
+        moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
         named |= dict(zip(slopes.slope_planes(len(by), bounds), moving, strict=True))
-    if by and not complete:
-        moving[...] = 0.0  # off A
+        parts = moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]).transpose(0, 1, 3, 4, 2)
+        parts = parts[..., : stage.raster.shape[1], :]
+        if not complete:
+            moving[...] = 0.0  # off A
     if complete:
         counts = stage.draw(shot, threads, named, bounds=bounds, **changes)
     else:
         counts = _draw_on(stage, shot, threads, named, None if into else planes, changes)
-    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure, by, moving)
+    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure, by, parts)
 
 
 def _draw_on(stage, shot, threads, named, fresh, changes):

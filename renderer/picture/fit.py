@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from renderer.checks import check_whole, not_allowed
+from renderer.checks import not_allowed
 from renderer.picture.drawing import render
 from renderer.scene.scene import Scene
 
@@ -29,8 +29,8 @@ class Fitted(NamedTuple):
 def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int = 60) -> Fitted:
     """Return what is Fitted to a picture, (height, width, 3), by numbers of the scene from where they are on.
 
-    names: of the numbers, as for `render`. pictures: at most as many are drawn. The steps are Gauss and Newton's,
-    damped as Levenberg and Marquardt do. From far away it may end elsewhere, or not converge, and says so.
+    names: of the numbers, as for `render`. pictures: some more may be drawn. The steps are Gauss and Newton's, damped
+    as Levenberg and Marquardt do. From far away it may end elsewhere, or not converge, and says so.
 
     >>> from renderer import Scene, fit, render
     >>> truth = Scene(field="sine", beta=0.35)
@@ -38,42 +38,38 @@ def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int =
     >>> found.converged, round(found.scene.beta, 9)
     (True, 0.35)
     """
-    names, left = [*names], check_whole("pictures", pictures, 10**6)
-    target = np.asarray(picture, np.float64)
-    if target.ndim != 3 or target.shape[2] != 3 or not np.isfinite(target).all():
-        raise not_allowed("picture", target.shape, "finite numbers, (height, width, 3)")
+    if np.ndim(picture) != 3:
+        raise not_allowed("picture", np.shape(picture), "numbers, (height, width, 3)")
+    names, drawn, (height, width, _) = [*names], 0, np.shape(picture)
 
-    def drawn(scene, block):
+    def compared(scene, block):
         """Return what the picture lacks, and its slopes, of which each is a column: means over blocks of pixels."""
-        frame = render(scene, target.shape[1], target.shape[0], derivatives=names)
-        lacking, *slopes = (_means(plane, block) for plane in (target - frame.rgb, *frame.derivatives.values()))
-        return lacking, np.stack(slopes, axis=1)
+        frame = render(scene, width, height, derivatives=names)
+        planes = np.stack([picture - frame.rgb, *frame.derivatives.values()], axis=-1)
+        parts = planes[: height // block * block, : width // block * block]
+        parts = parts.reshape(height // block, block, width // block, block, 3, -1).mean(axis=(1, 3))
+        return np.split(parts.reshape(-1, 1 + len(names)), [1], axis=1)
 
-    for block in (COARSE, 1) if min(target.shape[:2]) >= 4 * COARSE else (1,):
-        lacking, slopes = drawn(scene, block)
-        left, damping, converged = left - 1, FIRST_DAMPING, False
-        while left > 0 and not converged and damping < MOST_DAMPING:
-            normal, left = slopes.T @ slopes, left - 1
+    for block in (COARSE, 1) if min(height, width) >= 4 * COARSE else (1,):
+        (lacking, slopes), damping, converged = compared(scene, block), FIRST_DAMPING, False
+        drawn += 1
+        while drawn < pictures and not converged and damping < MOST_DAMPING:
+            normal, drawn, before = slopes.T @ slopes, drawn + 1, np.sum(lacking**2)
             step = np.linalg.lstsq(normal + damping * np.diag(normal.diagonal()), slopes.T @ lacking, rcond=None)[0]
-            here = np.array([scene.number(name) for name in names])
+            old = {name: scene.number(name) for name in names}
+            moves = dict(zip(names, step[:, 0].tolist(), strict=True))
             try:
-                moved = scene.with_numbers(dict(zip(names, (here + step).tolist(), strict=True)))
-                after = drawn(moved, block)
+                moved = scene.with_numbers({name: old[name] + moves[name] for name in names})
+                after = compared(moved, block)
             except ValueError:  # no such scene
                 damping *= 10.0
                 continue
-            rest, before = after[0] @ after[0], lacking @ lacking
+            rest, share = np.sum(after[0] ** 2), ENOUGH[block]
             if rest > before:
                 damping *= 10.0
                 continue
-            converged = bool((abs(step) <= ENOUGH[block] * abs(here)).all() or before - rest <= ENOUGH[block] * rest)
+            still = all(abs(moves[name]) <= share * abs(old[name]) for name in names)
+            converged = still or bool(before - rest <= share * rest)
             scene, damping, (lacking, slopes) = moved, 0.1 * damping, after
-    spread = np.linalg.pinv(slopes.T @ slopes).diagonal() * (lacking @ lacking) / (lacking.size - len(names))
-    return Fitted(scene, dict(zip(names, np.sqrt(spread).tolist(), strict=True)), converged, pictures - left)
-
-
-def _means(plane, block):
-    """Return the means over blocks of a plane's pixels, channel by channel, one after another."""
-    height, width = (side // block * block for side in plane.shape[:2])
-    parts = plane[:height, :width].reshape(height // block, block, width // block, block, 3)
-    return parts.mean(axis=(1, 3)).ravel()
+    spread = np.linalg.pinv(slopes.T @ slopes).diagonal() * np.sum(lacking**2) / (lacking.size - len(names))
+    return Fitted(scene, dict(zip(names, np.sqrt(spread).tolist(), strict=True)), converged, drawn)

@@ -1,5 +1,6 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -48,7 +49,7 @@ class Frame:
     _counts: dict[str, int]
     _enclosure: tuple[np.ndarray, np.ndarray] | None = None
     _by: tuple[str, ...] = ()
-    _slopes: np.ndarray | None = None
+    _slopes: Sequence = ((), ())
 
     @property
     def scene(self) -> Scene:
@@ -185,12 +186,6 @@ class Frame:
         """
         return self._enclosed("open", 1) > 0
 
-    def _moving(self, first):
-        """Return {name: (height, width, 3)} of slopes, or of the bounds that stand after them."""
-        planes = self._slopes if self._slopes is None else self._slopes[..., : self.raster.shape[1]]
-        places = range(3 * first * len(self._by), 3 * (first + 1) * len(self._by), 3)
-        return {n: np.moveaxis(planes[p : p + 3], 0, -1) for n, p in zip(self._by, places, strict=True)}
-
     @property
     def derivatives(self) -> dict[str, np.ndarray]:
         """{name: (height, width, 3) float64}: the slope of each colour by a number, drawn with `derivatives=(name, …)`.
@@ -205,7 +200,7 @@ class Frame:
         >>> frame.moves_boundaries
         ('eye',)
         """
-        return self._moving(0)
+        return dict(zip(self._by, self._slopes[0], strict=True))
 
     @property
     def derivative_bounds(self) -> dict[str, np.ndarray]:
@@ -215,7 +210,7 @@ class Frame:
         Raises ValueError without bounds.
         """
         self._enclosed("derivative_bounds", 0)
-        return self._moving(1)
+        return dict(zip(self._by, self._slopes[1], strict=True))
 
     def slope_arrays(self) -> dict[str, np.ndarray]:
         """Return {"derivative_" and a number's name: its slopes}, and "derivative_bound_…" with bounds, for a file."""
@@ -229,10 +224,9 @@ class Frame:
         Raises ValueError on a number by which the frame has no slope.
         """
         slopes = self.derivatives
-        for name in check_kind("direction", direction, dict, "{name: number}"):
-            check_choice("direction", name, slopes)
-        parts = (check_number(name, part) * slopes[name] for name, part in direction.items())
-        return sum(parts, np.zeros(self.rgb.shape))
+        for name, part in check_kind("direction", direction, dict, "{name: number}").items():
+            check_number(check_choice("direction", name, slopes), part)
+        return sum((part * slopes[name] for name, part in direction.items()), np.zeros(self.rgb.shape))
 
     @property
     def moves_boundaries(self) -> tuple[str, ...]:

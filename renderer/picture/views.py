@@ -83,8 +83,8 @@ def add_colour_bar(
         bar.set_label(label)
 
 
-def derivative_view(slope: np.ndarray, name: str) -> np.ndarray:
-    """Return a slope by a number, (height, width, 3), with its scale: uint8, blue below 0, white, red above.
+def derivative_view(slope: np.ndarray, name: str = "") -> np.ndarray:
+    """Return a slope by a number, (height, width, 3): uint8, blue below 0, white, red above; named, with its scale.
 
     Of a pixel's channels that of the largest slope counts. The scale is symmetric, and ends at the largest of all.
     """
@@ -94,7 +94,7 @@ def derivative_view(slope: np.ndarray, name: str) -> np.ndarray:
     largest = np.take_along_axis(slope, np.abs(slope).argmax(axis=2)[..., None], axis=2)[..., 0]
     end = float(np.abs(largest).max()) or 1.0
     image = matplotlib.colormaps[DIVERGING](0.5 + 0.5 * (largest / end), bytes=True)[..., :3]
-    return with_colour_bar(image, (-end, end), f"slope by {name}", DIVERGING)
+    return with_colour_bar(image, (-end, end), f"slope by {name}", DIVERGING) if name else image
 
 
 def with_colour_bar(
