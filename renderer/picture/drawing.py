@@ -11,7 +11,7 @@ from renderer.picture.stage import Stage
 from renderer.scene.methods import GradientMethod, exact
 from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
-from renderer.shader.numbers import Shot
+from renderer.shader.numbers import Shot, slope_planes
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -69,9 +69,9 @@ def render(
     by, changes = (), {}
     if derivatives != ():
         with compiling:
-            from renderer.shader import slopes  # what most pictures never need to import
+            from renderer.shader.slopes import asked  # what most pictures never need to import
 
-        shot, changes = slopes.asked(shot, derivatives)
+        shot, changes = asked(shot, derivatives)
         by = changes["by"]
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
@@ -88,7 +88,7 @@ def render(
     parts = ((), ())
     if by:
         moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
-        named |= dict(zip(slopes.slope_planes(len(by), bounds), moving, strict=True))
+        named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))
         parts = moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]).transpose(0, 1, 3, 4, 2)
         parts = parts[..., : stage.raster.shape[1], :]
         if not complete:

@@ -11,7 +11,7 @@ import numpy as np
 
 from renderer.checks import check_kind
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
-from renderer.machines.forms import Shader, flat
+from renderer.machines.forms import COLORS, Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
@@ -52,6 +52,12 @@ def style_of(scene: Scene) -> tuple[Any, str]:
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
+def slope_planes(count: int, bounds: bool) -> list[str]:
+    """Return the names of the planes of so many slopes, and then of their bounds."""
+    ends = ("", "_bound") if bounds else ("",)
+    return [f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS]
+
+
 class Want(NamedTuple):
     """The choice of the code that draws: the scene's numbers are its arguments.
 
@@ -61,7 +67,7 @@ class Want(NamedTuple):
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
     are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
     each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`). by: the names of
-    numbers by which each colour's slopes are stored (`renderer.shader.slopes`).
+    numbers by which each colour's slopes are stored, and around: the group that has these (`renderer.shader.slopes`).
     """
 
     ways: tuple
@@ -74,15 +80,13 @@ class Want(NamedTuple):
     charted: bool = False
     bounds: bool = False
     by: tuple = ()
+    around: Any = None
 
     @property
     def shader(self) -> Shader:
         """The shader that draws it."""
-        if not self.by:
-            return SHADER
-        from renderer.shader.slopes import shader_of  # what most pictures never need to import
-
-        return shader_of(self, SHADER)
+        planes = (*PLANES, *slope_planes(len(self.by), self.bounds))
+        return SHADER._replace(planes=planes, around=self.around) if self.by else SHADER
 
     @property
     def by_color(self) -> bool:

@@ -9,17 +9,17 @@ from renderer.checks import check_items, not_allowed
 from renderer.kernels import image_extent
 from renderer.machines.differentiating import Sloped
 from renderer.machines.differentiating_machine import Differentiating, Pixels, with_slopes
-from renderer.machines.forms import COLORS, Shader, of_form, path_of, with_part
+from renderer.machines.forms import of_form, path_of, with_part
 from renderer.operations import where
 from renderer.scene.methods import exact
 from renderer.scene.scene import NUMBERS
-from renderer.shader.numbers import FIRST_LIGHT_BIT, Shot, Want
+from renderer.shader.numbers import FIRST_LIGHT_BIT, Shot
 
 PLACES = {"ball_center": ["ball"], "ball_radius": ["ball", "3"], "shininess": ["power"]}
 """{name of a scene's number: where the shader has it}, but for those that it has by the same name."""
 
 
-def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, tuple]]:
+def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
     """Return the shot that has slopes by numbers of its scene, and the parts of its Want that they change.
 
     Where the picture needs no gradient, or no highlight, its slope may. Raises ValueError on what has no slope.
@@ -42,19 +42,8 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, tuple]]:
         way = "general" if method == "exact" else method
     if style == "diffuse" and "ks" in names:
         style = "base"
-    return shot, {"by": tuple(dict.fromkeys(names)), "ways": ((field, way),), "lights": ((model, style),)}
-
-
-def slope_planes(count: int, bounds: bool) -> list[str]:
-    """Return the names of the planes of so many slopes, and then of their bounds."""
-    ends = ("", "_bound") if bounds else ("",)
-    return [f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS]
-
-
-def shader_of(want: Want, shader: Shader) -> Shader:
-    """Return a shader as it draws a want's slopes."""
-    planes = (*shader.planes, *slope_planes(len(want.by), want.bounds))
-    return shader._replace(planes=planes, around=_sloped_group)
+    changes = {"by": tuple(dict.fromkeys(names)), "around": _sloped_group}
+    return shot, changes | {"ways": ((field, way),), "lights": ((model, style),)}
 
 
 def _seeds(numbers, name, style):
