@@ -5,10 +5,10 @@ import numpy as np
 from renderer.checks import check_truth, not_allowed
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage
-from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import Shot
+from renderer.shader.numbers import EXACT, Shot
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -57,7 +57,7 @@ def render(
     >>> bool((symbolic.chambers == numeric.chambers).all()), bool((symbolic.rgb == numeric.rgb).all())
     (True, False)
     """
-    shot = Shot(scene, exact() if gradient is None else gradient, Raster(width, height, crop))
+    shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
     bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")

@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property, lru_cache
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -84,6 +85,9 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
+_shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
+
+
 @dataclass(frozen=True)
 class Shot:
     """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
@@ -107,7 +111,7 @@ class Shot:
     @cached_property
     def shading(self) -> tuple:
         """The fields on which the colours off A depend: equal for equal shadings."""
-        return tuple(value for name, value in vars(self.scene).items() if name not in MOVE_NO_BOUNDARY)
+        return _shading(self.scene)
 
     @cached_property
     def powers(self) -> tuple[int, int] | None:
