@@ -53,17 +53,17 @@ def seed(here: SphinxDirective) -> Nodes:
     """The whole of it, in sections."""
     book = Entries(here)
     claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
-    found = [nodes.container(classes=["seed"])]
+    children = [nodes.container(classes=["seed"])]
     for place, text in parts().items():
         stand, name = [claim for claim in claims if claim.where == f"seed:{place}"], f"seed-{place.replace('.', '-')}"
         verdicts = [filled("seed_claims", book=book, claims=stand, id=name)]
         for piece in filter(str.strip, HEADING.split(text)):
             if HEADING.match(piece):
-                found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
+                children.append(section(piece, f"seed-part-{len(children)}", classes=["seed"]))
             else:
-                found[-1] += [_quoted(here, piece, place), *verdicts]
+                children[-1] += [_quoted(here, piece, place), *verdicts]
                 verdicts = []  # they stand under the first of its pieces
-    return found
+    return children
 
 
 def _quoted(here: SphinxDirective, text: str, place: str) -> nodes.block_quote:

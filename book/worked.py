@@ -84,13 +84,13 @@ def tex_of(symbol: Symbol) -> str:
 def formula(name: str, written_out: tuple[str, ...]) -> str:
     """A line of the program as TeX: of cases, the first."""
     lines = {symbol.name: symbol for symbol, _ in PIXEL.definitions}
-    found = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
-    found = ordinary(found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
-    shown = latex(found, symbol_names={symbol: tex_of(symbol) for symbol in found.free_symbols})
+    expression = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
+    expression = ordinary(expression.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
+    shown = latex(expression, symbol_names={symbol: tex_of(symbol) for symbol in expression.free_symbols})
     return f"{tex_of(lines[name])} = {shown}"
 
 
-def said(number: float) -> str:
+def number_text(number: float) -> str:
     """A number as the page's script says it."""
     if not math.isfinite(number):
         return "—"
@@ -106,7 +106,7 @@ def values(scene: Scene) -> dict[str, float]:
 
 
 def worked_lines() -> list[dict]:
-    known, rows = values(Scene()), []
+    numbers, rows = values(Scene()), []
     for words, line, written_out in LINES:
         names = line.split()
         rows.append({
@@ -115,7 +115,7 @@ def worked_lines() -> list[dict]:
             "formula": [] if written_out is None else [nodes.math("", formula(names[0], written_out))],
             "names": names,
             "on_a": any(name.endswith(A) or name in ON_A for name in names),
-            "outputs": [(name, said(known[name])) for name in names],
+            "outputs": [(name, number_text(numbers[name])) for name in names],
         })  # fmt: skip
     return rows
 

@@ -154,7 +154,7 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
         assert record.surface == surface
         assert [lines[f"rgb_{name}"] for name in ("red", "green", "blue")] == pytest.approx(record.rgb)
         for shown in figure.locator("[data-line]").all():
-            wanted = worked.said(lines[shown.get_attribute("data-line")])
+            wanted = worked.number_text(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
 
 

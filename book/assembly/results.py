@@ -21,13 +21,13 @@ def result_file(book: Path, id: str) -> Path:
     name = id.removeprefix(BENCHMARK_PREFIX)
     if id.startswith(BENCHMARK_PREFIX):
         record = records.RECORDS.get(name)
-        folder, what = book.parent / (record.folder if record else records.BENCHMARKS), "benchmark"
+        folder, kind = book.parent / (record.folder if record else records.BENCHMARKS), "benchmark"
     else:
-        folder, what = book / "_generated", "figure"
+        folder, kind = book / "_generated", "figure"
     path = folder / f"{name}.json"
     if "/" in name or not path.is_file():
-        known = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"
-        raise UnknownResult(f"unknown {what} {name!r}; there are: {known}")
+        names = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"
+        raise UnknownResult(f"unknown {kind} {name!r}; there are: {names}")
     return path
 
 

@@ -36,14 +36,14 @@ def execution_cache() -> Path:
 
 def environment(cache: Path) -> dict[str, str]:
     """The environment of the build: no clock, random hash, time zone, or backend that drops figures."""
-    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
-    return kept | {
+    inherited = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
+    return inherited | {
         "SOURCE_DATE_EPOCH": EPOCH,
         "PYTHONHASHSEED": "0",
         "TZ": "UTC",
         "MATPLOTLIBRC": str(TOOLS / "drawing" / "matplotlibrc"),
         "PYTHONPATH": f"{stamps.ROOT}{os.pathsep}{stamps.HOME}",
-        "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), inherited.get("PATH", os.defpath)]),
         "BOOK_EXECUTION_CACHE": str(cache),
     }
 

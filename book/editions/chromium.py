@@ -41,8 +41,8 @@ class NoBrowser(Refused):
 def installed() -> str:
     """The path of the installed Chromium, if it can be the one without a window; NoBrowser if there is none."""
     for name in ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"):
-        if found := shutil.which(name):
-            return found
+        if path := shutil.which(name):
+            return path
     raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
 
 
@@ -61,7 +61,7 @@ def on_paper(browser: Browser, single: str, pages: Sequence[str] = ()) -> Page:
 def reproducible(pdf: bytes) -> bytes:
     """The file, of the same length, without what Chromium says of this run: its date, and the nodes it has counted."""
     names = {name: b"node%08d" % number for number, name in enumerate(sorted(set(NODE.findall(pdf))))}
-    return NODE.sub(lambda found: names[found[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
+    return NODE.sub(lambda node: names[node[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
 
 
 BEGIN_A_PAGE = """numbers => {
@@ -91,18 +91,18 @@ def printed(tab: Page) -> bytes:
                 outline=True,
             )
         )
-        found = titles(pdf)
-        twice = [number for number, heading in enumerate(headings) if 2 * "".join(heading.split()) in found]
+        outline = titles(pdf)
+        twice = [number for number, heading in enumerate(headings) if 2 * "".join(heading.split()) in outline]
         if not twice:
             return pdf
 
 
 def titles(pdf: bytes) -> set[str]:
     """The titles in the outline of a file that Chromium wrote, without blanks."""
-    found = TITLE.findall(pdf)
+    pieces = TITLE.findall(pdf)
     ascii_or_wide = [
         re.sub(rb"\\(.)", rb"\1", text).decode("ascii") or bytes.fromhex(wide.decode()).decode("utf-16-be")
-        for wide, text in found
+        for wide, text in pieces
     ]
     return {"".join(title.split()) for title in ascii_or_wide}
 

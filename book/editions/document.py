@@ -84,8 +84,8 @@ class Chapter:
         Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """
         pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
-        found = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
-        for path, tag in found.items():
+        tags = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
+        for path, tag in tags.items():
             if Path(path).name not in LEFT_OUT:
                 yield self.site / path, tag
 

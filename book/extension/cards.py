@@ -107,8 +107,8 @@ def check_all_here(here: SphinxDirective) -> Nodes:
 @directive("argued-clauses")
 def argued_clauses(here: SphinxDirective) -> Nodes:
     book = Here(here.env)
-    found = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
-    return [filled("argued_clauses", book=book, found=found)]
+    clauses = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
+    return [filled("argued_clauses", book=book, clauses=clauses)]
 
 
 @directive("dependencies")

@@ -60,8 +60,8 @@ def given(book: Here, id: str) -> list[str]:
     claims = book.proofs.theorems[id].claims
     borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
-    own = [f"{book.name(other)}, which has its own card" for other in borrowed]
-    return own + [f"a lemma from {source}" for source in cited]
+    cards = [f"{book.name(other)}, which has its own card" for other in borrowed]
+    return cards + [f"a lemma from {source}" for source in cited]
 
 
 def statements_of(claims: list[dict]) -> list[dict]:

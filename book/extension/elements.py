@@ -52,11 +52,11 @@ class Formula(nodes.General, nodes.Inline, nodes.Element):
 
 def _hold(value):
     """Return the text that Jinja prints for a value: for nodes, a place that is theirs."""
-    found = [value] if isinstance(value, nodes.Node) else value
-    if not isinstance(found, list):
+    parts = [value] if isinstance(value, nodes.Node) else value
+    if not isinstance(parts, list):
         return value
     place = f"\0{next(_numbers)}\0"
-    _waiting[place] = found
+    _waiting[place] = parts
     return Markup(place)
 
 
@@ -94,14 +94,14 @@ def typeset(text: str) -> Nodes:
     pieces = re.split(r"(?<!\\)\$", text)
     if len(pieces) % 2 == 0 or "" in pieces[1::2]:
         raise ValueError(f"a formula does not end: {text}")
-    found = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
-    return [*chain.from_iterable(found)]
+    parts = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
+    return [*chain.from_iterable(parts)]
 
 
 def _plain(text: str) -> Nodes:
     pieces = SUBSCRIPT.split(text)  # words, a letter's index, words, …
-    found = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
-    return [node for node in found if node.astext()]
+    parts = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
+    return [node for node in parts if node.astext()]
 
 
 def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
@@ -114,8 +114,8 @@ def directive(name: str, arguments: int = 0, content: bool = False, **options: C
             except ValueError as error:
                 raise self.error(f"{name}: {error}") from error
 
-        said = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
-        REGISTERED.append(("add_directive", name, type(name, (SphinxDirective,), said)))
+        members = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
+        REGISTERED.append(("add_directive", name, type(name, (SphinxDirective,), members)))
         return nodes_of
 
     return register

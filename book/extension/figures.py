@@ -64,8 +64,8 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
         figure += nodes.legend("", raw(FOLD), *rest, origin, raw("</details>"))
     elif rest:
         figure += nodes.legend("", *rest)
-    if said := remark(book, id):
-        figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
+    if age := remark(book, id):
+        figure += nodes.legend("", nodes.paragraph("", f"{age[0].upper()}{age[1:]}.", classes=["stale"]))
     return [figure]
 
 

@@ -82,8 +82,8 @@ class Entries(Here):
 
     def inline(self, text: str) -> Nodes:
         """A text of an entry, MyST, as nodes."""
-        found, messages = self._directive.state.inline_text(text, self._directive.lineno)
-        return [*found, *messages]
+        parsed, messages = self._directive.state.inline_text(text, self._directive.lineno)
+        return [*parsed, *messages]
 
     def entry(self, claim: LedgerClaim) -> str:
         """The address of a claim's entry on the page of all."""
@@ -166,8 +166,8 @@ def merit(here: SphinxRole) -> Nodes:
     claim = ledger_of(here.env.app).get(here.text)
     if not claim.merit:
         raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
-    found, messages = here.inliner.parse(claim.merit, here.lineno, None, nodes.Element())
-    return [nodes.inline("", "", *found, classes=["merit"]), *messages]
+    parsed, messages = here.inliner.parse(claim.merit, here.lineno, None, nodes.Element())
+    return [nodes.inline("", "", *parsed, classes=["merit"]), *messages]
 
 
 @role("claim")

@@ -48,8 +48,8 @@ def typeset(value: int | float | str | Interval, spec: str | None = None) -> Nod
 
 def mark(book: Path, id: str) -> Nodes:
     """The mark behind a number that was measured before the code changed; nothing behind others."""
-    said = remark(book, id)
-    return [nodes.abbreviation("", "†", explanation=said, classes=["stale"])] if said else []
+    age = remark(book, id)
+    return [nodes.abbreviation("", "†", explanation=age, classes=["stale"])] if age else []
 
 
 @on("doctree-read")
@@ -58,10 +58,10 @@ def explain_marks(app: Sphinx, document: nodes.document) -> None:
     marks: dict[str, str] = {}
     for node in document.findall(nodes.abbreviation):
         if "stale" in node["classes"]:
-            said = node["explanation"]
-            node[:] = [nodes.Text(marks.setdefault(said, "†" * (len(marks) + 1)))]
-    for said, sign in marks.items():
-        document.children[-1].append(nodes.paragraph("", f"{sign} {said[0].upper()}{said[1:]}.", classes=["stale"]))
+            age = node["explanation"]
+            node[:] = [nodes.Text(marks.setdefault(age, "†" * (len(marks) + 1)))]
+    for age, sign in marks.items():
+        document.children[-1].append(nodes.paragraph("", f"{sign} {age[0].upper()}{age[1:]}.", classes=["stale"]))
 
 
 @role("number")

@@ -44,12 +44,12 @@ def kind(grade: str) -> str:
 
 def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
     """The page of every theorem, in page order; those that no page places follow on the page of findings."""
-    found: dict[str, str] = {}
+    page_of: dict[str, str] = {}
     for id, page in placed(book, "theorem"):
-        if id in found:
-            raise ValueError(f"{id!r} is placed twice, on {found[id]} and on {page}")
-        found[id] = page
-    return found | {id: CLAIMS_PAGE for id in ids if id not in found}
+        if id in page_of:
+            raise ValueError(f"{id!r} is placed twice, on {page_of[id]} and on {page}")
+        page_of[id] = page
+    return page_of | {id: CLAIMS_PAGE for id in ids if id not in page_of}
 
 
 @dataclass(frozen=True)
@@ -88,13 +88,13 @@ def load(book: Path) -> Proofs:
     """Everything about the theorems; raises NoReport or ValueError."""
     theorems, entries, accepted = all_theorems(), report.load(), formal.record()
     for id, entry in entries.items():
-        entry["formal"] = said = accepted.get(id)
-        if said:
+        entry["formal"] = in_coq = accepted.get(id)
+        if in_coq:
             printed = statements(theorems[id])
-            said |= {"printed": {name: printed[name] for name in said["claims"]}, "when": formal.when()}
-        whole = formal.is_formal(theorems[id], said) and entry["grade"] in ("proved", "measured")
-        entry["shown"] = "formal" if whole else entry["grade"]
-        entry["word"] = f"Coq, {said['when']}" if whole else WORDS.get(kind(entry["shown"]), "")
+            in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
+        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in ("proved", "measured")
+        entry["shown"] = "formal" if formally else entry["grade"]
+        entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
 
 
@@ -132,8 +132,8 @@ def module_and_line(id: str) -> tuple[Path, int]:
     """The file that declares a theorem, and the line before the one that names it."""
     for path in sorted(THEOREMS.glob("[!_]*.py")):
         text = path.read_text(encoding="utf-8")
-        if found := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
-            return path, text.count("\n", 0, found.start()) + 1
+        if match := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
+            return path, text.count("\n", 0, match.start()) + 1
     raise ValueError(f"no file of {THEOREMS.name} writes out the id {id!r}")
 
 

@@ -83,9 +83,9 @@ def refutes(piece: Evidence, run: Run) -> bool:
 
 def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
-    known, what = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
-    if place and place not in known:
-        yield f"where: {place!r} is no {what}; there are: {', '.join(known)}"
+    allowed, kind = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
+    if place and place not in allowed:
+        yield f"where: {place!r} is no {kind}; there are: {', '.join(allowed)}"
     broken = [f"evidence {piece.name}: {why}" for piece in claim.evidence if (why := _odd(piece, run))]
     yield from broken or _verdict(claim, run)
 

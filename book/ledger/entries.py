@@ -164,8 +164,8 @@ def _faults(kind: str, table: dict, name: str) -> Iterator[tuple[str, Any]]:
 
 
 def _claim(table: dict) -> LedgerClaim:
-    known = table.keys() & LedgerClaim.__annotations__
-    texts = {field: " ".join(table[field].split()) for field in known if isinstance(table[field], str)}
+    names = table.keys() & LedgerClaim.__annotations__
+    texts = {field: " ".join(table[field].split()) for field in names if isinstance(table[field], str)}
     return LedgerClaim(
         **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
     )

@@ -19,9 +19,9 @@ def versions() -> list[str]:
 
 def before(version: str) -> str:
     """The release to compare with: the newest older one, or the version's own first record. Refused if none is."""
-    known = versions()
-    older = [other for other in known if Version(other) < Version(version)]
-    if not older and version not in known:
+    recorded = versions()
+    older = [other for other in recorded if Version(other) < Version(version)]
+    if not older and version not in recorded:
         raise stamps.Refused(f"releases/ has no release up to {version}: make release writes the first")
     return older[-1] if older else version
 

@@ -30,8 +30,8 @@ def differences(one: Path, other: Path) -> list[str]:
         first, second = here[name].read_bytes(), there[name].read_bytes()
         if first != second:
             at = len(commonprefix([first, second]))  # noqa: RUF071
-            seen = slice(max(0, at - AROUND), at + AROUND)
-            lines.append(f"{name}: differs from byte {at} on: {first[seen]!r} and {second[seen]!r}")
+            window = slice(max(0, at - AROUND), at + AROUND)
+            lines.append(f"{name}: differs from byte {at} on: {first[window]!r} and {second[window]!r}")
     return sorted(lines)
 
 
