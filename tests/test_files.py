@@ -110,8 +110,8 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
         path.write_text("somebody's")
     with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
         left = Path(child.stdout.readline().strip())
-        with whole_file(tmp_path / "b.png") as own, whole_file(tmp_path / "b.png") as other:
-            Path(own).write_text("one")
+        with whole_file(tmp_path / "b.png") as first, whole_file(tmp_path / "b.png") as other:
+            Path(first).write_text("one")
             Path(other).write_text("other")
         assert left.read_text() == "half"  # its writer lives
         child.send_signal(signal.SIGKILL)
@@ -122,18 +122,18 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
 
 
 def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
-    lock, seen = whole_files.fcntl.flock, []
+    lock, locked = whole_files.fcntl.flock, []
 
     def slow(file, kind):
-        if not seen:
+        if not locked:
             Path(file.name).unlink()
-        seen.append(file.name)
+        locked.append(file.name)
         lock(file, kind)
 
     monkeypatch.setattr(whole_files.fcntl, "flock", slow)
     with whole_file(tmp_path / "a.csv") as name:
         assert Path(name).exists()
-    assert len(set(seen)) == 2
+    assert len(set(locked)) == 2
     assert [*contents(tmp_path)] == ["a.csv"]
 
 
