@@ -49,7 +49,7 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
 @pytest.mark.parametrize("noise", [1, 256])
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 1), (311, 997, 3), (7, 90_001, 3)])
 def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
-    """As another program reads it, by one thread or several: bands that do not divide it, and rows of one band each."""
+    """Hold it to what another program reads: of one thread or several, bands that do not divide it, bands of one row."""
     monkeypatch.setattr(files, "zlib", library)
     smooth = np.indices(shape[:2]).sum(axis=0)[..., None] // 7
     picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)
@@ -104,7 +104,7 @@ with whole_file(sys.argv[1]) as name:
 
 
 def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
-    """What somebody else named, another process writes or this one does is left alone."""
+    """Leave alone a file that somebody else named, and one that another process or this one is writing."""
     others = [tmp_path / name for name in (".a-12345678.npy", ".hidden", "a-12345678-unfinished.npy")]
     for path in others:
         path.write_text("somebody's")
@@ -142,7 +142,7 @@ REFUSING = Mock(side_effect=OSError("no locks available"))
 
 @pytest.mark.parametrize("place, name, value", [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)])
 def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
-    """Where there are locks, a file of which one cannot be had may be somebody's."""
+    """Keep an unfinished file that no lock can be had of: it may be somebody's. Without locks on the system it goes."""
     monkeypatch.setattr(place, name, value)
     left = tmp_path / ".b-12345678-unfinished.csv"
     left.write_text("half")

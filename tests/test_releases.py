@@ -136,7 +136,7 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
 
 
 def test_numbers_that_moved():
-    """As far as the older record allows."""
+    """Let a number move as far as the older record's tolerance allows."""
     for old, new, allowed, kind in (
         (1.0, 1.0 + 2**-51, 1e-9, "moved"),
         ("Tuesday", "Friday", "any", "moved"),

@@ -75,7 +75,7 @@ def formatted(value: int | float | str | Interval, spec: str | None = None) -> s
 
 
 def measured(book: Path, name: str) -> str:
-    """Where, when and at which commit a benchmark was measured, as a sentence."""
+    """Return the sentence that says where, when and at which commit a benchmark was measured."""
     id = f"{BENCHMARK_PREFIX}{name}"
     label, since = load_result(book, id)["label"], "; the code has changed since" if remark(book, id) else ""
     return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}{since}."
