@@ -49,7 +49,7 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
 @pytest.mark.parametrize("noise", [1, 256])
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 1), (311, 997, 3), (7, 90_001, 3)])
 def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
-    """Hold it to what another program reads: of one thread or several, bands that do not divide it, bands of one row."""
+    """Read it by another program, written by one thread or several, in bands that do not divide it or of one row."""
     monkeypatch.setattr(files, "zlib", library)
     smooth = np.indices(shape[:2]).sum(axis=0)[..., None] // 7
     picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)

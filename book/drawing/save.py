@@ -69,7 +69,7 @@ def _svg(fig: Figure) -> str:
 
 
 def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
-    """The file's content by its suffix, the same bytes each time; nothing where there is no picture and no data.
+    """Return the file's content by its suffix, the same bytes each time; nothing where there is no picture and no data.
 
     Raises ValueError naming the figure where two curves have one name, an array is of another kind, missing, too large.
     """
@@ -99,7 +99,7 @@ def _checked(id: str, name: str, values) -> np.ndarray:
 
 
 def _curves(id: str, axes: Sequence[Axes]) -> dict[str, np.ndarray]:
-    """The points (2, n) of every curve, by its label, behind that of its axes where there are several."""
+    """Return the points (2, n) of every curve, by its label, behind that of its axes where there are several."""
     curves: dict[str, np.ndarray] = {}
     for number, ax in enumerate(axes, 1):
         front = f"{ax.get_title('left') or number}: " if len(axes) > 1 else ""

@@ -25,12 +25,12 @@ class Names:
         self.table = {n: {id: id if count[id] == 1 else f"{n}:{id}" for id in ids} for n, ids in by_page.items()}
 
     def top(self, name: str) -> str:
-        """The id of a page: that of its first section, or its address where it has none."""
+        """Return the id of a page: that of its first section, or its address where it has none."""
         section = self.pages[name].article.find("section", id=True)
         return self.table[name].get(section["id"], section["id"]) if section else name
 
     def place(self, path: str, id: str) -> str | None:
-        """The `#id` for a file of the site and a fragment; None if it is no page of the file."""
+        """Return the `#id` for a file of the site and a fragment; None if it is no page of the file."""
         name = path.removesuffix(".html")
         if name not in self.pages:
             return None

@@ -61,7 +61,7 @@ def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
 
 
 def coq(name: str, statement: str) -> Markup:
-    """A statement of Coq's, its keywords coloured."""
+    """Return a statement of Coq's, its keywords coloured."""
     words = str(escape(f"Theorem {name} :\n{indent(statement, '  ')}."))  # put into a Markup, a tag would be escaped
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
 

@@ -70,7 +70,7 @@ TEMPLATES = Environment(
 
 
 def filled(template: str, **values: Any) -> Filled:
-    """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
+    """Return a template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
     parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
     # A piece ends with its tag: the search would take words for one that have nothing else between them.
     pieces = [_waiting.pop(part) if part in _waiting else map(raw, re.findall("[^>]+>?|>", part)) for part in parts]
@@ -82,12 +82,12 @@ def raw(text: str) -> nodes.raw:
 
 
 def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] = ()) -> nodes.section:
-    """A section of a page, in its contents too."""
+    """Return a section of a page, in its contents too."""
     return nodes.section("", nodes.title("", title), *children, ids=[id], names=[], classes=list(classes))
 
 
 def typeset(text: str) -> Nodes:
-    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
+    """Return a theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
 
     Raises ValueError for a formula that does not end, or is empty.
     """

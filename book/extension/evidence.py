@@ -40,7 +40,7 @@ def findings(entry: dict) -> list[str]:
 
 
 def evidence_line(entry: dict) -> str:
-    """One line: the grade, and what it follows from."""
+    """Return one line: the grade, and what it follows from."""
     grade = entry.get("grade_line", entry["grade"])
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":

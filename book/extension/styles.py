@@ -22,7 +22,7 @@ UNUSED = ("vendor/**/*.*", "scripts/*.*", "**/*.map", "*webpack-macros.html", "c
 
 
 def pruned(css: str, names: set[str]) -> str:
-    """A style sheet with the rules alone whose classes and ids are all among the names.
+    """Return a style sheet with the rules alone whose classes and ids are all among the names.
 
     Those of :not() and its like are not asked for. A rule for one colour of the page is also for who has not chosen
     one: then the system has.

@@ -38,12 +38,12 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 
 
 def kind(grade: str) -> str:
-    """The grade without its conditions, as one word: "proved given cited" is a kind of proved."""
+    """Return the grade without its conditions, as one word: "proved given cited" is a kind of proved."""
     return grade.removeprefix("by ").split()[0]
 
 
 def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
-    """The page of every theorem, in page order; those that no page places follow on the page of findings."""
+    """Return the page of every theorem, in page order; those that no page places follow on the page of findings."""
     page_of: dict[str, str] = {}
     for id, page in placed(book, "theorem"):
         if id in page_of:
@@ -69,7 +69,7 @@ class Proofs:
             raise ValueError(f"{id!r} is expected to be {expected}; its last run made it {grade}")
 
     def label(self, id: str) -> str:
-        """The name by which pages call it: "Theorem 3", "Lemma A.3", or "Claim 4" if it is not proved.
+        """Return the name by which pages call it: "Theorem 3", "Lemma A.3", or "Claim 4" if it is not proved.
 
         The lemmas are counted by themselves, so that the numbers of the rest rise from page to page.
         """
@@ -85,7 +85,7 @@ class Proofs:
 
 
 def load(book: Path) -> Proofs:
-    """Everything about the theorems; raises NoReport or ValueError."""
+    """Return everything about the theorems; raises NoReport or ValueError."""
     theorems, entries, accepted = all_theorems(), report.load(), formal.record()
     for id, entry in entries.items():
         entry["formal"] = in_coq = accepted.get(id)
@@ -99,7 +99,7 @@ def load(book: Path) -> Proofs:
 
 
 def proofs_of(app: Sphinx) -> Proofs:
-    """The build's Proofs, loaded when first asked for."""
+    """Return the build's Proofs, loaded when first asked for."""
     if not hasattr(app, "chapter_proofs"):
         app.chapter_proofs = load(Path(app.srcdir))
     return app.chapter_proofs
@@ -113,14 +113,14 @@ class Here:
         self.label, self.users = self.proofs.label, self.proofs.users
 
     def page(self, name: str) -> str:
-        """The address of a page, all of which stand beside each other."""
+        """Return the address of a page, all of which stand beside each other."""
         return "" if name == self.env.docname else f"{name}.html"
 
     def card(self, id: str) -> str:
         return f"{self.page(self.proofs.places[id])}#theorem-{id}"
 
     def legend(self) -> str:
-        """The address of what the badges mean."""
+        """Return the address of what the badges mean."""
         return f"{self.page(LEGEND[0])}#{LEGEND[1]}"
 
     def name(self, id: str) -> str:
@@ -129,7 +129,7 @@ class Here:
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
-    """The file that declares a theorem, and the line before the one that names it."""
+    """Return the file that declares a theorem, and the line before the one that names it."""
     for path in sorted(THEOREMS.glob("[!_]*.py")):
         text = path.read_text(encoding="utf-8")
         if match := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
