@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 from types import SimpleNamespace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
 from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer.scene import scene
 
 DEFAULT = Scene()
 SIZE = (64, 64)
@@ -28,6 +30,13 @@ def test_height_evaluations(method, heights, of_rings):
     assert work_of(method, field="rings").height_evaluations == of_rings * work.pixels_a
     flat = work_of(method, beta=0.0)
     assert (flat.gradient_evaluations, flat.height_evaluations, flat.algebraic_gradients) == (0, 0, 0)
+
+
+def test_a_picture_makes_its_geometry_once(monkeypatch):
+    made = Mock(side_effect=scene.Geometry)
+    monkeypatch.setattr(scene, "Geometry", made)
+    work_of(options={"bounds": True}, eye=4.5)
+    made.assert_called_once()
 
 
 def test_what_is_counted_in_a_picture():

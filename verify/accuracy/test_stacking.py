@@ -1,4 +1,4 @@
-"""Means over points of a lamp or a pixel: within the mean of the bounds, of the same chambers, and no nearer the truth."""
+"""Means over points of a lamp or a pixel: within the mean of the bounds, of equal chambers, no nearer the truth."""
 
 import numpy as np
 import pytest
