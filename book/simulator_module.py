@@ -17,8 +17,8 @@ from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
-from renderer import Light, Scene, exact, kernels
-from renderer.files.record import Drawing, text_of
+from renderer import Light, Scene, kernels
+from renderer.files.record import text_of
 from renderer.files.srgb import tables, thresholds
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
@@ -27,7 +27,7 @@ from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BI
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.scene.raster import Raster
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
@@ -61,12 +61,12 @@ TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
 def _scenes():
     """Return {B is on, each light is on, as 0 or 1: the scene's and the lights' numbers}: what else varies is set."""
-    found = {}
+    scenes = {}
     for ball, *on in product((False, True), repeat=1 + len(SCENE.lights)):
         lights = tuple(a if lit else Light(a.position, None) for a, lit in zip(SCENE.lights, on, strict=True))
-        numbers, rows = numbers_of(replace(SCENE, ball=ball, lights=lights), exact())
-        found["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
-    return found
+        numbers, rows = numbers_of(Shot(replace(SCENE, ball=ball, lights=lights)))
+        scenes["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
+    return scenes
 
 
 def _level_of_size(size):
@@ -101,12 +101,12 @@ def data() -> dict:
     return {
         "scene": asdict(SCENE),
         "scenes": _scenes(),
-        "record": json.loads(text_of(Drawing(SCENE, exact(), Raster(256, 256)))) | {"machine": "webassembly"},
+        "record": json.loads(text_of(Shot(SCENE, raster=Raster(256, 256)))) | {"machine": "webassembly"},
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
         "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
-            n: {"index": number, "power": scene_numbers(scene, exact()).power}
+            n: {"index": number, "power": scene_numbers(Shot(scene)).power}
             for number, (n, scene) in enumerate(MODELS.items())
         },
         "max_algebraic": MAX_ALGEBRAIC,
@@ -122,7 +122,7 @@ def data() -> dict:
 
 
 def script(
-    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], known: dict,
+    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
     painters: Mapping[str, Callable] = PAINTERS,
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
@@ -131,7 +131,7 @@ def script(
     """
     module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
     kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
-    text, holder = json.dumps({"kernels": kernels_in} | known, separators=(",", ":")), place.partition(".")[0]
+    text, holder = json.dumps({"kernels": kernels_in} | beside, separators=(",", ":")), place.partition(".")[0]
     return (
         f"// Printed from proofs/ by `python -m book`: {words}.\n"
         f'"use strict";\nvar {holder} = {holder} || {{}};\n'
