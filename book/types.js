@@ -6,8 +6,9 @@
  * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
  *   a part of a picture of width × height pixels
  * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
- * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: number, lights: boolean[] }}
- *   SceneState
+ * @typedef {{ field: string, h: string, ku: number, kv: number, beta: number, model: string, ball: number,
+ *   lights: boolean[] }} SceneState h: the reader's own formula, worn where the field is "own"
+ * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number }} SceneData
@@ -39,6 +40,13 @@
  * @typedef {{ start: any, read(text: string): any, write(value: any): string, holds(value: any): boolean,
  *   allowed: string }} Parameter
  * @typedef {ReturnType<typeof simulator_states>} States
+ */
+
+// simulator/formula.js
+/**
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, out?: Float64Array }} FormulaNode
+ *   an operation, its parts, and its number if it has one; out: what it is at some points
+ * @typedef {ReturnType<typeof own_field>} OwnField
  */
 
 // simulator/worker.js

@@ -72,6 +72,10 @@ function simulator_readouts(root, data, module) {
   /** @param {State} state */
   function remark(state) {
     const { view, field } = state;
+    if (field === "own") {
+      const seam = module.own_of(state)?.has_seam ? "h differs at u = 0 and u = 1: the seam is in both pictures. " : "";
+      return `${seam}Your own h: exact slopes by the rules of differentiation, with no proved bound.`;
+    }
     if (view === "loci" && !data.fields[field].creases)
       return `${field} has no creases: there is nothing to draw over it.`;
     if (view === "terms" && !module.bounds_of(state))

@@ -10,14 +10,17 @@ function simulator_start(root, compiled, module) {
   const MOVING = 500; // or so long after the first
   const sizes = Array.from(/** @type {HTMLSelectElement} */ ($("#sim-size")).options, ({ value }) => Number(value));
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
-  for (const name of Object.keys(data.fields)) {
+  for (const name of [...Object.keys(data.fields), "own"]) {
     const button = make_element("input", { type: "radio", name: "sim-field", value: name });
-    $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
+    $("[data-parameter=field]").append(
+      make_element("label", {}, button, name === "own" ? " your own" : ` ${name}`),
+      "\n"
+    );
   }
   for (const name of Object.keys(data.models)) {
     if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
   }
-  const states = simulator_states(root, data);
+  const states = simulator_states(root, data, (of) => module.own_of(of)?.has_seam ?? false);
   let state = states.start();
   /** @type {State | null} */
   let shown = null;
@@ -66,7 +69,9 @@ function simulator_start(root, compiled, module) {
   /** Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace. @param {State} next */
   function take(next) {
     const redraw = drawn_key(next) !== drawn_key(state);
+    module.own_of(next); // which refuses what is not finite
     state = next;
+    root.classList.toggle("sim-typed", state.field === "own");
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
@@ -224,6 +229,13 @@ function simulator_start(root, compiled, module) {
       say(root, `The browser’s workers draw nothing here (${why}): the page draws alone, and answers more slowly.`)
   };
   const engine = simulator_engine(data, compiled, states, module, handlers);
+
+  /** @type {HTMLSelectElement} */
+  const examples = find_element(root, "#sim-example");
+  examples.addEventListener("change", () => {
+    if (examples.value) act.set({ field: "own", h: examples.value });
+    examples.value = "";
+  });
 
   /** @param {string} text @param {Element} element */
   async function copy(text, element) {

@@ -1,8 +1,8 @@
 // What the reader can set, said once: names, ranges, defaults; the URL's fragment and the line of Python made from it.
 "use strict";
 
-/** @param {HTMLElement} root @param {SimulatorData} data */
-function simulator_states(root, { fields, models, scene, record }) {
+/** @param {HTMLElement} root @param {SimulatorData} data @param {(state: State) => boolean} has_seam */
+function simulator_states(root, { fields, models, scene, record }, has_seam) {
   const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
@@ -64,6 +64,27 @@ function simulator_states(root, { fields, models, scene, record }) {
     allowed: `${count} digits, 1 for on and 0 for off`
   });
 
+  // A formula as it is typed or printed, in the letters that `--field-expression` reads.
+  /** @param {string} text */
+  const formula_text = (text) =>
+    text
+      .replaceAll("−", "-")
+      .replace(/[·×]/g, "*")
+      .replaceAll("π", "pi")
+      .replace(/[²³]/g, (sign) => `**${"²³".indexOf(sign) + 2}`);
+  /** @type {Parameter} */
+  const formula = {
+    start: "sinpi(20*u)*sinpi(9*v) + sinpi(26*u + 5*v)/2 + sinpi(14*v - 18*u)/2",
+    read(text) {
+      const written = formula_text(text);
+      formula_of(written, { ku: 1, kv: 1 });
+      return written;
+    },
+    write: encodeURIComponent,
+    holds: (text) => typeof text === "string",
+    allowed: "a formula of u and v"
+  };
+
   const AXES = [
     ["left", "column"],
     ["top", "row"]
@@ -72,7 +93,8 @@ function simulator_states(root, { fields, models, scene, record }) {
   const MOST = 2 ** 24;
   /** @type {Record<string, Parameter>} */
   const parameters = {
-    field: choice(Object.keys(fields), scene.field),
+    field: choice([...Object.keys(fields), "own"], scene.field),
+    h: formula,
     eps: number(1e-18, 0.1, 1e-3),
     beta: number(0, 2, scene.beta),
     ku: number(-64, 64, scene.ku),
@@ -178,6 +200,7 @@ function simulator_states(root, { fields, models, scene, record }) {
   const fragment = (state) =>
     MARK +
     Object.entries(parameters)
+      .filter(([name]) => name !== "h" || state.field === "own")
       .map(([name, p]) => `${name}=${name in OFFSETS ? share_at(state, name) : p.write(state[name])}`)
       .join("&");
 
@@ -229,20 +252,26 @@ function simulator_states(root, { fields, models, scene, record }) {
     const light = ({ position, color }, n) =>
       `Light((${position.join(", ")}), ${state.lights[n] ? `(${color.join(", ")})` : "None"})`;
     const all = state.lights.every(Boolean);
-    const { field, ku, kv, beta, model, method } = state;
-    const given = [`field="${field}"`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
+    const { ku, kv, beta, model, method } = state;
+    const is_own = state.field === "own";
+    const field = is_own
+      ? `HeightField("own", "${state.h}"${has_seam(state) ? ", seam=True" : ""})`
+      : `"${state.field}"`;
+    const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
     if (!all) given.push(`lights=(${scene.lights.map(light).join(", ")})`);
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
-      `from renderer import ${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
+      `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
       `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}), sep="\\n")`
     );
   }
 
   /** What the renderer's own pictures say of how they were drawn. @param {State} state @param {boolean} is_numeric */
   function record_of(state, is_numeric) {
-    const { field, ku, kv, beta, model, method, eps, size, left, top } = state;
+    const { ku, kv, beta, model, method, eps, size, left, top } = state;
+    const own = { name: "own", expression: state.h, ...(has_seam(state) ? { seam: true } : {}) };
+    const field = state.field === "own" ? own : state.field;
     const lights = scene.lights.map(({ position, color }, n) => ({ position, color: state.lights[n] ? color : null }));
     return {
       ...record,
