@@ -27,7 +27,7 @@ from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BI
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.scene.raster import Raster
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
@@ -139,6 +139,7 @@ def data() -> dict:
         "record": json.loads(text_of(Drawing(SCENE, exact(), Raster(256, 256)))) | {"machine": "webassembly"},
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
+        "shadows": sum(len(getattr(LIGHT_FORM, name)) for name in SHADOWS),
         "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
             n: {"index": number, "power": scene_numbers(scene, exact()).power}

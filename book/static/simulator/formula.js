@@ -235,10 +235,10 @@ function formula_of(text, { ku, kv }) {
 
 /**
  * A field made of a text, at its wave numbers, or an Error where it is not finite. What it computes has no proved bound.
- * @param {{ h: string, ku: number, kv: number }} state
+ * @param {{ h?: string, ku: number, kv: number }} state
  * @param {KernelOver} kernel_over
  */
-function own_field({ h, ku, kv }, kernel_over) {
+function own_field({ h = "", ku, kv }, kernel_over) {
   const CHUNK = 512;
   const GRID = 65;
   const SEAM = 1e-9;

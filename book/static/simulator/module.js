@@ -201,10 +201,22 @@ async function simulator_module(data, ...programs) {
       turn_u: Math.sign(power_u) || 1,
       turn_v: Math.sign(power_v) || 1
     };
-    const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
+    const { scene, lights: standing } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
+    const lights = has_moved(state) && state.lights[0] ? [moved(state, standing[0]), ...standing.slice(1)] : standing;
     const numbers = Float64Array.from(scene);
     for (const [key, number] of Object.entries(changed)) numbers[data.offsets[key]] = number;
     return { scene: numbers, lights };
+  }
+
+  /** Whether the lamp, the first light, is not where the scene has it. @param {SceneState} state */
+  const has_moved = ({ lamp = data.scene.lights[0].position }) =>
+    lamp.some((coordinate, axis) => coordinate !== data.scene.lights[0].position[axis]);
+
+  /** The numbers of the lamp elsewhere: its shadows may be anywhere, those of a sphere that is there. @param {SceneState} state @param {number[]} numbers */
+  function moved({ lamp = [0, 0, 0], ball }, numbers) {
+    const first = numbers.length - data.shadows;
+    const boxes = numbers.slice(first).map((end, n) => (ball || n < 4 ? (n % 2 ? Infinity : -Infinity) : end));
+    return [...lamp, ...numbers.slice(3, first), ...boxes];
   }
 
   /**
@@ -566,11 +578,15 @@ async function simulator_module(data, ...programs) {
     const slopes = slopes_of(stage, name);
     const point = kernel_over("point_on_a", ...angles, radius);
     const normals = [state.beta, 0].map((beta) => kernel_over("bumped_normal", ...angles, ...slopes, beta));
-    const on = data.scene.lights.filter((_, n) => state.lights[n]);
-    return on.map(({ position }) => {
-      const [bumped, plain] = normals.map((normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]);
-      return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
-    });
+    const positions = data.scene.lights.map(({ position }, n) => (n ? position : (state.lamp ?? position)));
+    return positions
+      .filter((_, n) => state.lights[n])
+      .map((position) => {
+        const [bumped, plain] = normals.map(
+          (normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]
+        );
+        return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
+      });
   }
 
   /**

@@ -55,7 +55,7 @@ function simulator_start(root, compiled, module) {
     return (of) => names.map((name) => of[name]).join();
   }
   const drawn_key = key_without("column row");
-  const pixel_key = key_without("eps view scale model lights ball beta");
+  const pixel_key = key_without("eps view scale model lights lamp ball beta");
   const curve_key = key_without("eps view scale column row");
   const chambers_key = key_without("eps view scale column row model method");
   const times_key = key_without("eps view scale column row beta");
@@ -75,6 +75,7 @@ function simulator_start(root, compiled, module) {
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
+    lamp.show(state);
     root.classList.toggle("sim-zoomed", state.zoom > 0); // a finger then moves the part that is shown, and not the page
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
@@ -153,6 +154,7 @@ function simulator_start(root, compiled, module) {
   const theorem = document.querySelector('.bd-article a[href*="#theorem-bump_moves_no_boundary"]:not(.simulator *)');
   $("[data-theorem]").textContent = theorem ? `(${theorem.textContent})` : "";
   const hand = simulator_hand(pictures, act);
+  const lamp = simulator_lamp(root, states, module, act);
   const curve = simulator_curve(root, module);
   const cursor = simulator_cursor(root, states, data, module);
 
@@ -252,6 +254,7 @@ function simulator_start(root, compiled, module) {
   /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: HTMLElement) => void>} */
   const buttons = {
     preset: presets.run,
+    play: presets.play_alone,
     pause: presets.toggle,
     step: (steps) => presets.step(Number(steps)),
     stop: presets.stop,
@@ -321,6 +324,7 @@ function simulator_start(root, compiled, module) {
   }
   watch_closer();
   controls.show(state);
+  lamp.show(state);
   fit(); // before anything is drawn in it, which else moves once more
   const is_addressed = from_address();
   if (is_addressed) root.scrollIntoView();

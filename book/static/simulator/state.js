@@ -64,6 +64,25 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     allowed: `${count} digits, 1 for on and 0 for off`
   });
 
+  const FURTHEST_LAMP = 50;
+  const LOWEST_LAMP = 0.05;
+  /** @param {number[]} at @param {number[]} center @param {number} radius */
+  const is_clear = (at, center, radius) => Math.hypot(...at.map((part, axis) => part - center[axis])) > 1.01 * radius;
+  /** @type {Parameter} */
+  const place = {
+    start: scene.lights[0].position,
+    read: (text) => text.split(",").map(number_in),
+    write: String,
+    holds: (x) =>
+      Array.isArray(x) &&
+      x.length === 3 &&
+      x.every((part) => Math.abs(part) <= FURTHEST_LAMP) &&
+      x[2] >= LOWEST_LAMP &&
+      is_clear(x, [0, 0, 0], scene.radius) &&
+      is_clear(x, scene.ball_center, scene.ball_radius),
+    allowed: `x, y, z from -${FURTHEST_LAMP} to ${FURTHEST_LAMP}, z at least ${LOWEST_LAMP}, outside both spheres`
+  };
+
   // A formula as it is typed or printed, in the letters that `--field-expression` reads.
   /** @param {string} text */
   const formula_text = (text) =>
@@ -74,7 +93,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
       .replace(/[²³]/g, (sign) => `**${"²³".indexOf(sign) + 2}`);
   /** @type {Parameter} */
   const formula = {
-    start: "sinpi(20*u)*sinpi(9*v) + sinpi(26*u + 5*v)/2 + sinpi(14*v - 18*u)/2",
+    start: "(2*sinpi(20*u)*sinpi(9*v) + sinpi(26*u + 5*v) + sinpi(14*v - 18*u))/10",
     read(text) {
       const written = formula_text(text);
       formula_of(written, { ku: 1, kv: 1 });
@@ -105,6 +124,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     scale: choice(offered("scale"), "log"),
     axis: choice(["u", "v"], "u"),
     lights: switches(scene.lights.length),
+    lamp: place,
     ball: choice([1, 0], 1),
     size: choice(offered("size").map(Number), 256),
     zoom: whole(0, FURTHEST, 0),
@@ -243,15 +263,19 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     return { width: whole, height: whole, left, top, wide, high: wide };
   }
 
+  /** The scene's lights, the first where the lamp is; no colour where one is off. @param {State} state */
+  const lights_of = ({ lights, lamp }) =>
+    scene.lights.map(({ position, color }, n) => ({ position: n ? position : lamp, color: lights[n] ? color : null }));
+
   /**
    * One line that prints the renderer's own record of the pixel under the cursor, by the difference and exactly.
    * @param {State} state
    */
   function python(state) {
-    /** @param {LightData} light @param {number} n */
-    const light = ({ position, color }, n) =>
-      `Light((${position.join(", ")}), ${state.lights[n] ? `(${color.join(", ")})` : "None"})`;
-    const all = state.lights.every(Boolean);
+    /** @param {ReturnType<typeof lights_of>[number]} light */
+    const light = ({ position, color }) =>
+      `Light((${position.join(", ")}), ${color ? `(${color.join(", ")})` : "None"})`;
+    const all = state.lights.every(Boolean) && String(state.lamp) === String(place.start);
     const { ku, kv, beta, model, method } = state;
     const is_own = state.field === "own";
     const field = is_own
@@ -259,7 +283,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
       : `"${state.field}"`;
     const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
-    if (!all) given.push(`lights=(${scene.lights.map(light).join(", ")})`);
+    if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
       `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
@@ -272,7 +296,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     const { ku, kv, beta, model, method, eps, size, left, top } = state;
     const own = { name: "own", expression: state.h, ...(has_seam(state) ? { seam: true } : {}) };
     const field = state.field === "own" ? own : state.field;
-    const lights = scene.lights.map(({ position, color }, n) => ({ position, color: state.lights[n] ? color : null }));
+    const lights = lights_of(state);
     return {
       ...record,
       width: side(state),

@@ -42,7 +42,7 @@ function simulator_worker(post) {
    * @returns {Stage}
    */
   function staged(state, raster) {
-    const key = [state.ball, ...state.lights, ...Object.values(raster)];
+    const key = [state.ball, ...state.lights, ...state.lamp, ...Object.values(raster)];
     const stage = keep("stage", key, () => module.make_stage(state, raster));
     keep("around", [stage.version, state.model], () => {
       for (const name of ["numeric", "symbolic", "spare"]) module.draw_elsewhere(state, stage.value, name);
