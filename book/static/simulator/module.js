@@ -147,8 +147,11 @@ async function simulator_module(data, ...programs) {
     return (x, y) => [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
   }
 
-  /** How each picture of a state takes its gradient. @param {{ method: string, eps: number }} state @returns {Record<string, Method>} */
-  const methods_of = ({ method, eps }) => ({ numeric: { name: method, eps }, symbolic: EXACT });
+  /** How each picture of a state takes its gradient. @param {State} state @returns {Record<string, Method>} */
+  const methods_of = ({ method, eps, against, against_eps }) => ({
+    numeric: { name: method, eps },
+    symbolic: against === EXACT.name ? EXACT : { name: against, eps: against_eps }
+  });
 
   let made_of = "";
   /** @type {OwnField | null} */

@@ -85,9 +85,10 @@ function simulator_readouts(root, data, module) {
 
   /** @param {State} state */
   function captions(state) {
-    const { method, eps, scale, zoom, view } = state;
+    const { method, eps, against, scale, zoom, view } = state;
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
+    root.classList.toggle("sim-both-step", against !== "exact");
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
     name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
@@ -97,13 +98,17 @@ function simulator_readouts(root, data, module) {
   }
 
   /** Give every picture a name that says what it shows now. @param {State} state */
-  function name_pictures({ field, ku, kv, beta, view, method, eps }) {
+  function name_pictures({ field, ku, kv, beta, view, method, eps, against }) {
     const scene = `${field}, k u ${ku}, k v ${kv}, β ${beta}`;
     const [by, seen] = [`#sim-method [value=${method}]`, `#sim-view [value=${view}]`].map(
       (place) => $(place).textContent
     );
     const apart = ["rms", "max"].map((name) => `${name} ${$(`[data-readout=${name}]`).textContent}`).join(", ");
-    const names = { numeric: `${seen}, ${by}, ε ${eps}`, symbolic: `${seen}, exact gradient`, difference: apart };
+    const names = {
+      numeric: `${seen}, ${by}, ε ${eps}`,
+      symbolic: `${seen}, ${$(`#sim-against [value=${against}]`).textContent}`,
+      difference: apart
+    };
     for (const [name, words] of Object.entries(names))
       $(`[data-picture=${name}] .pixels`).setAttribute("aria-label", `${name}: ${scene}; ${words}`);
   }

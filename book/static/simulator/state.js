@@ -120,6 +120,8 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     kv: number(-64, 64, scene.kv),
     model: choice(Object.keys(models), scene.model),
     method: choice(offered("method"), "central"),
+    against: choice(offered("against"), "exact"),
+    against_eps: number(1e-18, 0.1, 1e-3),
     view: choice(offered("view"), "image"),
     scale: choice(offered("scale"), "log"),
     axis: choice(["u", "v"], "u"),
@@ -276,7 +278,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     const light = ({ position, color }) =>
       `Light((${position.join(", ")}), ${color ? `(${color.join(", ")})` : "None"})`;
     const all = state.lights.every(Boolean) && String(state.lamp) === String(place.start);
-    const { ku, kv, beta, model, method } = state;
+    const { ku, kv, beta, model, method, against } = state;
     const is_own = state.field === "own";
     const field = is_own
       ? `HeightField("own", "${state.h}"${has_seam(state) ? ", seam=True" : ""})`
@@ -284,16 +286,18 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
     if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
+    const [other, by] = against === "exact" ? ["", ""] : [`${against}, `, `, ${against}(${state.against_eps})`];
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
-      `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
-      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}), sep="\\n")`
+      `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, ${other}pixel; s = Scene(${given.join(", ")}); ` +
+      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}${by}), sep="\\n")`
     );
   }
 
   /** What the renderer's own pictures say of how they were drawn. @param {State} state @param {boolean} is_numeric */
   function record_of(state, is_numeric) {
-    const { ku, kv, beta, model, method, eps, size, left, top } = state;
+    const { ku, kv, beta, model, method, eps, against, against_eps, size, left, top } = state;
+    const [name, step] = is_numeric ? [method, eps] : [against, against_eps];
     const own = { name: "own", expression: state.h, ...(has_seam(state) ? { seam: true } : {}) };
     const field = state.field === "own" ? own : state.field;
     const lights = lights_of(state);
@@ -302,7 +306,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
       width: side(state),
       height: side(state),
       crop: [left, top, size, size],
-      gradient: { ...record.gradient, ...(is_numeric ? { name: method, eps } : {}) },
+      gradient: { ...record.gradient, ...(name === "exact" ? {} : { name, eps: step }) },
       scene: { ...record.scene, field, ku, kv, beta, model, lights, ball: Boolean(state.ball) }
     };
   }
