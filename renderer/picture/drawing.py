@@ -8,10 +8,10 @@ from renderer.checks import check_truth, not_allowed
 from renderer.machines import compiling
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage
-from renderer.scene.methods import GradientMethod, exact
+from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
-from renderer.shader.numbers import Shot, slope_planes
+from renderer.shader.numbers import EXACT, Shot, slope_planes
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -64,7 +64,7 @@ def render(
     >>> bool((symbolic.chambers == numeric.chambers).all()), bool((symbolic.rgb == numeric.rgb).all())
     (True, False)
     """
-    shot = Shot(scene, exact() if gradient is None else gradient, Raster(width, height, crop))
+    shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
     bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
     by, changes = (), {}
     if derivatives != ():

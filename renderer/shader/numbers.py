@@ -2,8 +2,9 @@
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property, lru_cache
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -62,12 +63,13 @@ class Want(NamedTuple):
     """The choice of the code that draws: the scene's numbers are its arguments.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
-    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
-    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
-    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`). by: the names of
-    numbers by which each colour's slopes are stored, and around: the group that has these (`renderer.shader.slopes`).
+    difference, flat, or stored: h_u and h_v are loaded. lights: (model, style) pairs, of which `scene.model` is the
+    index; a style is diffuse (with no highlight), base, or squared. integer_power: whether the shininess is a whole
+    number. chambers_known: whether the chambers are there to be loaded. surfaces: all, a (drawn over what is there)
+    or elsewhere. colors: whether these are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES
+    and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
+    (`renderer.machines.enclosing_machine`). by: the names of numbers by which each colour's slopes are stored, and
+    around: the group that has these (`renderer.shader.slopes`).
     """
 
     ways: tuple
@@ -99,6 +101,9 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
+_shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
+
+
 @dataclass(frozen=True)
 class Shot:
     """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
@@ -122,7 +127,7 @@ class Shot:
     @cached_property
     def shading(self) -> tuple:
         """The fields on which the colours off A depend: equal for equal shadings."""
-        return tuple(value for name, value in vars(self.scene).items() if name not in MOVE_NO_BOUNDARY)
+        return _shading(self.scene)
 
     @cached_property
     def powers(self) -> tuple[int, int] | None:
@@ -143,8 +148,7 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
     number: the class of the scene's numbers where others are computed from them.
     """
     scene, geometry = shot.scene, shot.geometry
-    (_, way), (_, style) = *shot.want.ways, *shot.want.lights
-    power_u, power_v = shot.powers if shot.powers and way == "algebraic" else (0, 0)
+    ((_, style),), (power_u, power_v) = shot.want.lights, shot.powers or (0, 0)
     light, dark = (floor_albedo(number(dark), number(scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},
