@@ -18,7 +18,6 @@ from renderer import Light, Scene, central, exact, kernels, operations, render
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
-from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from verify.accuracy.pixels import BITS
@@ -26,7 +25,7 @@ from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
-enclosed_bounds, where = Frame.bounds.fget, enclosing.where
+where = enclosing.where
 
 
 @pytest.fixture
@@ -43,11 +42,6 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
     assert numbers["decided"] >= 0.95 * numbers["pixels"]
     assert all(numbers[f"median_ratio_{kind}"] <= 1000 for kind in KINDS)
     assert all(numbers[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
-
-
-def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
-    monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
-    assert measure(3, first=0)["numbers"]["above_bound"] > 0
 
 
 @pytest.mark.parametrize("field", HEIGHT_FIELDS)
