@@ -108,11 +108,6 @@ def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(number, monkeyp
     assert_drawn(Scene(field=field, ku=KU, kv=KV), METHODS[number % len(METHODS)], monkeypatch)
 
 
-def test_a_wrong_slope_is_noticed():
-    text, field = accepted()[0]
-    assert apart(text, HeightField("wrong", field.expression * (1 + Rational(1, 10**9)))) > 1e-12
-
-
 HOSTILE = [
     "__import__('os')", "u" * 10**6, "(" * 500 + "u" + ")" * 500, "-" * (LONGEST - 1) + "u",
     "9**9**9", "((9**64)**64)**64", "u**65", "u**v", "1e999", "*".join("u" * 200), "I", "1/0", "log(-1)",
