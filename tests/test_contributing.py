@@ -22,11 +22,11 @@ RUNS = '\nif __name__ == "__main__":'
 CALLED = re.compile(rf"-m\s+((?:{'|'.join(PACKAGES)})\b[\w.]*\b)")
 
 
-def shell(folder, line, status=0):
+def shell(folder, line):
     """Run a line of a shell in the folder, by this Python; return what it prints."""
     settings = settings_without("PYTEST_")
     settings["PATH"] = f"{Path(sys.executable).parent}:{settings['PATH']}"
-    return "".join(run("bash", "-ec", line, status=status, cwd=folder, env=settings))
+    return "".join(run("bash", "-ec", line, cwd=folder, env=settings))
 
 
 def walked(folder, example, left_out):

@@ -61,10 +61,10 @@ def formula(random, depth=3):
 
 
 @cache
-def accepted(count=24):
+def accepted():
     """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
     random, found = Random(28), {}
-    while len(found) < count:
+    while len(found) < 24:
         text = formula(random)
         with suppress(ValueError):
             found[text] = found.get(text) or HeightField(f"random_{len(found)}", parse_expression(text))

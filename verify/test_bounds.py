@@ -57,12 +57,12 @@ def test_the_default_scene(field, model):
     assert share <= (300 if scene == Scene() else 1000)
 
 
-def on_creases(numbers=range(1, 25)):
+def on_creases():
     """Return frames of one pixel each, which lies within a rounding of a crease of ridges."""
     scene = Scene(ball=False)
     u = render(scene, 64, 64).surface_data["u"][20, 25]
     crop = 25, 20, 1, 1
-    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in numbers]
+    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in range(1, 25)]
 
 
 def test_the_side_of_a_crease_is_open():
