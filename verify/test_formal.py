@@ -42,7 +42,7 @@ def test_what_is_said_of_theorems_is_said_whole_or_by_name_in_part():
     theorems, named = all_theorems(), formal.statements()
     assert formal.PARTLY.keys() <= named.keys()
     for id, by_hand in named.items():
-        names = {name for name in by_hand.additions if not name.endswith(formal.BESIDE)}
+        names = {name for name in by_hand.additions if not name.endswith(survey.BESIDE)}
         assert theorems[id].expected == "refuted" or {f"{name}__false" for name in names} <= {*by_hand.additions}, id
     for id, accepted in formal.record().items():
         assert formal.is_formal(theorems[id], accepted) != (id in formal.PARTLY), id
@@ -228,20 +228,21 @@ SAID, CLOSED = f"unit_length__length\n     : 1 = 1\n{TRUE}", f"{survey.CLOSED}{T
 @pytest.mark.parametrize(
     "printed, why",
     [
-        (SAID, "1 parts, not the 2"),
-        (SAID + CLOSED[:9], "1 parts, not the 2"),
-        (SAID + CLOSED + "more", "2 parts"),
-        (CLOSED + SAID, "was not printed"),
-        (f"{SAID}Axioms:\n{TRUE}", "rests on"),
-        (f"{SAID}{TRUE}", "rests on"),
-        (f"{SAID}Section Variables:\nx : R\n{TRUE}", "rests on"),
-        (f"{SAID}Axioms:\nClassical_Prop.classic relies on an unsafe hierarchy.\n{TRUE}", "unsafe hierarchy"),
+        (SAID + CLOSED, "2 parts, not the 3"),
+        (SAID + CLOSED + CLOSED[:9], "2 parts, not the 3"),
+        (SAID + CLOSED + CLOSED + "more", "3 parts"),
+        (CLOSED + SAID + CLOSED, "was not printed"),
+        (SAID.replace("= 1", "= ...") + CLOSED + CLOSED, "in part"),
+        (f"{SAID}Axioms:\n{TRUE}{CLOSED}", "rests on"),
+        (f"{SAID}{TRUE}{CLOSED}", "rests on"),
+        (f"{SAID}{CLOSED}Section Variables:\nx : R\n{TRUE}", "false variant rests on"),
+        (f"{SAID}Axioms:\nClassical_Prop.classic relies on an unsafe hierarchy.\n{TRUE}{CLOSED}", "unsafe hierarchy"),
     ],
 )
 def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed, why):
     named = {"unit_length": survey.Formalization({}, {"unit_length__length": []})}
     with pytest.raises(formal.NotAccepted, match=why):
-        survey.read(named, survey.groups(named, {}), printed)
+        survey.read(named, [], survey.groups(named, {}), printed)
 
 
 x, y, z = real("x y z")

@@ -39,7 +39,7 @@ from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from proofs.engine.project import HOME, PROJECT
 from verify.coq import formal
-from verify.coq.survey import AXIOMS
+from verify.coq.survey import AXIOMS, BESIDE
 
 OPEN = 3  # of the lines that a claim shows; the others are folded
 BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows
@@ -70,7 +70,7 @@ def beside(formally: dict) -> tuple[dict[str, str], int, int]:
     """Of what Coq says beside a theorem's claims: the additions, how many points, and how many false variants."""
     statements = formally["statements"]
     points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
-    return {n: text for n, text in statements.items() if not n.endswith(formal.BESIDE)}, points, false
+    return {n: text for n, text in statements.items() if not n.endswith(BESIDE)}, points, false
 
 
 def axioms(names: list[str]) -> str:

@@ -92,7 +92,7 @@ def load(book: Path) -> Proofs:
         if said:
             printed = statements(theorems[id])
             said |= {"printed": {name: printed[name] for name in said["claims"]}, "when": formal.when()}
-        whole = formal.is_formal(theorems[id], said) and entry["grade"] in ("proved", "measured")
+        whole = formal.is_formal(theorems[id], said) and entry["grade"] in formal.GRADES
         entry["shown"] = "formal" if whole else entry["grade"]
         entry["word"] = f"Coq, {said['when']}" if whole else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))

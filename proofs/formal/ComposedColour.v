@@ -14,7 +14,7 @@ Qed.
 (* Wherever the difference is taken. *)
 Lemma error_anywhere (L w e : R) : 0 <= L -> 0 < e -> e + w <= 1 -> error_bound L w e <= error_bound L (1 - e) e.
 Proof.
-  intros P E W. apply Rplus_le_compat_r, Rplus_le_compat_l. apply Rmult_le_compat_r; [unfold kappa; lra|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, E|]. apply Rmult_le_compat_l; lra.
+  intros P E W. apply Rplus_le_compat_r, Rplus_le_compat_l. apply Rmult_le_compat_r; [unfold kappa_unclamped; lra|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, E|]. apply Rmult_le_compat_l; lra.
 Qed.
 (* The colour of sine by the float64 difference, and that of its exact slopes: apart by what the step and the wave numbers say, and by delta, what the roundings of the frame and of the gradient cost N + beta g. *)
 Theorem colour_accuracy__of_the_difference (theta phi u v k_u k_v epsilon nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :

@@ -7,7 +7,7 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient Binades Fields.
 Open Scope R_scope.
 
-Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
+Definition kappa_unclamped : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
   destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
@@ -20,12 +20,12 @@ Proof.
     assert (P : bpow radix2 (-53) = / 2 ^ 53) by (simpl; lra). generalize (bpow_le radix2 (-1021) (-53) ltac:(easy)) (Rabs_pos x). lra.
 Qed.
 (* The difference of two computed heights, over 2 epsilon: two roundings, and what may underflow. *)
-Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
+Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa_unclamped /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
 Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
 Proof.
   intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
   assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways B. both_ways B2. split.
-  - apply Rabs_le. unfold kappa. split; nra.
+  - apply Rabs_le. unfold kappa_unclamped. split; nra.
   - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
     assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
 Qed.
@@ -45,8 +45,8 @@ Proof.
 Qed.
 (* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at p and m, alpha off: the difference is within
    what the arguments' rounding and the evaluation cost of the exact one. *)
-Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
-Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
+Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa_unclamped).
+Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa_unclamped) + L * kappa_unclamped.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
   intros W E B. destruct (rounded_sum e w E W) as (d & D & ->). destruct (difference_near w e W E) as (c & C & ->). split; [replace (_ - _) with ((w + e) * d) by ring | replace (_ - _) with ((w - e) * c) by ring];
@@ -64,11 +64,11 @@ Lemma three_parts (h : R -> R) (L w e p m alpha a b q slope truncation : R) : st
   Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
   intros (h1 & D & S) B P M (t & K & Q) A' B' T.
-  generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
-  assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
-  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
+  generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa_unclamped (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
+  assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa_unclamped) by (unfold kappa_unclamped; lra).
+  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa_unclamped) + L * kappa_unclamped) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa_unclamped)) in R
     by (unfold arguments_part, evaluation_part; field; lra).
-  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by nra.
+  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa_unclamped)) by nra.
   generalize (through _ _ _ _ _ Q (through _ _ _ _ _ R T)). lra.
 Qed.
 Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
@@ -282,7 +282,7 @@ Proof. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := argum
   rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
 Qed.
 Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
-Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
+Proof. intros L e. unfold L, e, evaluation_part, kappa_unclamped. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
 Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
   100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
 Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
@@ -349,5 +349,5 @@ Proof.
   intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
     ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
   rewrite central_around by apply bpow_gt_0.
-  unfold height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
+  unfold height_sine.h, evaluation_part, kappa_unclamped. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
 Qed.

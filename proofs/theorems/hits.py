@@ -177,11 +177,19 @@ _quadratic = Claim(
 theorem_b = Theorem(
     "hit_of_b",
     "The near hit with sphere B",
-    r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
-    and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
-    is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""",
+    {
+        r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
+        and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
+        is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""": (
+            _quadratic,
+            _solves_b,
+            _near_b,
+            _behind_b,
+            _outward_b,
+            coq("hit_of_b__first_hit 95fde9b15390ff07"),
+        )
+    },
     hypotheses="$c > 0$: the eye is outside B",
-    claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
     steps={
         r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$": "expansion",
         r"$d = |D|^2R_2^2-|D\times(E-C)|^2$": "Lagrange's identity",
@@ -234,11 +242,17 @@ _behind = Claim(
 hidden = Theorem(
     "seed_covers_the_view",
     "With the seed's quadratic B is everywhere",
-    r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
-    |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
-    \frac34$. So B covers the view and A is never drawn.""",
+    {
+        r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
+        |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
+        \frac34$. So B covers the view and A is never drawn.""": (
+            _covers,
+            _before,
+            _behind,
+            coq("seed_covers_the_view__never 9232ceabc2e4aa45"),
+        )
+    },
     hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
-    claims=(_covers, _before, _behind),
     steps={
         r"$b = 10.8+(x+y)/2 > 35/4$": ("the vertex, as for the true quadratic", "hit_of_b"),
         r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$": r"$|D|^2 = x^2+y^2+16 \le 24$",
