@@ -3,6 +3,7 @@
 import json
 import re
 import shutil
+from fractions import Fraction
 from importlib.util import find_spec
 from types import SimpleNamespace
 
@@ -13,10 +14,10 @@ from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.program import chain
 from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
-from proofs.printers.coq_statements import proposition, statements_of
+from proofs.printers.coq_statements import proposition, statements, statements_of
 from renderer.whole_files import write_whole
 from verify import conftest
-from verify.coq import formal, survey, vernacular
+from verify.coq import formal, recorded, survey, vernacular
 from verify.evidence.sources import ROOT
 
 needs_coq = pytest.mark.skipif(
@@ -288,6 +289,51 @@ def test_a_printed_name_is_a_name_and_one_claims(named):
     claims = [SimpleNamespace(id=id, claims=[Claim(name, x + 1 > x)], **of) for id, name in named]
     with pytest.raises(ValueError, match="no name in Coq"):
         statements_of(claims)
+
+
+SAYS = {
+    r"\\sin\b": r"\bsin",
+    r"\\cos\b": r"\bcos",
+    r"\\max\b": "Rmax",
+    r"\\min\b": "Rmin",
+    r"\\arctan": r"\batan",
+    r"\bwhole\b|any number|whatever order": r"\b(nat|Z|INR)\b",
+    r"exactly (if|on)\b": "<->",
+    "no derivative": r"~\s*ex_derive",
+    r"float64|mathrm\{fl": "float64",
+    r"\btends? to\b": r"\b(filterlim|is_lim)\b",
+    r"\bRMS\b": r"\bis_RInt\b",
+}
+"""{a function, a quantifier or a limit in words: in a statement}"""
+NUMBER, QUOTIENT = r"(?<![\w'.])\d+(?:\.\d+)?", r"(\d+) / (\d+)"
+PINNING = {id: theorem for id, theorem in all_theorems().items() if theorem.pinned}
+
+
+@pytest.mark.parametrize("id", PINNING)
+def test_words_have_the_numbers_functions_and_quantifiers_of_what_is_pinned_and_claimed(id):
+    theorem, accepted = PINNING[id], formal.record()
+    texts = {pin.name: recorded.in_full(pin.name, accepted) for pin in theorem.pinned}
+    for name, text in texts.items():  # a hypothesis of what is pinned holds somewhere
+        assert not re.search(r"(?<!<)->", text.partition("\n\n")[0]) or recorded.in_full(f"{name}__point", accepted), (
+            name
+        )
+    pinned, given = "\n".join(texts.values()), " ".join([theorem.words, *theorem.hypotheses])
+    says = "\n".join([pinned, *statements(theorem).values()])
+    for words, statement in SAYS.items():
+        assert not re.search(words, theorem.words) or re.search(statement, says), words
+    for words, statement in [*SAYS.items()][-3:]:
+        assert not re.search(statement, pinned) or re.search(words, given), statement
+    quotients = {Fraction(int(a), int(b)) for a, b in re.findall(QUOTIENT, says)}
+    small, of_says, (of_words, of_given) = {0, 1, 2}, _numbers(says), map(_numbers, (theorem.words, given))
+    assert of_words <= of_says | quotients | small
+    other = re.sub(QUOTIENT, lambda q: "" if Fraction(int(q[1]), int(q[2])) in of_given else q[0], pinned)
+    assert _numbers(other) <= of_given | small
+
+
+def _numbers(text):
+    """Return the numbers in a text, in TeX's fractions each by itself; none of a subscript."""
+    plain = re.sub(r"frac(\d)", r" \1 ", re.sub(r"_(\w|\{[^}]*\})|float64", "", text))
+    return {*map(Fraction, re.findall(NUMBER, plain))}
 
 
 def test_the_roundings_that_steps_name_are_those_of_the_proof():

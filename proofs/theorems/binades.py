@@ -7,9 +7,8 @@ theorem = Theorem(
     "The slope dies by binades",
     {
         r"""For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where $0 <
-        \varepsilon < s/2 = 2^{k-53}$ and $u > 2^k$, or $0 < \varepsilon \le s/4 = 2^{k-54}$ and $u = 2^k$,
-        $\mathrm{fl}(u
-        \pm \varepsilon) = u$, and the computed $h_u$ is exactly 0 for every height;""": coq(
+        \varepsilon < s/2 = 2^{k-53}$ and $u > 2^k$, or $0 < \varepsilon \le 2^{k-54}$, a quarter of it, and $u = 2^k$,
+        $\mathrm{fl}(u \pm \varepsilon) = u$, and the computed $h_u$ is exactly 0 for every height;""": coq(
             "binades__dies_in_u 4e948466f72c3067"
         ),
         "in $v$ the same, up to $v = 1$.": coq("binades__dies_in_v 2b82896f35d16ceb"),

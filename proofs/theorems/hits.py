@@ -242,17 +242,11 @@ _behind = Claim(
 hidden = Theorem(
     "seed_covers_the_view",
     "With the seed's quadratic B is everywhere",
-    {
-        r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
-        |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
-        \frac34$. So B covers the view and A is never drawn.""": (
-            _covers,
-            _before,
-            _behind,
-            coq("seed_covers_the_view__never 9232ceabc2e4aa45"),
-        )
-    },
+    r"""In the default scene, with $c = |C|^2-R_2^2 = 2.0876$ in place of $|E-C|^2-R_2^2$, every ray with $|x|,
+    |y| \le 2$ has $b^2-|D|^2c > 0$ and a root $c/(b+\sqrt d)$ in $(0, \frac14)$; A's points have $t \ge 1-R/e =
+    \frac34$. So B covers the view and A is never drawn.""",
     hypotheses=r"the view has $|x| \le 5/\sqrt{15}$, $|y| \le 23/4\sqrt{15}$, both less than 2",
+    claims=(_covers, _before, _behind),
     steps={
         r"$b = 10.8+(x+y)/2 > 35/4$": ("the vertex, as for the true quadratic", "hit_of_b"),
         r"$b^2 > 76 > 24 \cdot 2.0876 \ge |D|^2c$": r"$|D|^2 = x^2+y^2+16 \le 24$",

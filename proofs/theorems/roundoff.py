@@ -157,7 +157,7 @@ best_step_theorem = Theorem(
         r"""For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at $\varepsilon = (E/2T)^{1/3}$, where
         it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.""": (
             _least,
-            coq("best_step__roots 93255184f134ce9a"),
+            coq("best_step__roots b72f9cbafaef8f40"),
         )
     },
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
