@@ -24,7 +24,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
     "formal": (
         "■",
         "F",
-        "Coq's kernel accepted each claim as printed, here or on a day that is said; a certificate or samples agree",
+        "Coq's kernel accepted all that says the words, as printed or pinned, here or on a day that is said",
     ),
     "proved": ("●", "P", "the kernel accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),

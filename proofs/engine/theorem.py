@@ -183,6 +183,8 @@ class Theorem(Parts):
         names = [claim.name for claim in (*self.claims, *self.rounded)]
         if len(set(names)) < len(names) or (checked and not self.claims):
             raise ValueError(f"{self.id}: claims need different names")
+        if others := [pin.name for pin in self.pinned if not pin.name.startswith(f"{self.id}__")]:
+            raise ValueError(f"{self.id}: pins what is another theorem's: {', '.join(others)}")
         if unknown := {c.claim for c in self.side_conditions}.difference(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
         if any(not clause.argued for clause in self.argued):

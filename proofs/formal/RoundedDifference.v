@@ -132,7 +132,7 @@ Lemma rings_height_near (k : R) : float64 k -> forall w, carried (2 * k) w -> Ra
 Proof.
   intros F w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra].
 Qed.
-Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem difference_bounds__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
   intros F I. apply (difference_in_v _ (fun w => height_rings.h w k_v) _ _ _ _ _ (2 * k_v)); [exact I | | exact (rings_height_near k_v F) |]; destruct I as (_ & _ & K & B & W & _).
@@ -162,7 +162,7 @@ Proof. intros S -> -> B. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rab
 Lemma sign_of_height (s p : R) : s = 1 \/ s = -1 -> 0 < s * p -> s = sign p.
 Proof. intros [-> | ->] H; symmetry; [apply sign_eq_1 | apply sign_eq_m1]; lra. Qed.
 (* In one: s is the sign of sine's heights, at the point and at both rounded arguments. *)
-Theorem roundoff_bound__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+Theorem difference_bounds__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon /\
   forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
     Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
@@ -172,7 +172,7 @@ Proof.
     rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
-Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon /\
   forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
@@ -198,7 +198,7 @@ Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w
 Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
 Lemma central_around (k : Z) (u v k_v e : R) : 0 < e -> central_sine.h_u u v (IZR (2 * k)) k_v e = (height_sine.h (e + u) v (IZR (2 * k)) k_v - height_sine.h (u - e) v (IZR (2 * k)) k_v) / (2 * e).
 Proof. intro E. rewrite <- (whole_turn_less k (e + u)), <- (whole_turn_less k (u - e)). unfold height_sine.h. central_sine.lines. field. lra. Qed.
-Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+Theorem difference_bounds__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
 Proof.
@@ -241,7 +241,7 @@ Proof.
   replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). unfold clamped_bound, Rdiv in *. nra.
 Qed.
 (* In one, of sine, ridges and rings, which have twice the wave number: s is the sign of sine's heights at both ends of the span, and at the rounded one. *)
-Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v) /\
   (forall s, s = 1 \/ s = -1 -> 0 <= s * height_sine.h u (epsilon + v) k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v ->
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - central_ridges.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)) /\
@@ -286,17 +286,17 @@ Proof. intros L e. unfold L, e, evaluation_part, kappa_unclamped. change (bpow r
 Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
   100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
 Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
-Theorem roundoff_bound__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
+Theorem difference_bounds__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
+Theorem difference_bounds__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
 Proof.
   intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
   rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). unfold_slopes. lra.
 Qed.
-Theorem roundoff_bound__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
+Theorem difference_bounds__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
 Proof.
   intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
@@ -307,13 +307,13 @@ Proof.
   destruct witness as (_ & _ & C). split; [|exact C]. unfold clamped_in_v. rewrite Rplus_0_r, (kept (bpow radix2 (-1))) by apply C.
   split; [apply generic_format_0 | split; [apply C|]]. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply C; lra.
 Qed.
-Theorem roundoff_bound__clamped_in_float64__point : exists u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon /\ carried k_u u.
+Theorem difference_bounds__clamped_in_float64__point : exists u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. exact clamped_witness. Qed.
 (* It is not the slope itself. *)
-Theorem roundoff_bound__clamped_in_float64__false : ~ forall u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__clamped_in_float64__false : ~ forall u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= clamped_bound (PI * k_v) (epsilon + v).
 Proof.
-  intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (roundoff_bound__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
+  intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (difference_bounds__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
   destruct V as (_ & _ & _ & B & W & _). destruct (exact_when_clamped _ _ B W) as (P & M & S). central_sine.lines. rewrite P, M, S.
   change (bpow radix2 (-1)) with (/ 2). unfold height_sine.h, clamped_bound, kappa_clamped. unfold_slopes. interval with (i_prec 80).
 Qed.
@@ -322,9 +322,9 @@ Proof.
   split; [replace (201 / 2 / 2) with (IZR 201 * bpow radix2 (-2)) by (simpl; lra); apply whole_is_float64; easy|].
   replace (2 * (201 / 2 / 2)) with (201 / 2) by field. apply witness.
 Qed.
-Theorem roundoff_bound__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
+Theorem difference_bounds__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
 Proof. do 3 eexists. exact for_rings. Qed.
-Theorem roundoff_bound__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem difference_bounds__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
 Proof.
   intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
@@ -336,13 +336,13 @@ Proof.
   assert (C : carried (IZR (2 * 100)) (bpow radix2 (-1))); [|exact (conj C C)]. split; [replace (IZR (2 * 100)) with (IZR 200 * bpow radix2 0) by (simpl; lra); apply whole_is_float64; easy|].
   split; [exact F|]. change (bpow radix2 (-1)) with (/ 2). simpl (bpow radix2 0). rewrite Rabs_pos_eq by (simpl; lra). simpl. split; [right|]; lra.
 Qed.
-Theorem roundoff_bound__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
+Theorem difference_bounds__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
   carried (IZR (2 * k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
 Proof.
   destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
   change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try apply C; simpl; lra.
 Qed.
-Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+Theorem difference_bounds__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= evaluation_part (PI * k_u) epsilon.
 Proof.

@@ -2,22 +2,27 @@
 
 from proofs.theorems.language import *
 
+_in_u, _in_v = coq("binades__dies_in_u 4e948466f72c3067", "binades__dies_in_v 2b82896f35d16ceb")
+
 theorem = Theorem(
     "binades",
     "The slope dies by binades",
     {
         r"""For a float64 number $u$, $2^k \le u < 2^{k+1} \le 1$, let $s = 2^{k-52}$ be the spacing there. Where $0 <
         \varepsilon < s/2 = 2^{k-53}$ and $u > 2^k$, or $0 < \varepsilon \le 2^{k-54}$, a quarter of it, and $u = 2^k$,
-        $\mathrm{fl}(u \pm \varepsilon) = u$, and the computed $h_u$ is exactly 0 for every height;""": coq(
-            "binades__dies_in_u 4e948466f72c3067"
-        ),
-        "in $v$ the same, up to $v = 1$.": coq("binades__dies_in_v 2b82896f35d16ceb"),
+        $\mathrm{fl}(u \pm \varepsilon) = u$, and the computed $h_u$ is exactly 0 for every height;""": _in_u,
+        "in $v$ the same, up to $v = 1$.": _in_v,
         r"""At the tie $\varepsilon = s/2$, for $u$ or $v = ms$ with $2^{52} < m < 2^{53} - 1$, it is 0 where
         $m$ is even,
         and twice the slope of $h = u$ or $h = v$ where $m$ is odd.""": coq("binades__tie e5e620cbf1c26408"),
         r"At the pole $v = 0$ the difference is that from 0 to $\varepsilon$,": coq("binades__pole 2407589d6ae5b3f3"),
         r"""and at the seam $u = 0$ half of that, of the rise from 0 to $\varepsilon$, since $u - \varepsilon$ becomes
         exactly 1.""": coq("binades__seam d608ce7f0d0f458c"),
+    },
+    short={
+        r"""Where $0 < \varepsilon < s/2$ and $2^k < u < 2^{k+1} \le 1$, or $0 < \varepsilon \le s/4$ and $u = 2^k$, the
+        computed $h_u$ is exactly 0, whatever the height;""": _in_u,
+        "the same holds in $v$.": _in_v,
     },
     hypotheses=(
         r"$\varepsilon$ is a float64 number; at the pole $\varepsilon \le 1$, at the seam $\varepsilon \le 2^{-54}$",

@@ -148,6 +148,11 @@ second_order = Theorem(
         ),
         "$w^3/6$ attains the bound.": _attained,
     },
+    short={
+        """If $h$ is odd about the pole $v = 0$ and $|h_{vvv}|$ is bounded, the clamped difference is of second order
+        there.""": _second,
+        "Sine and rings are odd, and so is ridges near the pole.": (_are_odd, _first_ridge),
+    },
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$, $k_v > 0$",
         r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up

@@ -124,6 +124,10 @@ difference_theorem = Theorem(
             coq("bump_is_not_displacement__cosine 78805213082572ec"),
         )
     },
+    short={
+        r"""Where $1 + \beta h > 0$, $N'$ has the direction of the displaced surface's normal only where $\beta g =
+        0$.""": _only_where_flat
+    },
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
     steps={
         r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$": (

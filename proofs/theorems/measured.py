@@ -127,18 +127,18 @@ differences = Theorem(
         r"""Float64's central difference of sine is within $\frac{\varepsilon^2}6L^3 + L\frac{u+\varepsilon}{2^{53}
         \varepsilon}(1+\kappa) + \frac8{2^{53}\varepsilon}(1+\kappa) + L\kappa$ of $h_u$, $L = \pi k_u$, $\kappa =
         2\cdot2^{-53} + (2^{-53})^2$: truncation, arguments, evaluation. So it is of $h_v$, with $v$ and $k_v$;""": coq(
-            "roundoff_bound__in_float64_u 6e7feebcedee12f7", "roundoff_bound__in_float64_v 976baf659203cc91"
+            "difference_bounds__in_float64_u 6e7feebcedee12f7", "difference_bounds__in_float64_v 976baf659203cc91"
         ),
         "so are those of ridges, where both samples are on the point's side of each crease, and that of rings with "
-        "$2k_v$.": coq("roundoff_bound__rings_in_float64 071b8e71eb62816e"),
+        "$2k_v$.": coq("difference_bounds__rings_in_float64 071b8e71eb62816e"),
         r"""Clamped at the pole it is within $\frac{16/w + 2L}{2^{53}}(1+\kappa') + L\kappa'$, $w = v + \varepsilon$,
         $\kappa' = \frac{3\cdot2^{-53} + (2^{-53})^2}{1 - 2^{-53}}$, of the exact difference.""": coq(
-            "roundoff_bound__clamped_in_float64 8d6cd2910a267ab4"
+            "difference_bounds__clamped_in_float64 8d6cd2910a267ab4"
         ),
         r"""Beside the seam sine's $h_u$, for even $k_u > 0$, is within $L\frac4{2^{53}\varepsilon}(1+\kappa) +
         \frac8{2^{53}
         \varepsilon}(1+\kappa) + L\kappa$ of the exact difference.""": coq(
-            "roundoff_bound__seam_in_float64 40ee5136e04e8e98"
+            "difference_bounds__seam_in_float64 40ee5136e04e8e98"
         ),
     },
     hypotheses=(

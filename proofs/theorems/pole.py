@@ -97,6 +97,11 @@ theorem = Theorem(
         (0, \mp 1, 0)$.""": (_no_limit, _same_limit, coq("pole__one_limit 2768e3b558abf976")),
         r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
     },
+    short={
+        r"""Toward the pole $g$ has one limit on all meridians only if it is 0 there: for sine if $k_u k_v =
+        0$, for rings
+        if $k_v = 0$.""": (_vanishes, _differs, _opposite)
+    },
     hypotheses=r"""of the claims, which are steps: the values at $v = 0$, and $k_v$ for $\sin
     k_v\varphi/\sin\varphi$ (assumed)""",
     steps={

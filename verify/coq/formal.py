@@ -39,9 +39,8 @@ COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
 GRADES = ("proved", "measured")
 """Those of theorems that are formal where Coq has proved them whole."""
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
-PARTLY, TRUSTED = PROJECT.partly, PROJECT.trusted
-"""{theorem: what of its words no statement says}; {what printed files need and no library has: its hash}, which the
-book prints."""
+TRUSTED = PROJECT.trusted
+"""{what printed files need and no library has: its hash}, which the book prints."""
 GIVEN = {*PRINTED, *TRUSTED}
 
 
