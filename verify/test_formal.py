@@ -192,6 +192,13 @@ def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(writ
             formal.compile_files()
 
 
+def test_people_can_read_the_files_and_open_them_as_the_command_does():
+    texts = [re.sub(r"\d{100,}", "", path.read_text("utf-8")) for path in formal.FOLDER.glob("*.v")]
+    assert max(len(line) for text in texts for line in text.splitlines()) <= 160
+    project = (formal.FOLDER / "_CoqProject").read_text("utf-8").replace("-arg ", "")
+    assert project.split() == [*formal.COQC[1:]]
+
+
 def test_every_name_that_is_given_by_hand_is_asked_for():
     for text in (
         "Definition sin (x : R) : R := 0.",
