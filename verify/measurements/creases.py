@@ -1,19 +1,20 @@
 """Contrast of a crease in the default scene, and the floats that a rounded product puts on one."""
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 
 import numpy as np
 
-from renderer import Scene, central, render
-from renderer.picture.differences import difference_on_a
+from renderer import Scene
 from renderer.picture.facts import crease_contrast
 from renderer.shader.gradients import height_at
-from verify.checkers.measurements import Measurement, measures
+from verify.accuracy import canvas
+from verify.accuracy.canvas import CREASE_STEP, DARK_STEPS, pictures
+from verify.checkers.measurements import Enclosure, Measurement, measures
 
-SIZE, MOST = 256, 64
-FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
+MOST = 64
 
 
 @measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
@@ -33,41 +34,31 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
     )
 
 
-@cache
-def _exact():
-    return render(Scene(), SIZE, SIZE)
-
-
-def _difference(step):
-    return render(Scene(), SIZE, SIZE, central(step), stage=_exact().stage)
-
-
 @measures("crease_contrast", false={"one order, as the seed says": {"orders": 1}})
-def contrast(orders: float = 4) -> Measurement:
-    """Measure the mean error at the kink flag against that elsewhere on A, at ε = 10⁻³, in orders of magnitude."""
-    kink, delta = _exact().kink[_exact().stage.on_a], np.abs(difference_on_a(_difference(1e-3), _exact()))
-
-    def apart(delta):
-        return np.log10(delta[kink].mean() / delta[~kink].mean())
-
-    on, off = crease_contrast(_difference(1e-3), _exact())
-    return Measurement(
-        delta,
-        of=apart,
-        claimed=orders,
-        bound=0.5,
-        quantity="orders of magnitude between the mean error at the kink flag and elsewhere, 256², ε = 1e-3",
-        numbers={"on": on, "off": off, "orders": apart(delta)},
+def contrast(orders: int = 4) -> Enclosure:
+    """Enclose the mean error at the kink flag against that elsewhere on A, in orders of magnitude."""
+    on, rest = crease_contrast(*pictures(CREASE_STEP))
+    return Enclosure(
+        pieces=partial(canvas.contrast, orders),
+        over={"the picture": ((0, 1),)},
+        at=canvas.contrast_drawn,
+        bound=Fraction(1, 2),
+        quantity="how far the contrast of the exact pictures is from four orders of magnitude, 256², ε = 1e-3",
+        numbers={"on": on, "off": rest, "orders": math.log10(on / rest)},
     )
 
 
 @measures("dark_difference", false={"at 1e-12 it is dark too": {"steps": (1e-8, 1e-12)}})
-def dark(steps: Sequence[float] = (1e-8, 1e-9, 1e-10)) -> Measurement:
-    """Measure the largest |ΔI| × 100 on A: it stays below half a level of 255."""
-    differences = 100 * np.abs([difference_on_a(_difference(step), _exact()) for step in steps])
-    return Measurement(
-        differences,
-        bound=FIRST_LEVEL,
-        quantity="the largest |ΔI| × 100 on A, 256², linear light",
-        numbers={f"at_{step:g}": value for step, value in zip(steps, differences.max(axis=(1, 2)), strict=True)},
+def dark(steps: Sequence[float] = DARK_STEPS) -> Enclosure:
+    """Enclose 100 |ΔI| on A, of all pixels and channels: it stays below half a level of 255."""
+    pixels = int(pictures(CREASE_STEP)[1].stage.on_a.sum())
+    return Enclosure(
+        pieces=partial(canvas.darkness, steps),
+        over={r"\varepsilon": ((0, len(steps)),), "I": ((0, pixels),)},
+        at=canvas.darkness_alone,
+        bound=1,
+        quantity="the largest |ΔI| × 100 on A over half a level, all pixels and channels, 256², linear light",
+        numbers={
+            f"at_{step:g}": float(most) / 510 for step, (*_, most) in zip(steps, canvas.darkness(steps), strict=True)
+        },
     )
