@@ -102,28 +102,28 @@ Proof.
 Qed.
 
 (* Where height is computed as a wave's are. *)
-Definition computed (height : R -> R) (k a w : R) : Prop := float64 (height w) /\ Rabs (height w - wave k a w) <= height_error.
+Definition computed_wave (height : R -> R) (k a w : R) : Prop := float64 (height w) /\ Rabs (height w - wave k a w) <= height_error.
 (* In u: nothing wraps, or k is even, when a whole turn less is the same height. *)
 Definition in_turn (k x : R) : Prop := 0 <= rounded x < 1 \/ exists n : Z, k = IZR (2 * n).
-Lemma sample_in_turn (height : R -> R) (k a x : R) : Rabs x <= 2 -> in_turn k x -> let m := rounded (rounded x - whole_below (rounded x)) in computed height k a m -> sample (wave k a) height_error (4 / 2 ^ 53) x (height m).
+Lemma sample_in_turn (height : R -> R) (k a x : R) : Rabs x <= 2 -> in_turn k x -> let m := rounded (rounded x - whole_below (rounded x)) in computed_wave height k a m -> sample (wave k a) height_error (4 / 2 ^ 53) x (height m).
 Proof.
   intros X [N | [j ->]] m [_ A].
   - exists m. split; [|exact A]. unfold m. rewrite not_wrapped by exact N. eapply Rle_trans; [exact (rounded_error x 2 X) | lra].
   - destruct (wrapped_near x X) as [n P]. exists (m + IZR n). split; [exact P|]. replace (wave _ a (m + IZR n)) with (wave (IZR (2 * j)) a m); [exact A|].
     unfold wave. rewrite <- (proj1 (turn (IZR (2 * j) * m) (j * n))). f_equal. f_equal. rewrite !mult_IZR. ring.
 Qed.
-Lemma sample_here (height : R -> R) (k a x : R) : computed height k a x -> sample (wave k a) height_error 0 x (height x).
+Lemma sample_here (height : R -> R) (k a x : R) : computed_wave height k a x -> sample (wave k a) height_error 0 x (height x).
 Proof. intros [_ A]. exists x. split; [apply no_error | exact A]. Qed.
 Lemma sample_moved (height : R -> R) (k a x y : R) : float64 x -> float64 y -> 0 <= x -> 0 <= y ->
-  (computed height k a (rounded (y + x)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (y + x) (height (rounded (y + x)))) /\
-  (computed height k a (rounded (x - y)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (x - y) (height (rounded (x - y)))).
+  (computed_wave height k a (rounded (y + x)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (y + x) (height (rounded (y + x)))) /\
+  (computed_wave height k a (rounded (x - y)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (x - y) (height (rounded (x - y)))).
 Proof.
   intros X Y Px Py. destruct (rounded_sum y x Y X) as (d & D & E). destruct (difference_near x y X Y) as (c & C & F).
   split; intros [_ A]; eexists; (split; [|exact A]); [rewrite E; replace (_ - _) with ((y + x) * d) by ring | rewrite F; replace (_ - _) with ((x - y) * c) by ring];
     rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; try assumption; apply Rabs_le; lra.
 Qed.
 
-Theorem roundoff_bound__forward_in_float64_u (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R) : let computed_at := computed (fun w => height w v k_u k_v) k_u a in
+Theorem roundoff_bound__forward_in_float64_u (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R) : let computed_at := computed_wave (fun w => height w v k_u k_v) k_u a in
   Rabs a <= 1 -> 0 < k_u -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> in_turn k_u (epsilon + u) -> computed_at u -> computed_at (forward_any_float64.u_plus u epsilon) ->
   Rabs (forward_any_float64.h_u height u v k_u k_v epsilon - wave_slope k_u a u) <= forward_bound (PI * k_u) (4 / 2 ^ 53) epsilon.
 Proof.
@@ -131,7 +131,7 @@ Proof.
   replace (u + 1 * epsilon) with (epsilon + u) by ring. apply (sample_in_turn (fun w => height w v k_u k_v)); [apply Rabs_le; lra | exact T | exact P].
 Qed.
 (* In v backward where v + epsilon is above 1; k is the wave's number there: rings have twice theirs. *)
-Theorem roundoff_bound__forward_in_float64_v (height : R -> R -> R -> R -> R) (a u v k_u k_v k epsilon : R) : let computed_at := computed (fun w => height u w k_u k_v) k a in
+Theorem roundoff_bound__forward_in_float64_v (height : R -> R -> R -> R -> R) (a u v k_u k_v k epsilon : R) : let computed_at := computed_wave (fun w => height u w k_u k_v) k a in
   Rabs a <= 1 -> 0 < k -> float64 v -> float64 epsilon -> 0 <= v <= 1 -> 0 < epsilon <= 1 -> computed_at v -> computed_at (forward_any_float64.stepped v epsilon) ->
   Rabs (forward_any_float64.h_v height u v k_u k_v epsilon - wave_slope k a v) <= forward_bound (PI * k) ((v + epsilon) / 2 ^ 53) epsilon.
 Proof.
@@ -140,17 +140,17 @@ Proof.
   - apply (forward_float64 a k v epsilon 1 _ _ _ _ A K E (or_introl eq_refl) (proj1 P) (proj1 Q)); [| exact (sample_here _ _ _ _ Q) | rewrite Rmult_1_l; reflexivity]. replace (v + 1 * epsilon) with (epsilon + v) by ring. exact (Sp P).
   - apply (forward_float64 a k v epsilon (-1) _ _ _ _ A K E (or_intror eq_refl) (proj1 P) (proj1 Q)); [| exact (sample_here _ _ _ _ Q) | do 3 f_equal; ring]. replace (v + -1 * epsilon) with (v - epsilon) by ring. exact (Sm P).
 Qed.
-Theorem roundoff_bound__fourth_in_float64_u (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R) : let computed_at := computed (fun w => height w v k_u k_v) k_u a in
+Theorem roundoff_bound__fourth_in_float64_u (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R) : let computed_at := computed_wave (fun w => height w v k_u k_v) k_u a in
   Rabs a <= 1 -> 0 < k_u -> float64 epsilon -> 0 <= u <= 1 -> 0 < epsilon <= 1 / 2 -> in_turn k_u (epsilon + u) -> in_turn k_u (u - epsilon) -> in_turn k_u (2 * epsilon + u) -> in_turn k_u (u - 2 * epsilon) ->
   computed_at (central4_any_float64.u_plus u epsilon) -> computed_at (central4_any_float64.u_minus u epsilon) -> computed_at (central4_any_float64.u_plus_2 u epsilon) -> computed_at (central4_any_float64.u_minus_2 u epsilon) ->
   Rabs (central4_any_float64.h_u height u v k_u k_v epsilon - wave_slope k_u a u) <= fourth_bound (PI * k_u) (4 / 2 ^ 53) (4 / 2 ^ 53) epsilon.
 Proof.
   intros at_ A K F U E T1 T2 T3 T4 P M P2 M2. assert (Q := kept _ (twice_float64 _ F)). unfold central4_any_float64.u_plus_2, central4_any_float64.u_minus_2 in P2, M2. rewrite Q in P2, M2.
-  apply (fourth_float64 a k_u u epsilon _ _ _ _ _ _ _ A K ltac:(lra) (proj1 P) (proj1 M) (proj1 P2) (proj1 M2)); [.. | central4_any_float64.lines; rewrite Q; reflexivity];
+  apply (fourth_float64 a k_u u epsilon _ _ _ _ _ _ _ A K ltac:(lra) (proj1 P) (proj1 M) (proj1 P2) (proj1 M2)); [| | | | central4_any_float64.lines; rewrite Q; reflexivity];
   apply (sample_in_turn (fun w => height w v k_u k_v)); first [assumption | apply Rabs_le; lra].
 Qed.
 (* Where a far sample would leave the chart, it is the central difference in v. *)
-Theorem roundoff_bound__fourth_in_float64_v (height : R -> R -> R -> R -> R) (a u v k_u k_v k epsilon : R) : let computed_at := computed (fun w => height u w k_u k_v) k a in
+Theorem roundoff_bound__fourth_in_float64_v (height : R -> R -> R -> R -> R) (a u v k_u k_v k epsilon : R) : let computed_at := computed_wave (fun w => height u w k_u k_v) k a in
   float64 v -> float64 epsilon -> 0 < epsilon ->
   (Rabs a <= 1 -> 0 < k -> 2 * epsilon <= v -> 2 * epsilon + v <= 1 -> computed_at (rounded (epsilon + v)) -> computed_at (rounded (v - epsilon)) -> computed_at (rounded (2 * epsilon + v)) -> computed_at (rounded (v - 2 * epsilon)) ->
     Rabs (central4_any_float64.h_v height u v k_u k_v epsilon - wave_slope k a v) <= fourth_bound (PI * k) ((v + epsilon) / 2 ^ 53) ((v + 2 * epsilon) / 2 ^ 53) epsilon) /\
@@ -167,12 +167,12 @@ Qed.
 
 (* Sine's heights are so, ridges' on one side of its creases, of which s is the sign of sine, and rings'; and their slopes are the waves'. *)
 Theorem roundoff_bound__heights_in_float64 (u v k_u k_v : R) : carried k_u u -> carried k_v v -> let a_u := sin (PI * (k_v * v)) in let a_v := sin (PI * (k_u * u)) in
-  (computed (fun w => height_sine_float64.h w v k_u k_v) k_u a_u u /\ computed (fun w => height_sine_float64.h u w k_u k_v) k_v a_v v) /\ (gradient_sine.h_u u v k_u k_v = wave_slope k_u a_u u /\ gradient_sine.h_v u v k_u k_v = wave_slope k_v a_v v) /\
-  (forall s, s = 1 \/ s = -1 -> 0 <= s * height_sine.h u v k_u k_v -> computed (fun w => height_ridges_float64.h w v k_u k_v) k_u (s * a_u) u /\ computed (fun w => height_ridges_float64.h u w k_u k_v) k_v (s * a_v) v) /\
+  (computed_wave (fun w => height_sine_float64.h w v k_u k_v) k_u a_u u /\ computed_wave (fun w => height_sine_float64.h u w k_u k_v) k_v a_v v) /\ (gradient_sine.h_u u v k_u k_v = wave_slope k_u a_u u /\ gradient_sine.h_v u v k_u k_v = wave_slope k_v a_v v) /\
+  (forall s, s = 1 \/ s = -1 -> 0 <= s * height_sine.h u v k_u k_v -> computed_wave (fun w => height_ridges_float64.h w v k_u k_v) k_u (s * a_u) u /\ computed_wave (fun w => height_ridges_float64.h u w k_u k_v) k_v (s * a_v) v) /\
   (forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> gradient_ridges.h_u u v k_u k_v = wave_slope k_u (s * a_u) u /\ gradient_ridges.h_v u v k_u k_v = wave_slope k_v (s * a_v) v) /\
-  forall k, float64 k -> 2 * k = k_v -> computed (fun w => height_rings_float64.h w k) k_v 1 v /\ gradient_rings.h_v v k = wave_slope k_v 1 v.
+  forall k, float64 k -> 2 * k = k_v -> computed_wave (fun w => height_rings_float64.h w k) k_v 1 v /\ gradient_rings.h_v v k = wave_slope k_v 1 v.
 Proof.
-  intros U V a_u a_v. assert (N := sine_height_near _ _ _ _ U V). unfold computed, wave, wave_slope, height_sine.h, a_u, a_v in *. split; [|split; [|split; [|split]]].
+  intros U V a_u a_v. assert (N := sine_height_near _ _ _ _ U V). unfold computed_wave, wave, wave_slope, height_sine.h, a_u, a_v in *. split; [|split; [|split; [|split]]].
   - split; (split; [apply rounded_is_float64 |]); [| rewrite Rmult_comm]; exact N.
   - unfold_fields. split; ring.
   - intros s S H. rewrite (ridges_height s) by assumption. assert (F : float64 (s * height_sine_float64.h u v k_u k_v)) by (destruct S as [-> | ->]; [rewrite Rmult_1_l | replace (-1 * _) with (- height_sine_float64.h u v k_u k_v) by ring; apply generic_format_opp]; apply rounded_is_float64).
@@ -209,7 +209,7 @@ Proof.
   intro H. generalize (H (fun _ _ _ _ => 0) 1 0 (1/2) 0 0 2 (1/4) half_is_float64 quarter_is_float64 ltac:(lra) ltac:(rewrite Rabs_R1; lra) ltac:(lra) ltac:(lra) ltac:(lra)).
   central4_any_float64.lines. destruct (both _ _) as [_ | _]; flat; intro K; too_steep K.
 Qed.
-Theorem roundoff_bound__heights_in_float64__false : ~ forall u v k_u k_v, carried k_u u -> carried k_v v -> computed (fun w => height_ridges_float64.h w v k_u k_v) k_u (sin (PI * (k_v * v))) u.
+Theorem roundoff_bound__heights_in_float64__false : ~ forall u v k_u k_v, carried k_u u -> carried k_v v -> computed_wave (fun w => height_ridges_float64.h w v k_u k_v) k_u (sin (PI * (k_v * v))) u.
 Proof.
   intro H. assert (C : forall n, (0 < n < 4)%Z -> carried 1 (IZR n / 2)).
   { intros n N. assert (1 <= IZR n <= 4) by (split; apply IZR_le; lia). split; [exact one_is_float64|]. split; [replace (IZR n / 2) with (IZR n * bpow radix2 (-1)) by (simpl; lra); apply whole_is_float64; lia|].
