@@ -124,13 +124,15 @@ differences = Theorem(
     "difference_bounds",
     "The U-curve lies below its bounds",
     r"""For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded arguments
-    and that of the rounded evaluation of the float64 central difference are each at most their proved bounds.""",
+    and that of the rounded evaluation of float64's forward, central and fourth-order differences are each at most
+    their proved bounds.""",
     hypotheses="""forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the
     seam for even, odd and fractional $k_u$""",
     steps={
         "truncation: the exact quotient less the slope": (
-            r"""three bounds, each in its place; elsewhere $|D|, |h'| \le \pi k$, and across a jump $J$
-            $J/2\varepsilon$ more""",
+            r"""central: three bounds, each in its place; forward: $\frac12\varepsilon(\pi k)^2$; fourth order:
+            $\frac1{30}\varepsilon^4(\pi k)^5$; elsewhere $|D|, |h'| \le \pi k$, of fourth order $|D| \le
+            \frac53\pi k$, and across a jump $J$ at most $J/\varepsilon$ more""",
             ("truncation_bound", "clamped_difference_of_odd", "crease_error_area"),
         ),
         "arguments and evaluation: what remains": (
