@@ -24,7 +24,7 @@ from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
-from renderer import kernels, operations
+from renderer import central, kernels, operations
 from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
@@ -198,6 +198,17 @@ def test_where_both_arguments_round_back_the_bound_is_the_slope(field, method):
         errors, terms = errors_and_terms(field, (*at, eps), method)
         assert not np.any(function_of(METHODS[method](field))(*at, eps))
         assert (errors <= terms.sum(axis=1)).all() and (terms.sum(axis=1) <= errors * ROOM**2 + 1e-12).all()
+
+
+@every_field
+@np.errstate(all="ignore")
+def test_a_representable_step_moves_no_argument_within_a_binade(field):
+    """So its error is below a bound without that part, which holds for hardly any other step."""
+    at = *np.random.default_rng(6).uniform(0.52, 0.98, (2, 2000)), 8.0, 4.0
+    for step in (1e-3, 1e-7, 1e-11):
+        errors, terms = errors_and_terms(field, (*at, central(step, representable=True).eps))
+        assert (errors <= terms.sum(axis=1)).all() and not terms[:, 1].any()
+        assert errors_and_terms(field, (*at, step))[1][:, 1].any()
 
 
 @np.errstate(all="ignore")

@@ -25,13 +25,6 @@ Lemma difference_of (a b c d x y : R) : Rabs (a - c) <= x -> Rabs (b - d) <= y -
 Proof. intros A B. both_ways A. both_ways B. apply Rabs_le. lra. Qed.
 
 (* Whatever the height, if its slope is at most L. *)
-Lemma forward_of_any_height (h : R -> R) (L x y e kappa eta alpha beta a b t : R) : steep h L -> 0 < e -> x - y = e -> Rabs (t - 1) <= kappa ->
-  sample h eta alpha x a -> sample h eta beta y b -> Rabs ((a - b) / e * t - (h x - h y) / e) <= (2 * eta + L * (alpha + beta)) / e * (1 + kappa) + L * kappa.
-Proof.
-  intros S E D T A B. replace ((2 * eta + L * (alpha + beta)) / e * (1 + kappa) + L * kappa) with (((eta + L * alpha + (eta + L * beta)) * (1 + kappa) + L * e * kappa) / e) by (field; lra).
-  replace (_ - _) with (((a - b) * t - (h x - h y)) / e) by (field; lra). apply over_length; [exact E|]. match goal with |- _ <= ?z / e * e => replace (z / e * e) with z by (field; lra) end.
-  apply off_and_grown; [apply difference_of; apply sample_near; assumption | apply heights_apart; (assumption || lra) | exact T].
-Qed.
 Lemma fourth_of_any_height (h : R -> R) (L x e kappa eta alpha beta a b c d s t : R) : steep h L -> 0 < e -> Rabs (s - 1) <= kappa -> Rabs (t - 1) <= kappa ->
   sample h eta alpha (e + x) a -> sample h eta alpha (x - e) b -> sample h eta beta (2 * e + x) c -> sample h eta beta (x - 2 * e) d ->
   Rabs (1 / 12 * ((d - c) * s + 8 * ((a - b) * t)) / e - fourth h x e) <= (9 * eta + L * (8 * alpha + beta)) / (6 * e) * (1 + kappa) + 5 / 3 * L * kappa.
@@ -51,11 +44,6 @@ Proof.
 Qed.
 Lemma grows_once (d : R) : Rabs d <= / 2 ^ 53 -> Rabs (1 + d - 1) <= grown 1.
 Proof. intro D. unfold grown. replace (1 + d - 1) with d by ring. lra. Qed.
-Lemma forward_quotient (a b e : R) : float64 a -> float64 b -> exists t, Rabs (t - 1) <= grown 2 /\ Rabs (rounded (rounded (a - b) / e) - (a - b) / e * t) <= / 2 ^ 100.
-Proof.
-  intros A B. destruct (difference_near a b A B) as (d & D & ->). destruct (rounded_near ((a - b) * (1 + d) / e)) as (c & y & C & Y & ->). exists ((1 + d) * (1 + c)).
-  split; [exact (grows 1 _ _ (grows_once d D) C)|]. replace (_ - _) with y; [exact Y|]. unfold Rdiv. ring.
-Qed.
 Definition twelfth : R := 6004799503160661 / 72057594037927936.
 Lemma fourth_quotient (a b c d e : R) : float64 a -> float64 b -> float64 c -> float64 d -> 0 < e <= 1 -> exists s t, Rabs (s - 1) <= grown 5 /\ Rabs (t - 1) <= grown 5 /\
   Rabs (rounded (rounded (twelfth * rounded (rounded (d - c) + rounded (8 * rounded (a - b)))) / e) - 1 / 12 * ((d - c) * s + 8 * ((a - b) * t)) / e) <= 3 / 2 ^ 100 / e.
@@ -73,22 +61,20 @@ Proof.
 Qed.
 
 Definition height_error : R := 76/10 / 2 ^ 53.
-Definition forward_bound (L alpha e : R) : R := e / 2 * L ^ 2 + L * alpha / e * (1 + grown 2) + 16 / 2 ^ 53 / e * (1 + grown 2) + L * grown 2.
+Definition forward_bound (L alpha e : R) : R := e / 2 * L ^ 2 + arguments_part L alpha (e / 2) + evaluation_part L (e / 2).
 Definition fourth_bound (L alpha beta e : R) : R := e ^ 4 / 30 * L ^ 5 + L * (8 * alpha + beta) / (6 * e) * (1 + grown 5) + 12 / 2 ^ 53 / e * (1 + grown 5) + 5 / 3 * L * grown 5.
 (* A wave of at most one, and its slope. *)
 Definition wave (k a w : R) : R := sin (PI * (k * w)) * a.
 Definition wave_slope (k a w : R) : R := PI * k * (cos (PI * (k * w)) * a).
-Lemma forward_float64 (a k x e s alpha A B q : R) : Rabs a <= 1 -> 0 < k -> 0 < e <= 1 -> s = 1 \/ s = -1 -> float64 A -> float64 B -> sample (wave k a) height_error alpha (x + s * e) A ->
-  sample (wave k a) height_error 0 x B -> q = rounded (rounded (s * (A - B)) / e) -> Rabs (q - wave_slope k a x) <= forward_bound (PI * k) alpha e.
+Lemma forward_float64 (a k x y e alpha A B : R) : Rabs a <= 1 -> 0 < k -> 0 < e <= 1 -> y = x \/ y = x - e -> float64 A -> float64 B -> sample (wave k a) height_error alpha (e + y) A ->
+  sample (wave k a) height_error alpha y B -> Rabs (rounded (rounded (A - B) / e) - wave_slope k a x) <= forward_bound (PI * k) alpha e.
 Proof.
-  intros Ha K E Z FA FB HA HB ->. assert (S := sine_is_steep (wave k a) a k K Ha (fun _ => eq_refl)). destruct (orders_of_a_sine (wave k a) a k x e Ha ltac:(lra) (fun _ => eq_refl) ltac:(lra)) as [T _]. specialize (T s Z). fold (wave_slope k a x) in T.
-  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). assert (Kp : 0 <= grown 2) by (unfold grown; lra).
-  assert (N : Rabs (rounded (rounded (s * (A - B)) / e) - forward (wave k a) s x e) <= (2 * height_error + PI * k * alpha) / e * (1 + grown 2) + PI * k * grown 2 + / 2 ^ 100).
-  { unfold forward. destruct Z as [-> | ->].
-    - rewrite !Rmult_1_l in *. destruct (forward_quotient A B e FA FB) as (t & G & Q). generalize (forward_of_any_height _ _ (x + e) x e _ _ _ _ _ _ t S ltac:(lra) ltac:(ring) G HA HB). rewrite Rplus_0_r. intro R. generalize (through _ _ _ _ _ Q R). lra.
-    - replace (-1 * (A - B)) with (B - A) by ring. replace (-1 * (wave k a (x + -1 * e) - wave k a x)) with (wave k a x - wave k a (x + -1 * e)) by ring. destruct (forward_quotient B A e FB FA) as (t & G & Q).
-      generalize (forward_of_any_height _ _ x (x + -1 * e) e _ _ _ _ _ _ t S ltac:(lra) ltac:(ring) G HB HA). rewrite Rplus_0_l. intro R. generalize (through _ _ _ _ _ Q R). lra. }
-  generalize (through _ _ _ _ _ N T). unfold forward_bound, height_error, Rdiv in *. nra.
+  intros Ha K E Z FA FB (p & P & HA) (m & M & HB). assert (S := sine_is_steep (wave k a) a k K Ha (fun _ => eq_refl)). destruct (orders_of_a_sine (wave k a) a k x e Ha ltac:(lra) (fun _ => eq_refl) ltac:(lra)) as [T _].
+  assert (Q := quotient_in_v A B (e / 2) FA FB ltac:(lra)). replace (2 * (e / 2)) with e in Q by field.
+  apply (three_parts (wave k a) _ (y + e / 2) (e / 2) p m alpha A B); try assumption; [lra | replace (e / 2 + (y + e / 2)) with (e + y) by field; exact P | replace (y + e / 2 - e / 2) with y by ring; exact M | replace (2 * (e / 2)) with e by field; exact Q |].
+  replace (e / 2 + (y + e / 2)) with (e + y) by field. replace (y + e / 2 - e / 2) with y by ring. replace (2 * (e / 2)) with e by field. unfold forward in T. destruct Z as [-> | ->];
+    [specialize (T 1 (or_introl eq_refl)); rewrite !Rmult_1_l, (Rplus_comm x) in T; exact T | specialize (T (-1) (or_intror eq_refl))].
+  replace (e + (x - e)) with x by ring. replace (x + -1 * e) with (x - e) in T by ring. replace (_ - wave k a (x - e)) with (-1 * (wave k a (x - e) - wave k a x)) by ring. exact T.
 Qed.
 Lemma fourth_float64 (a k x e alpha beta A B C D q : R) : Rabs a <= 1 -> 0 < k -> 0 < e <= 1 -> float64 A -> float64 B -> float64 C -> float64 D ->
   sample (wave k a) height_error alpha (e + x) A -> sample (wave k a) height_error alpha (x - e) B -> sample (wave k a) height_error beta (2 * e + x) C -> sample (wave k a) height_error beta (x - 2 * e) D ->
@@ -112,8 +98,8 @@ Proof.
   - destruct (wrapped_near x X) as [n P]. exists (m + IZR n). split; [exact P|]. replace (wave _ a (m + IZR n)) with (wave (IZR (2 * j)) a m); [exact A|].
     unfold wave. rewrite <- (proj1 (turn (IZR (2 * j) * m) (j * n))). f_equal. f_equal. rewrite !mult_IZR. ring.
 Qed.
-Lemma sample_here (height : R -> R) (k a x : R) : computed_wave height k a x -> sample (wave k a) height_error 0 x (height x).
-Proof. intros [_ A]. exists x. split; [apply no_error | exact A]. Qed.
+Lemma sample_here (height : R -> R) (k a x alpha : R) : 0 <= alpha -> computed_wave height k a x -> sample (wave k a) height_error alpha x (height x).
+Proof. intros P [_ A]. exists x. split; [rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; exact P | exact A]. Qed.
 Lemma sample_moved (height : R -> R) (k a x y : R) : float64 x -> float64 y -> 0 <= x -> 0 <= y ->
   (computed_wave height k a (rounded (y + x)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (y + x) (height (rounded (y + x)))) /\
   (computed_wave height k a (rounded (x - y)) -> sample (wave k a) height_error ((x + y) / 2 ^ 53) (x - y) (height (rounded (x - y)))).
@@ -127,18 +113,18 @@ Theorem roundoff_bound__forward_in_float64_u (height : R -> R -> R -> R -> R) (a
   Rabs a <= 1 -> 0 < k_u -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> in_turn k_u (epsilon + u) -> computed_at u -> computed_at (forward_any_float64.u_plus u epsilon) ->
   Rabs (forward_any_float64.h_u height u v k_u k_v epsilon - wave_slope k_u a u) <= forward_bound (PI * k_u) (4 / 2 ^ 53) epsilon.
 Proof.
-  intros at_ A K U E T Q P. apply (forward_float64 a k_u u epsilon 1 _ _ _ _ A K E (or_introl eq_refl) (proj1 P) (proj1 Q)); [| exact (sample_here _ _ _ _ Q) | rewrite Rmult_1_l; reflexivity].
-  replace (u + 1 * epsilon) with (epsilon + u) by ring. apply (sample_in_turn (fun w => height w v k_u k_v)); [apply Rabs_le; lra | exact T | exact P].
+  intros at_ A K U E T Q P. apply (forward_float64 a k_u u u epsilon _ _ _ A K E (or_introl eq_refl) (proj1 P) (proj1 Q)); [| apply (sample_here (fun w => height w v k_u k_v)); [lra | exact Q]].
+  apply (sample_in_turn (fun w => height w v k_u k_v)); [apply Rabs_le; lra | exact T | exact P].
 Qed.
 (* In v backward where v + epsilon is above 1; k is the wave's number there: rings have twice theirs. *)
 Theorem roundoff_bound__forward_in_float64_v (height : R -> R -> R -> R -> R) (a u v k_u k_v k epsilon : R) : let computed_at := computed_wave (fun w => height u w k_u k_v) k a in
   Rabs a <= 1 -> 0 < k -> float64 v -> float64 epsilon -> 0 <= v <= 1 -> 0 < epsilon <= 1 -> computed_at v -> computed_at (forward_any_float64.stepped v epsilon) ->
   Rabs (forward_any_float64.h_v height u v k_u k_v epsilon - wave_slope k a v) <= forward_bound (PI * k) ((v + epsilon) / 2 ^ 53) epsilon.
 Proof.
-  intros at_ A K V F B E Q P. destruct (sample_moved (fun w => height u w k_u k_v) k a v epsilon V F ltac:(lra) ltac:(lra)) as [Sp Sm].
+  intros at_ A K V F B E Q P. assert (N : 0 <= (v + epsilon) / 2 ^ 53) by lra. destruct (sample_moved (fun w => height u w k_u k_v) k a v epsilon V F ltac:(lra) ltac:(lra)) as [Sp Sm].
   unfold forward_any_float64.h_v, forward_any_float64.h_v_plus, forward_any_float64.h_here. unfold forward_any_float64.stepped in *. destruct (Rle_dec _ _).
-  - apply (forward_float64 a k v epsilon 1 _ _ _ _ A K E (or_introl eq_refl) (proj1 P) (proj1 Q)); [| exact (sample_here _ _ _ _ Q) | rewrite Rmult_1_l; reflexivity]. replace (v + 1 * epsilon) with (epsilon + v) by ring. exact (Sp P).
-  - apply (forward_float64 a k v epsilon (-1) _ _ _ _ A K E (or_intror eq_refl) (proj1 P) (proj1 Q)); [| exact (sample_here _ _ _ _ Q) | do 3 f_equal; ring]. replace (v + -1 * epsilon) with (v - epsilon) by ring. exact (Sm P).
+  - exact (forward_float64 a k v v epsilon _ _ _ A K E (or_introl eq_refl) (proj1 P) (proj1 Q) (Sp P) (sample_here (fun w => height u w k_u k_v) _ _ _ _ N Q)).
+  - apply (forward_float64 a k v (v - epsilon) epsilon _ _ _ A K E (or_intror eq_refl) (proj1 Q) (proj1 P)); [| exact (Sm P)]. replace (epsilon + (v - epsilon)) with v by ring. exact (sample_here (fun w => height u w k_u k_v) _ _ _ _ N Q).
 Qed.
 Theorem roundoff_bound__fourth_in_float64_u (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R) : let computed_at := computed_wave (fun w => height w v k_u k_v) k_u a in
   Rabs a <= 1 -> 0 < k_u -> float64 epsilon -> 0 <= u <= 1 -> 0 < epsilon <= 1 / 2 -> in_turn k_u (epsilon + u) -> in_turn k_u (u - epsilon) -> in_turn k_u (2 * epsilon + u) -> in_turn k_u (u - 2 * epsilon) ->
@@ -185,7 +171,7 @@ Qed.
 Lemma quarter_is_float64 : float64 (1/4).
 Proof. replace (1/4) with (bpow radix2 (-2)) by (simpl; lra). apply power_float64. easy. Qed.
 Ltac flat := rewrite ?Rminus_eq_0, ?rounded_0, ?Rmult_0_r, ?rounded_0, ?Rplus_0_l, ?rounded_0, ?Rmult_0_r, ?rounded_0; unfold Rdiv at 1; rewrite Rmult_0_l, rounded_0.
-Ltac too_steep H := revert H; unfold wave_slope, forward_bound, fourth_bound, grown; apply Rlt_not_le; interval with (i_prec 80).
+Ltac too_steep H := revert H; unfold wave_slope, forward_bound, arguments_part, evaluation_part, kappa, fourth_bound, grown; apply Rlt_not_le; interval with (i_prec 80).
 Theorem roundoff_bound__forward_in_float64_u__false : ~ forall (height : R -> R -> R -> R -> R) (a u v k_u k_v epsilon : R), Rabs a <= 1 -> 0 < k_u -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> in_turn k_u (epsilon + u) ->
   Rabs (forward_any_float64.h_u height u v k_u k_v epsilon - wave_slope k_u a u) <= forward_bound (PI * k_u) (4 / 2 ^ 53) epsilon.
 Proof.

@@ -50,7 +50,7 @@ class Rule(NamedTuple):
 
     smooth: the truncation's bound. apart, jump: how far quotient and slope may be apart, over 2πk; and by a jump, over
     that over a step. span: of the samples, in steps. share, excess: of the central difference's rounding errors, and
-    of its quotient's roundings. moved: how much of an argument's rounding may count.
+    of its quotient's roundings.
     """
 
     reach: float
@@ -60,11 +60,10 @@ class Rule(NamedTuple):
     span: float
     share: float = 1.0
     excess: float = TWO_ROUNDINGS
-    moved: float = 1.0
 
 
 RULES = {
-    "forward": Rule(1.0, forward_bound, 1.0, 1.0, 1.0, moved=0.5),
+    "forward": Rule(1.0, forward_bound, 1.0, 1.0, 1.0),
     "central": Rule(1.0, truncation_bound, 1.0, 0.5, 2.0),
     "central4": Rule(2.0, fourth_bound, 4 / 3, 0.75, 2.0, 1.5, 10 / 9 * ((1 + UNIT) ** 5 - 1)),
 }
@@ -138,6 +137,18 @@ def half_unit(number: Number) -> Number:
     return UNIT * abs(large - (1 - UNIT) * large)
 
 
+def moved_by(place: Number, step: Number, further: Number) -> Number:
+    """Return by how much rounding moves place ± steps at most: not at all where all are exact, by Knuth's sum."""
+
+    def exact(step):
+        total = place + step
+        other = total - place
+        return (place - (total - other)) + (step - other) == 0.0
+
+    near, far = (exact(each) & exact(-each) for each in (step, further))
+    return where(near & far, 0.0, half_unit(place + further))
+
+
 def _exact_in_u(side, epsilon, rule):
     """Return (kind, bound, jump) of the error in u in exact arithmetic; jump: by how much h jumps between the samples.
 
@@ -191,7 +202,7 @@ def _terms(side, still, epsilon, span, excess, moved, exact, rule):
     height = minimum(SINE_ROUNDINGS * UNIT, SHARED * largest) * fixed
     if still.factor is not None:
         height, excess = height + UNIT * largest * fixed, excess + SHARED + excess * SHARED
-    argument = rule.share * rounding_bound(span, steepest, 0.0, 0.0, rule.moved * moved)
+    argument = rule.share * rounding_bound(span, steepest, 0.0, 0.0, moved)
     value = rule.share * rounding_bound(span, steepest + jump / span, excess, height, 0.0)
     terms = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
     terms[1:3] = argument, value
@@ -218,13 +229,13 @@ def slope_terms(field: HeightField, method: str = "central") -> Callable | None:
         def of_u(rule):
             reach = rule.reach * epsilon
             wraps = (u - reach < 0.0) | (u + reach >= 1.0)  # and is rounded once more
-            moved, exact = half_unit(u + reach) + where(wraps, UNIT / 2, 0.0), _exact_in_u(in_u, epsilon, rule)
+            moved, exact = moved_by(u, epsilon, reach) + where(wraps, UNIT / 2, 0.0), _exact_in_u(in_u, epsilon, rule)
             return _terms(in_u, in_v, epsilon, rule.span * epsilon, rule.excess, moved, exact, rule)
 
         def of_v(rule, inside):
             span = where(inside, rule.span * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
             excess, exact = where(inside, rule.excess, THREE_ROUNDINGS), _exact_in_v(in_v, epsilon, inside, rule)
-            return _terms(in_v, in_u, epsilon, span, excess, half_unit(v + rule.reach * epsilon), exact, rule)
+            return _terms(in_v, in_u, epsilon, span, excess, moved_by(v, epsilon, rule.reach * epsilon), exact, rule)
 
         rule = RULES[method]
         near, far = ((v - reach >= 0.0) & (v + reach <= 1.0) for reach in (epsilon, 2.0 * epsilon))
