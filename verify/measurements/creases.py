@@ -5,32 +5,24 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import partial
 
-import numpy as np
-
-from renderer import Scene
 from renderer.picture.facts import crease_contrast
-from renderer.shader.gradients import height_at
-from verify.accuracy import canvas
+from verify.accuracy import canvas, products
 from verify.accuracy.canvas import CREASE_STEP, DARK_STEPS, pictures
-from verify.checkers.measurements import Enclosure, Measurement, measures
-
-MOST = 64
+from verify.checkers.measurements import Enclosure, measures
 
 
 @measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
-def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Measurement:
-    """Count the nearest floats to all m/k, 0 < m < k ≤ 64, that are not m/k: k·u rounds to m for most of them."""
-    floats = [(k, m / k) for k in range(2, MOST + 1) for m in range(1, k) if Fraction(m / k) * k != m]
-    rounded = [(k * u).is_integer() for k, u in floats]
-    kernel = [height_at(Scene(ku=float(k)), u, 0.125) == 0 for k, u in floats]
-    return Measurement(
-        np.array([rounded, kernel], float),
-        of=partial(np.sum, axis=1),
-        claimed=(count, zeros),
+def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Enclosure:
+    """Count, among the nearest floats to all m/k, 0 < m < k ≤ 64, those that are not m/k, and whose k·u rounds to m."""
+    found = products.found()
+    return Enclosure(
+        pieces=partial(products.off, beside, count, zeros),
+        over={"the counts, each over every m and k and its u": ((0, 3),)},
+        at=products.off_by_floats,
         bound=0,
-        holds=len(floats) == beside,
-        quantity="floats beside a crease whose product k·u rounds to a whole number; heights of 0 in the kernel",
-        numbers={"beside": len(floats), "rounded_onto": sum(rounded), "kernel_zeros": sum(kernel)},
+        quantity="how far from what is claimed: how many floats there are beside a crease, how many the rounded product "
+        "k·u puts on it, how many the kernel",
+        numbers=dict(zip(("beside", "rounded_onto", "kernel_zeros"), found, strict=True)),
     )
 
 
