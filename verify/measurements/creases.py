@@ -20,8 +20,8 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
         over={"the counts, each over every m and k and its u": ((0, 3),)},
         at=products.off_by_floats,
         bound=0,
-        quantity="how far from what is claimed: how many floats there are beside a crease, how many the rounded product "
-        "k·u puts on it, how many the kernel",
+        quantity="how far from what is claimed: the floats beside a crease, those that a rounded product k·u puts on "
+        "it, those that the kernel does",
         numbers=dict(zip(("beside", "rounded_onto", "kernel_zeros"), found, strict=True)),
     )
 
