@@ -127,24 +127,41 @@ algebraic_gradients = Theorem(
 differences = Theorem(
     "difference_bounds",
     "The U-curve lies below its bounds",
-    r"""For $\varepsilon$ from $10^{-1}$ to $10^{-16}$ the truncation error, the error of the rounded arguments
-    and that of the rounded evaluation of float64's forward, central and fourth-order differences are each at most
-    their proved bounds.""",
-    hypotheses="""forty steps a decade; smooth points, $k$ from 1 to 512; beside a crease, at the pole, beside the
-    seam for even, odd and fractional $k_u$""",
-    steps={
-        "truncation: the exact quotient less the slope": (
-            r"""central: three bounds, each in its place; forward: $\frac12\varepsilon(\pi k)^2$; fourth order:
-            $\frac1{30}\varepsilon^4(\pi k)^5$; elsewhere $|D|, |h'| \le \pi k$, of fourth order $|D| \le
-            \frac53\pi k$, and across a jump $J$ at most $J/\varepsilon$ more""",
-            ("truncation_bound", "clamped_difference_of_odd", "crease_error_area"),
+    {
+        r"""Float64's central difference of sine is within $\frac{\varepsilon^2}6L^3 + L\frac{u+\varepsilon}{2^{53}
+        \varepsilon}(1+\kappa) + \frac8{2^{53}\varepsilon}(1+\kappa) + L\kappa$ of $h_u$, $L = \pi k_u$, $\kappa =
+        2\cdot2^{-53} + (2^{-53})^2$: truncation, arguments, evaluation. So it is of $h_v$, with $v$ and $k_v$;""": coq(
+            "difference_bounds__in_float64_u 6e7feebcedee12f7", "difference_bounds__in_float64_v 976baf659203cc91"
         ),
+        "so are those of ridges, where both samples are on the point's side of each crease, and that of rings with "
+        "$2k_v$.": coq("difference_bounds__rings_in_float64 071b8e71eb62816e"),
+        r"""Clamped at the pole it is within $\frac{16/w + 2L}{2^{53}}(1+\kappa') + L\kappa'$, $w = v + \varepsilon$,
+        $\kappa' = \frac{3\cdot2^{-53} + (2^{-53})^2}{1 - 2^{-53}}$, of the exact difference.""": coq(
+            "difference_bounds__clamped_in_float64 8d6cd2910a267ab4"
+        ),
+        r"""Beside the seam sine's $h_u$, for even $k_u > 0$, is within $L\frac4{2^{53}\varepsilon}(1+\kappa) +
+        \frac8{2^{53}
+        \varepsilon}(1+\kappa) + L\kappa$ of the exact difference.""": coq(
+            "difference_bounds__seam_in_float64 40ee5136e04e8e98"
+        ),
+    },
+    hypotheses=(
+        r"""$u$, $v$, $\varepsilon$, $k_u$, $k_v$ are float64 numbers, the wave number above 0; of the first
+        two sentences
+        $0 < \varepsilon \le u$, $\mathrm{fl}(u + \varepsilon) < 1$, or $0 < \varepsilon \le v \le 1 -
+        \varepsilon$; of the last
+        $0 \le u \le 1$""",
+        r"a wave number times a coordinate is 0 or at least $2^{-969}$, and at most $2^{21}$, in size",
+        """measured beside: each of the three parts, at forty steps a decade; smooth points, $k$ from 1 to 512; beside a
+        crease, at the pole, beside the seam for even, odd and fractional $k_u$""",
+    ),
+    steps={
+        "the exact quotient less the slope": ("a third derivative", "truncation_bound"),
         "arguments and evaluation: what remains": (
-            r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ follows from the certified sine",
+            r"$\alpha$ is half a unit of $u \pm \varepsilon$; $\eta$ is that of two sines and their product",
             ("roundoff_bound", "elementary_functions"),
         ),
     },
-    expected="measured",
 )
 
 slopes = Theorem(
@@ -168,8 +185,8 @@ slopes = Theorem(
 
 
 functions = Theorem(
-    "elementary_functions",
-    "The elementary functions of the kernels",
+    "sine_of_half_turns",
+    "The sine and cosine of the kernels, in size",
     rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi(ku)$ and $\cos\pi(ku)$ of an exact product are off by at
     most ${float(SINE)}\mu$.""",
     hypotheses=(
@@ -179,11 +196,34 @@ functions = Theorem(
     ),
     steps={
         "sine and cosine, over pieces of $r$": """the rounding of each line, the polynomial against the function's
-        series, term by term, and the rounding of $r$""",
-        "every function, as part of the exact value": rf"""Coq's additions to this theorem: $\sin\pi(ku)$ and
-        $\cos\pi(ku)$ by ${float(PROVED["of_product_relative"])}\mu$, $e^x$ by ${float(PROVED["exp"])}\mu$, $\ln x$ by
-        ${float(PROVED["log"])}\mu$, $x^p$ by $({float(PROVED["power"])} + {float(POWER_RATE)}\,|p\ln x|)\mu$; in all
-        $\operatorname{{atan2}}(y, x)/\pi$ by ${float(PROVED["atan2pi"])}\mu$""",
+        series, term by term, and the rounding of $r$"""
     },
     expected="certified",
+)
+
+_of = {name: float(most) for name, most in PROVED.items()}
+
+relative = Theorem(
+    "elementary_functions",
+    "The elementary functions of the kernels",
+    {
+        rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi(ab)$ and $\cos\pi(ab)$ of an exact product are within
+        ${_of["of_product_relative"]}\mu$ of themselves,""": coq(
+            "elementary_functions__of_product_relative 784cb2b40e9bfb06"
+        ),
+        rf"$e^{{x+y}}$ within ${_of['exp']}\mu$": coq("elementary_functions__exp 157fef027a525886"),
+        rf"and $\ln x$ within ${_of['log']}\mu$ of themselves,": coq("elementary_functions__log 0a64b8b999e3816f"),
+        rf"$x^p$ within $({_of['power']} + {float(POWER_RATE)}\,|p\ln x|)\mu$ of itself,": coq(
+            "elementary_functions__power bd4612207f391409"
+        ),
+        rf"and $\operatorname{{atan2}}(y, x)/\pi$ within ${_of['atan2pi']}\mu$.": coq(
+            "elementary_functions__atan2pi 8fdf7f947033ac01"
+        ),
+    },
+    hypotheses=(
+        r"""$ab$ is 0 or at least $2^{-969}$ in size, and at most $2^{21}$; of it another $2^{-1074}$, of $\ln
+        x$ $2^{-896}$""",
+        r"$-708 \le x \le 709$, $|y| \le 2^{-42}$ of $e^{x+y}$; $0 < x \le 2^{1024} - 2^{971}$ of $\ln x$ and $x^p$",
+        r"$1/2048 \le p \le 2^{20}$, $-707.99 \le p\ln x \le 708.99$; $\max(|x|, |y|) \ge 2^{-1018}$ of the angle",
+    ),
 )
