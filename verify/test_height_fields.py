@@ -22,7 +22,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, 
 from proofs.formulas.ranges import enclosure
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
-from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
+from proofs.formulas.symbols import h, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
 from renderer import central, kernels, operations
 from renderer.generate.__main__ import write_all
@@ -31,7 +31,6 @@ from renderer.generate.reader import expression_text, parse_expression
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
 from verify.evaluate import Reference
-from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import Balls
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2
@@ -87,13 +86,6 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     jumps = np.abs(np.diff(slopes)).max(axis=0) > 0.5
     assert_array_equal(jumps, crossed(field.creases, at))
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
-
-
-@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
-def test_the_wave_numbers_give_the_gradient_its_factors(field):
-    at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
-    named, formula = in_balls(gradient(field), at), Program("slopes", CHART, {(h_u, h_v): field.gradient()})
-    assert max(distance(named[name], ball).max() for name, ball in in_balls(formula, at).items()) < 1e-60
 
 
 REFUSED = {
