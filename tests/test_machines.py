@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import HeightField, Light, Scene, central, exact, forward, k_v, kernels, render, sinpi, u, v
+from renderer import HeightField, Light, Scene, central, exact, forward, k_v, render, sinpi, u, v
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -111,16 +111,3 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
         assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
         assert alone.work["slopes"][by] == np.count_nonzero(on)
-
-
-def test_a_wrong_kernel_is_noticed(monkeypatch):
-    """NumPy draws by one whose first result is off by an ulp; LLVM's code is of the right one."""
-    right, light_term = held(render(Scene(), *SIZE)), kernels.light_term
-
-    def wrong(*arguments):
-        first, *rest = light_term(*arguments)
-        return first * (1.0 + 2.0**-52), *rest
-
-    monkeypatch.setattr(kernels, "light_term", wrong)
-    with drawn_by(numpy_rows.drawer):
-        assert "rgb" in differing(held(render(Scene(), *SIZE)), right)

@@ -64,14 +64,7 @@ def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
 
 
 def reference_pixel(
-    scene: Scene,
-    width: int,
-    height: int,
-    column: int,
-    row: int,
-    method: str = "exact",
-    eps: float | None = None,
-    digits: int = DIGITS,
+    scene: Scene, width: int, height: int, column: int, row: int, digits: int = DIGITS
 ) -> dict[str, arb]:
     """Return {name: ball} of every line of a pixel's program, from the exact values of the scene's numbers.
 
@@ -79,8 +72,8 @@ def reference_pixel(
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning. Raises Undecided where balls
     of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
-    place = {"column": column, "row": row, "width": width, "height": height, "epsilon": eps or 0.0}
-    enclosed = lines_of(scene, method, round((digits + 20) / math.log10(2)), **place)
+    place = {"column": column, "row": row, "width": width, "height": height}
+    enclosed = lines_of(scene, "exact", round((digits + 20) / math.log10(2)), **place)
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
     return enclosed

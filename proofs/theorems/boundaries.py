@@ -58,7 +58,8 @@ theorem = Theorem(
 )
 
 _colors = [light_color(number) for number in range(LIGHTS)]
-_shading = (ka, kd, ks, shininess, ambient_light, albedo_of_a, albedo_of_b, shading.floor_tint, _colors, k_u, k_v, _bump)
+_albedos = [albedo_of_a, albedo_of_b, shading.floor_tint]
+_shading = (ka, kd, ks, shininess, ambient_light, _albedos, _colors, k_u, k_v, _bump)
 _shaded = {
     f"{model}_{name}": Separation(f"{model}_{name}", pixel(field, model, LIGHTS), _chamber, _shading)
     for model in LIGHT_MODELS
