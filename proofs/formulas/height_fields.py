@@ -133,9 +133,13 @@ class HeightField:
         """Return h at another place of the chart."""
         return self.expression.xreplace({u: at_u, v: at_v})
 
-    @evaluated
     def gradient(self) -> tuple[Expr, Expr]:
         """Return (∂h/∂u, ∂h/∂v) by differentiation; valid off the creases, with sign 0 = 0 on them."""
+        return self._slopes
+
+    @cached_property
+    @evaluated
+    def _slopes(self):
         levels = {level: Dummy(real=True) for level in self.expression.atoms(sign, floor)}
         put_back = {fixed: level for level, fixed in levels.items()}
         sizes = self.expression.xreplace(levels).replace(Abs, _Size)
@@ -155,17 +159,17 @@ class HeightField:
         One is left out that is not 0 on the chart, or that is squared in what a choice changes: the slopes agree there.
         """
         expression = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2)))
-        choices, jumping = [*ordered(expression.atoms(*_CHOICES))], []
-        for choice in choices:
-            fixed = {other: Dummy(real=True) for other in choices if other != choice}
-            flat = {other: fixed[other] for other in fixed if isinstance(other, floor | sign)}
+        marks = {choice: Dummy(real=True) for choice in ordered(expression.atoms(*_CHOICES))}
+        flat = {choice: mark for choice, mark in marks.items() if isinstance(choice, floor | sign)}
+        marked, jumping = expression.xreplace(marks), []
+        for choice, mark in marks.items():
             zeros, values = _zeros_and_values(choice)
             factors = {part.as_base_exp()[0] for zero in zeros for part in Mul.make_args(zero)}
-            for one, other in combinations(values, 2):
-                apart = expression.xreplace({choice: one}) - expression.xreplace({choice: other})
-                powers = apart.xreplace(fixed).as_powers_dict()
+            for sides in combinations([value.xreplace(marks) for value in values], 2):
+                one, other = (marked.xreplace({mark: side}) for side in sides)
+                powers = (one - other).as_powers_dict()  # 1 - 1, of a choice in another, of which nothing is known
                 for factor in ordered(factors):
-                    squared = max(powers[side * factor.xreplace(fixed)] for side in (1, -1)) >= 2
+                    squared = max(powers[side * factor.xreplace(marks)] for side in (1, -1)) >= 2
                     if not squared and factor.xreplace(flat).has(u, v) and 0 in enclosure(factor, CHART):
                         jumping.append(factor)
         return tuple(dict.fromkeys(jumping))
