@@ -209,6 +209,12 @@ def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
 
 
+def test_a_profile_is_plotted_from_end_to_end():
+    scene, along = Scene(field=HeightField("slope", "u^2*v", seam=True)), np.linspace(0, 1, 5)
+    assert (height_at(scene, along, 1) == along**2).all()
+    assert (gradient_at(scene, along, 1, exact())[0] == 2 * along).all()
+
+
 def test_a_field_is_kept_by_its_formula():
     """A name is a label, whatever was drawn by it or refused; one of the chapter's is the chapter's."""
     rejection(HeightField, "label", v / 10**400)

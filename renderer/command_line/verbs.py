@@ -3,9 +3,10 @@
 import os
 import sys
 import warnings
-from argparse import Namespace
+from argparse import Namespace, RawDescriptionHelpFormatter
 from collections.abc import Sequence
 from dataclasses import fields
+from inspect import cleandoc
 from pathlib import Path
 
 import renderer
@@ -145,6 +146,18 @@ VERBS: dict[str, tuple] = {
     "sweep": (print_sweep, OF_SWEEP),
     "doctor": (diagnose, {}),
 }
+EXAMPLES = {
+    "image": """examples:
+  %(prog)s --out bump.png
+  %(prog)s --again bump.png --out again.png
+  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta -0.2 --out golf.png""",
+    "views": """example:
+  %(prog)s --field sine --eps 1e-2 --out views""",
+    "sweep": """examples:
+  %(prog)s --field sine --eps 1e-2 1e-4 --no-facts
+  %(prog)s --field sine,ridges --beta 0.1,0.35 --size 64,128 --checkpoint kept.jsonl --csv table.csv""",
+    "doctor": None,
+}
 
 
 def _parser(prog, arguments):
@@ -154,7 +167,9 @@ def _parser(prog, arguments):
     parser.add_argument("--version", action="version", version=version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
     for name, (run, verb_options) in VERBS.items():
-        verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)
+        told = cleandoc(str(run.__doc__))
+        shown = {"description": told, "epilog": EXAMPLES[name], "formatter_class": RawDescriptionHelpFormatter}
+        verb = verbs.add_parser(name, help=told.splitlines()[0], **shown)
         if verb_options and name in arguments:
             for option, of_argparse in verb_options.items():
                 verb.add_argument(option, **of_argparse)
