@@ -193,7 +193,9 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
 
 
 NO_FIELDS = {
-    "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
+    "expression = None is not allowed: an expression of SymPy, or its text": lambda: HeightField("none", None),
+    "expression = array([[0.],        [0.]]) is not allowed": lambda: HeightField("image", np.zeros((2, 1))),
+    "it has w, and a field no symbols but u, v, k_u, k_v": lambda: HeightField("free", u * Symbol("w")),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),

@@ -1,13 +1,17 @@
 """The README's picture is what the renderer draws today, and its four lines end with a file."""
 
+import os
+import re
 import textwrap
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from book.figures.three_pictures import hero, hero_symbolic
 from renderer import Scene, render
 from tests.pictures import shows
+from tests.processes import python
 from verify.evidence.sources import ROOT
 
 
@@ -18,6 +22,21 @@ def test_picture_is_the_renderers():
     drawn[:, middle:] = hero_symbolic().picture[:, middle:]
     assert committed.shape == drawn.shape
     assert np.abs(committed - drawn).max() <= 1  # a byte may round the other way
+
+
+PAGES = ("README.md", "book/checked/api-renderer.md", "book/checked/own-fields.md")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_what_a_page_shows_is_of_the_types_that_are_declared(page, tmp_path):
+    told = (ROOT / page).read_text("utf-8")
+    blocks = re.findall(r"```python\n([\s\S]*?)```|^((?:(?:    .*)?\n)+)", told, re.M)
+    blocks = [fenced or textwrap.dedent(indented) for fenced, indented in blocks]
+    shown = "\n".join(block for block in blocks if re.search("^from .* import ", block, re.M))
+    assert "import" in shown
+    (tmp_path / "shown.py").write_text(shown, "utf-8")
+    options = ["--strict", "--explicit-package-bases", "--follow-imports=silent", "--cache-dir", tmp_path / "cache"]
+    python("-m", "mypy", *options, tmp_path / "shown.py", env=os.environ | {"MYPYPATH": str(ROOT)})
 
 
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):

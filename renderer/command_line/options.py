@@ -78,6 +78,7 @@ OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
+    "--linear": NAME | {"help": "float32 or float64: linear light in such numbers, in a .tif, and not sRGB bytes"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
     **GRADIENT,
     **RASTER,

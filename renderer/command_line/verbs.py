@@ -59,9 +59,9 @@ def draw_image(options: Namespace) -> None:
         frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
         if options.out == PIPE:
-            sys.stdout.buffer.write(frame._repr_png_())
+            sys.stdout.buffer.write(frame.to_png())
         else:
-            frame.save(target)
+            frame.save(target, options.linear)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:

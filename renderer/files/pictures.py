@@ -21,7 +21,8 @@ try:
 except ImportError:  # no wheel for this processor: the same pixels, more slowly
     import zlib  # type: ignore[no-redef]
 
-PICTURE_SUFFIXES = (".png", ".tif", ".tiff", ".npz", ".npy")
+TIFF = (".tif", ".tiff")
+PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
 BAND = 2**19  # bytes that are filtered and deflated at a time
@@ -144,7 +145,7 @@ def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarr
 
 
 def write_tiff(path: str | Path, image: np.ndarray) -> None:
-    """Write a uint8 picture, (height, width, 3), as a TIFF. Raises ModuleNotFoundError without the extra `tiff`."""
+    """Write a picture, (height, width, 3), as a TIFF of its numbers. Raises ModuleNotFoundError without `tiff`."""
     with extra("tiff"):
         import tifffile
     with whole_file(path) as name:

@@ -44,6 +44,9 @@ class HeightField(height_fields.HeightField):
             put(self, expression=parse_expression(self.expression))
         elif isinstance(self.expression, Expr):
             put(self, expression=as_spelled(self.expression))
+        else:
+            wall = "heights in an array have no formula, and what that costs is told on the page Two frontiers, priced"
+            raise self._refused(f"an expression of SymPy, or its text; {wall}")
         super().__post_init__()
 
 
