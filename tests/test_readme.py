@@ -7,8 +7,10 @@ import textwrap
 import numpy as np
 from PIL import Image
 
+from book.figures.certified_bounds import BUMPS, scene_of
 from book.figures.three_pictures import hero, hero_symbolic
 from renderer import Scene, render
+from renderer.files import record
 from tests.pictures import shows
 from tests.processes import python
 from verify.evidence.sources import ROOT
@@ -33,6 +35,13 @@ def test_what_the_pages_show_is_of_the_types_that_are_declared(tmp_path):
     (tmp_path / "shown.py").write_text("\n".join(block for block in shown if " import " in block), "utf-8")
     options = ["--strict", "--explicit-package-bases", "--follow-imports=silent", "--cache-dir", tmp_path / "cache"]
     python("-m", "mypy", *options, tmp_path / "shown.py", env=os.environ | {"MYPYPATH": str(ROOT)})
+
+
+def test_a_bump_of_ones_own_is_the_figures(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for lines in re.findall(r"```python\n([\s\S]*?)```", (ROOT / PAGES[-1]).read_text("utf-8")):
+        exec(lines, {})
+    assert {path.stem: record.read(path).scene for path in tmp_path.iterdir()} == {n: scene_of(n) for n in BUMPS}
 
 
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):

@@ -150,7 +150,7 @@ EXAMPLES = {
     "image": """examples:
   %(prog)s --out bump.png
   %(prog)s --again bump.png --out again.png
-  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta -0.2 --out golf.png""",
+  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta 0.1 --out golf.png""",
     "views": """example:
   %(prog)s --field sine --eps 1e-2 --out views""",
     "sweep": """examples:
