@@ -76,6 +76,7 @@ def by_mpmath(text):
     exactly = re.sub(r"(?<!\w)[\d.]+(e-?\d+)?", r"mpf('\g<0>')", text.replace("^", "**").replace("np.", ""))
     chosen = {"min": min, "max": max, "Piecewise": lambda *cases: next(value for value, holds in cases if holds)}
     names = vars(mpmath) | chosen | {"E": mpmath.e, "mod": lambda x, y: x % y}
+    names |= {"where": lambda test, one, other: one if test else other, "clip": lambda x, *ends: sorted([x, *ends])[1]}
     return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", names)
 
 
@@ -130,8 +131,8 @@ AS_WRITTEN = [
     "Piecewise((1, v < 1/4), (0, v > 3/4), (2 - 4*v, True))", "log(2 + sin(8*pi*u)*sin(4*pi*v))", "v^2.5",
     "sin(20*pi*sqrt((u - 1/2)^2 + (v - 1/2)^2 + 1e-3))", "2^(-8*(v - 1/2)^2)", "1/(1 + 10*sin(4*pi*u)^2)",
     "sin(2*pi*(3*u + 2*v) + 0.7) + sin(2*pi*(5*u - 4*v) + 2.1)/2 + sin(2*pi*(9*u + 7*v) + 4.2)/3",
-    "cosh(sin(4*pi*u))/2", "abs(abs(sin(4*pi*u)) - 1/2)", "sin(8*pi*(u + sin(4*pi*v)/10))",
-    "max(0, 1 - 20*((4*u % 1 - 1/2)^2 + (4*v % 1 - 1/2)^2))",
+    "sin(4*pi*u) if v < 1/3 else where(v > 2/3, v, clip(3*v, 1/2, 3/2))", "sin(8*pi*(u + sin(4*pi*v)/10))",
+    "abs(abs(sin(4*pi*u)) - 1/2)", "max(0, 1 - 20*((4*u % 1 - 1/2)^2 + (4*v % 1 - 1/2)^2))",
 ]  # fmt: skip
 NOT_DRAWN = {
     "sin(8*u)": "it is 0 at u = 0 and 0.989 at u = 1, .*: let u stand in sines and cosines of 2",
@@ -195,6 +196,7 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
 NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy, or its text": lambda: HeightField("none", None),
     "expression = array([[0.],        [0.]]) is not allowed": lambda: HeightField("image", np.zeros((2, 1))),
+    "field = 'deep' is not allowed: a formula that is": lambda: HeightField("deep", "tanh(" * 29 + "v" + ")" * 29),
     "it has w, and a field no symbols but u, v, k_u, k_v": lambda: HeightField("free", u * Symbol("w")),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),

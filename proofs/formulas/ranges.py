@@ -58,7 +58,7 @@ def enclosure(expression: Basic, box: Mapping[Symbol, iv.mpf]) -> iv.mpf:
         return enclosure(expression.expr, box)
     kind = getattr(expression, "func", type(expression))
     if kind not in ENCLOSURES or (kind is Pow and not expression.exp.is_Rational):
-        allowed = ", ".join(function.kernel for function in FUNCTIONS if function.enclosed)
+        allowed = ", ".join(function.text or function.kernel for function in FUNCTIONS if function.enclosed)
         raise ValueError(f"no kernel has {kind.__name__} as in {shown(expression)}: write it by {allowed}")
     if kind is Piecewise and expression.args[-1].cond != True:  # noqa: E712  (SymPy's true is not Python's)
         raise ValueError(f"{shown(expression)} has no last value, for all else")

@@ -8,7 +8,8 @@ expression of the nodes that it knows.
 import ast
 import operator
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
@@ -43,6 +44,7 @@ from sympy.printing.str import StrPrinter
 from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import evaluated
 from proofs.engine.registry import not_allowed
+from proofs.engine.vectors import where
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
 MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
@@ -120,14 +122,13 @@ class _Reader:
             case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in self.calls:
                 return self.calls[name](*[self.read(argument, depth) for argument in arguments])
             case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in _CHOICES:
-                self.choices += max(1, len(arguments) * (len(arguments) - 1)) * 2**self.inside
-                if self.choices > MOST_CHOICES:
-                    raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
-                self.inside += 1
-                kind = Tuple if name == "Piecewise" else Expr
-                choice = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
-                self.inside -= 1
-                return choice
+                with self.choice(len(arguments)):
+                    kind = Tuple if name == "Piecewise" else Expr
+                    return _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
+            case ast.IfExp(test, one, other) | ast.Call(ast.Name("where"), [test, one, other], []):
+                with self.choice(2):
+                    values = self.read(one, depth), self.read(other, depth)
+                    return where(self.read(test, depth, Boolean), *values)
             case ast.Tuple([value, condition]):
                 return Tuple(self.read(value, depth), self.read(condition, depth, Boolean))
             case ast.Constant(True):
@@ -140,6 +141,16 @@ class _Reader:
         known = [*self.names.items(), *self.calls.items(), *_CHOICES.items()]
         allowed = ", ".join({thing: name for name, thing in known}.values())  # of several names the last
         raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / % ** ^, {allowed}")
+
+    @contextmanager
+    def choice(self, parts: int) -> Iterator[None]:
+        """Count a choice of so many parts around those that are read within. Raises ValueError above MOST_CHOICES."""
+        self.choices += max(1, parts * (parts - 1)) * 2**self.inside
+        if self.choices > MOST_CHOICES:
+            raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
+        self.inside += 1
+        yield
+        self.inside -= 1
 
     def _chained(self, node, join, part_from, inverse, depth):
         """Return the terms of a sum, or the factors of a product: all at once, or SymPy would multiply some out."""

@@ -42,12 +42,16 @@ class HeightField(height_fields.HeightField):
     def __post_init__(self):
         if isinstance(self.expression, str):
             put(self, expression=parse_expression(self.expression))
+            check_operations("field", self.name, [self.expression] * 2)  # slopes take as many or more, and long
         elif isinstance(self.expression, Expr):
             put(self, expression=as_spelled(self.expression))
         else:
             wall = "heights in an array have no formula, and what that costs is told on the page Two frontiers, priced"
             raise self._refused(f"an expression of SymPy, or its text; {wall}")
-        super().__post_init__()
+        try:
+            super().__post_init__()
+        except RecursionError:
+            raise not_allowed("field", self.name, "a formula that is nested less deep") from None
 
 
 def made_field(field: height_fields.HeightField) -> str | height_fields.HeightField:
@@ -112,8 +116,6 @@ def from_record(record: dict[str, Any]) -> HeightField:
     name = check_kind("field.name", record["name"], str)
     expression = check_kind("field.expression", record["expression"], str)
     seam = check_kind("field.seam", record.get("seam", False), bool)
-    parsed = parse_expression(expression)
-    check_operations("field", name, [parsed] * 2)  # slopes take as many or more, and long to be taken
-    field = HeightField(name, parsed, seam)
+    field = HeightField(name, expression, seam)
     _text_of(field)
     return field

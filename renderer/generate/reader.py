@@ -7,6 +7,8 @@ from sympy import (
     Expr,
     Float,
     Heaviside,
+    Max,
+    Min,
     Mod,
     Pow,
     Rational,
@@ -14,7 +16,6 @@ from sympy import (
     atan,
     ceiling,
     cos,
-    cosh,
     exp,
     floor,
     frac,
@@ -22,8 +23,6 @@ from sympy import (
     pi,
     sign,
     sin,
-    sinh,
-    sqrt,
     tan,
     tanh,
 )
@@ -46,8 +45,6 @@ SPELLED = {
     cos: lambda angle: cospi(_turns(angle)),
     tan: lambda angle: sinpi(_turns(angle)) / cospi(_turns(angle)),
     atan: lambda slope: pi * atan2pi(slope, 1),
-    sinh: lambda x: (exp(x) - exp(-x)) / 2,
-    cosh: lambda x: (exp(x) + exp(-x)) / 2,
     tanh: lambda x: 1 - 2 / (exp(2 * x) + 1),
     Mod: text.remainder,
     frac: lambda x: x - floor(x),
@@ -58,7 +55,7 @@ SPELLED = {
 """{function of SymPy: the same by those that have kernels}"""
 _CALLS = {made.__name__: spelled for made, spelled in SPELLED.items()}
 _CALLS |= {"pow": SPELLED[Pow], "ceil": SPELLED[ceiling], "arctan": SPELLED[atan], "mod": text.remainder}
-_CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "hypot": lambda x, y: sqrt(x**2 + y**2)}
+_CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": lambda x, low, high: Max(low, Min(high, x))}
 _NAMES = {"ku": k_u, "kv": k_v} | OF_FIELDS
 
 parse_expression = partial(text.parse_expression, names=_NAMES, calls=_CALLS)
