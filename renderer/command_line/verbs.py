@@ -41,6 +41,7 @@ OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # of a pictu
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
+    files.check_linear(options.linear, target)
     bounds = None if options.bounds is None else checked_target(options.bounds, (".npz",), "bounds")
     if bounds and bounds.resolve() == target.resolve():
         raise not_allowed("bounds", options.bounds, "another file than --out")

@@ -12,7 +12,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from renderer.checks import extra
+from renderer.checks import check_choice, extra, not_allowed
 from renderer.threads import run_bands
 from renderer.whole_files import whole_file, write_whole
 
@@ -21,7 +21,7 @@ try:
 except ImportError:  # no wheel for this processor: the same pixels, more slowly
     import zlib  # type: ignore[no-redef]
 
-TIFF = (".tif", ".tiff")
+TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
 PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
@@ -110,6 +110,14 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
     text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes are the same.
     """
     return b"".join(_parts(image, text, threads))
+
+
+def check_linear(linear: str | None, path: Path) -> None:
+    """Raise ValueError unless a picture of linear light in such numbers is a TIFF; None: there is none."""
+    if linear is not None:
+        check_choice("linear", linear, LINEAR)
+        if path.suffix.lower() not in TIFF:
+            raise not_allowed("linear", linear, "given with a .tif")
 
 
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_choice, check_kind, check_whole, not_allowed
+from renderer.checks import check_kind, check_whole, not_allowed
 from renderer.files import pictures
 from renderer.files.record import Drawing, text_of
 from renderer.files.srgb import to_bytes
@@ -143,8 +143,7 @@ class Frame:
         Raises ValueError on another name, or one that cannot be written.
         """
         path = checked_target(path, pictures.PICTURE_SUFFIXES, "path")
-        if linear is not None:
-            check_choice("linear", linear, ("float32", "float64") if path.suffix.lower() in pictures.TIFF else (None,))
+        pictures.check_linear(linear, path)
         match path.suffix.lower():
             case ".png":
                 pictures.write_png(path, self.srgb, self._record())
