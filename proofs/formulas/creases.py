@@ -35,7 +35,8 @@ def straddling(field: HeightField) -> Program:
 
     Where a factor depends on v alone and is zero at v = 0, that is the pole: the chart ends there, nothing is crossed.
     """
-    lines, conditions = {}, []
+    lines: dict = {}
+    conditions: list = []
     for number, factor in enumerate(field.creases):
         if not _is_straight(factor):
             lines |= neighbours(NEAR, epsilon)
