@@ -49,6 +49,7 @@ WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/
 CREASED = ("abs(sinpi(k_u*u)*cospi(k_v*v))", "max(0,sinpi(k_v*v))", "min(0, sinpi(k_u*u+k_v*v))")
 PLAIN = ("v", "u*(1-u)", "(v-1/2)**2", "0.3", "2.5e-1", "pi/4")
 JOINED = ("({0}+{1})", "({0}-{1})", "{0}*{1}", "{0}/(3+{2})", "exp(-2*{0}**2)", "log(4+{2})", "sqrt(4+{2})", "-{0}")
+JOINED += ("abs({0})*abs({1})", "max({0}, {1})", "atan(2*{2})", "(2+{2})^1.5", "({0}+floor(3*{2})/2)", "({0}*{2}) % 2")
 KU, KV = 6.0, 3.0
 METHODS = (exact(), central(1e-3), forward(1e-2), central4(1e-2))
 
