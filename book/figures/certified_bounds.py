@@ -15,6 +15,7 @@ from verify.accuracy.pixels import compared
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -8
+ACROSS = 200  # four of them stand in a row
 
 
 @figure
@@ -63,11 +64,11 @@ def own_fields() -> Drawing:
     """Four bumps on sphere A, and the certified bound of each picture."""
     columns, numbers, frames = [], {}, []
     for name in BUMPS:
-        fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (SIZE * FINE, SIZE))
+        fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (ACROSS * FINE, ACROSS))
         bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
         columns.append(np.vstack([smooth(fine), bounds]))
         frames.append(frame)
         numbers[name] = certified_numbers(frame)
     titles = tuple(name.replace("_", " ") for name in BUMPS)
     fig = panels(columns, titles, (LOW, HIGH), "bound of a channel")
-    return Drawing(fig, numbers | {"side": SIZE}, shown=frames)
+    return Drawing(fig, numbers | {"side": ACROSS}, shown=frames)
