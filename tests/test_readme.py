@@ -41,7 +41,7 @@ def test_a_bump_of_ones_own_is_the_figures(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for lines in re.findall(r"```python\n([\s\S]*?)```", (ROOT / PAGES[-1]).read_text("utf-8")):
         exec(lines, {})
-    assert {path.stem: record.read(path).scene for path in tmp_path.iterdir()} == {n: scene_of(n) for n in BUMPS}
+    assert {path.stem: record.read(path)[0].scene for path in tmp_path.iterdir()} == {n: scene_of(n) for n in BUMPS}
 
 
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):

@@ -79,6 +79,8 @@ OF_IMAGE: dict[str, Option] = {
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
     "--linear": NAME | {"help": "float32 or float64: linear light in such numbers, in a .tif, and not sRGB bytes"},
+    "--by": several(NAME)
+    | {"help": "draw the slope by a number of the scene instead, such as beta or lights[0].position[2]; several: .npz"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
     **GRADIENT,
     **RASTER,

@@ -80,12 +80,12 @@ def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int,
     return pixels
 
 
-def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
-    """Return the balls of every line of a frame's pixel."""
+def truth_of(frame: Frame, column: int, row: int, bits: int = BITS, **others: arb) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; others: what stands in place of the scene's numbers."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
-    return lines_of(scene, method.name, BITS, **place, epsilon=method.eps or 0.0)
+    return lines_of(scene, method.name, bits, **place, epsilon=method.eps or 0.0, **others)
 
 
 def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:
