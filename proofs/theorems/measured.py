@@ -1,4 +1,4 @@
-"""Statements that are measured and not proved: the float64 programs, the seed's formulas in them, its pictures.
+"""Statements that are measured or enclosed, not proved: the float64 programs, the seed's formulas, its pictures.
 
 The measurements are in verify/measurements."""
 
@@ -13,26 +13,26 @@ products = Theorem(
     r"""Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the
     rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on
     the crease. With the product exact it takes none.""",
-    hypotheses=("every $k$ and $m$, exhaustively", "the heights are those of the kernel that draws"),
-    expected="measured",
+    hypotheses=("every $k$ and $m$, exhaustively: counted twice", "the heights are those of the kernel that draws"),
+    expected="certified",
 )
 
 contrast = Theorem(
     "crease_contrast",
     "The error at the creases, against the rest",
     r"""In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag is set is
-    about four orders of magnitude above that elsewhere on A, not one.""",
-    hypotheses="four orders to the nearest whole order",
-    expected="measured",
+    four orders of magnitude, within $0.5$, above that elsewhere on A, not one.""",
+    hypotheses="the pictures of exact arithmetic, by the bounds that both are drawn with; the flags as they are drawn",
+    expected="certified",
 )
 
 dark = Theorem(
     "dark_difference",
     "The difference canvas stays dark",
-    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is below half an 8-bit level at
-    $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
-    hypotheses="linear light",
-    expected="measured",
+    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is at most $1$ half of an 8-bit
+    level at $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
+    hypotheses=("linear light", "float64's two pictures: each of A's pixels and channels, exactly"),
+    expected="certified",
 )
 
 pole = Theorem(
@@ -42,7 +42,10 @@ pole = Theorem(
     \arccos(N_z)/\pi$, is off by more than $10^{-7}$ near $\sin\varphi = 10^{-4}$, by more than $10^{-3}$ near
     $6\cdot10^{-7}$ without the fallback, and by more than 20 with it; from $\rho$ and $t$ by less than
     $10^{-12}$.""",
-    hypotheses="the largest of 200 points near each latitude, against 50 digits; the seed's forms with libm",
+    hypotheses=(
+        "the largest of 200 points near each latitude, against 50 digits; the seed's forms with libm",
+        "measured, since nothing is proved of libm's functions, which differ from machine to machine",
+    ),
     expected="measured",
 )
 
@@ -57,6 +60,7 @@ pixels = Theorem(
         nearest to the pole, the seam, the creases, the terminator and grazing light""",
         """pixels that are open, and those whose side of a crease balls leave open, as those of the column $x =
         0$, are counted apart""",
+        "measured, since each rule of the bounds is proved, but not that a picture's program follows them",
     ),
     expected="measured",
 )
@@ -166,7 +170,10 @@ slopes = Theorem(
     r"""Fitted within 0.02: the truncation error falls like $\varepsilon^2$; clamped at the pole at $v =
     \varepsilon/2$ it still does for the chapter's fields, and like $\varepsilon$ for $\cos\pi k_v v$; the RMS
     error of ridges over the chart falls like $\sqrt\varepsilon$, with the theorem's constant within 2 %.""",
-    hypotheses="the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
+    hypotheses=(
+        "the RMS by Gauss–Legendre quadrature between the creases and the ends of their bands",
+        "measured, since a fit is of finitely many steps: the orders that it finds are proved",
+    ),
     steps={
         "2; at the pole 1, where odd 2; ½": (
             "as proved",
