@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -53,10 +53,11 @@ def style_of(scene: Scene) -> tuple[Any, str]:
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
-def slope_planes(count: int, bounds: bool) -> list[str]:
+@cache
+def slope_planes(count: int, bounds: bool) -> tuple[str, ...]:
     """Return the names of the planes of so many slopes, and then of their bounds."""
     ends = ("", "_bound") if bounds else ("",)
-    return [f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS]
+    return tuple(f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS)
 
 
 class Want(NamedTuple):
