@@ -474,6 +474,44 @@ def phong(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped
     return mu, specular_base
 
 
+def blinn_gated(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):
+    to_light_x = light_x - point_x
+    to_light_y = light_y - point_y
+    to_light_z = light_z - point_z
+    light_distance = sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+    light_scale = 1.0 / light_distance
+    towards_x = light_scale * to_light_x
+    towards_y = light_scale * to_light_y
+    towards_z = light_scale * to_light_z
+    mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+    halfway_x = towards_x + view_x
+    halfway_y = towards_y + view_y
+    halfway_z = towards_z + view_z
+    halfway_length = sqrt(halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z)
+    ungated = where(halfway_length > 0.0, maximum(0.0, (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length), 0.0)
+    specular_base = where(mu > 0.0, ungated, 0.0)
+    return mu, specular_base
+
+
+def blinn_gated_squared(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):
+    to_light_x = light_x - point_x
+    to_light_y = light_y - point_y
+    to_light_z = light_z - point_z
+    distance_squared = to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z
+    light_distance = sqrt(distance_squared)
+    halfway_x = light_distance * view_x + to_light_x
+    halfway_y = light_distance * view_y + to_light_y
+    halfway_z = light_distance * view_z + to_light_z
+    halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
+    along_light = bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z
+    along_halfway = maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z)
+    light_scale = where(halfway_squared > 0.0, 1.0 / (halfway_squared * light_distance), 0.0)
+    mu = where(halfway_squared > 0.0, along_light * halfway_squared * light_scale, -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z)
+    ungated = along_halfway * along_halfway * light_distance * light_scale
+    specular_base = where(mu > 0.0, ungated, 0.0)
+    return mu, specular_base
+
+
 def highlight(specular_base, shininess):
     return power(specular_base, shininess)
 
@@ -713,5 +751,6 @@ FIELDS = {
 LIGHT_MODELS = {
     "blinn": (blinn, blinn_squared),
     "phong": (phong, None),
+    "blinn_gated": (blinn_gated, blinn_gated_squared),
 }
 """{name: (its kernel, that of the squared base)}"""

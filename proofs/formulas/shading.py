@@ -10,7 +10,7 @@ from proofs.engine.vectors import dot, real, squared, vectors, where
 from proofs.formulas.symbols import bumped, light, mu, point, shininess, specular, specular_base, towards, view
 
 to_light, halfway = vectors("to_light halfway")
-light_distance, light_scale = real("light_distance light_scale")
+light_distance, light_scale, ungated = real("light_distance light_scale ungated")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
 distance_squared, along_light = real("distance_squared along_light")
 
@@ -63,6 +63,14 @@ blinn_squared = Program(
 
 The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it vanishes ω = −v̂. Theorem: squared_highlight."""
 
+
+def _gated(program):
+    """Return a program's base where μ > 0, else 0: no highlight where the bumped normal turns away from the light."""
+    lines = dict(program.definitions)
+    lines |= {ungated: lines.pop(specular_base), specular_base: where(mu > 0, ungated, 0)}
+    return Program(program.name.replace("blinn", "blinn_gated"), program.inputs, lines, program.outputs)
+
+
 phong = chain(
     "phong",
     light_direction,
@@ -105,6 +113,7 @@ class LightModel:
 LIGHT_MODELS: dict[str, LightModel] = by_name((
     LightModel("blinn", blinn, blinn_squared),
     LightModel("phong", phong),
+    LightModel("blinn_gated", _gated(blinn), _gated(blinn_squared)),
 ))  # fmt: skip
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""
