@@ -411,6 +411,13 @@ def bumped_normal(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta):
     return bumped_x, bumped_y, bumped_z
 
 
+def surface_slopes(sin_phi, radius, h_u, h_v):
+    arc = -pi * radius
+    slope_theta = where(sin_phi > 0.0, 0.5 * h_u / (arc * sin_phi), 0.0)
+    slope_phi = where(sin_phi > 0.0, h_v / arc, 0.0)
+    return slope_theta, slope_phi
+
+
 def light_cosine(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z):
     to_light_x = light_x - point_x
     to_light_y = light_y - point_y
@@ -422,6 +429,11 @@ def light_cosine(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x,
     towards_z = light_scale * to_light_z
     mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
     return mu
+
+
+def height_of_light(point_x, point_y, point_z, light_x, light_y, light_z, normal_x, normal_y, normal_z):
+    above = normal_x * (light_x - point_x) + normal_y * (light_y - point_y) + normal_z * (light_z - point_z)
+    return above
 
 
 def blinn(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):

@@ -50,11 +50,13 @@ def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
     assert measure(3, first=0)["numbers"]["above_bound"] > 0
 
 
-@pytest.mark.parametrize("field", HEIGHT_FIELDS)
-@pytest.mark.parametrize("model", LIGHT_MODELS)
-def test_the_default_scene(field, model):
-    """Nothing is open, at 256²; bounds are tight."""
-    scene = Scene(field=field, model=model)
+@pytest.mark.parametrize("scene", [
+    *(Scene(field=field, model=model) for model in LIGHT_MODELS for field in HEIGHT_FIELDS),
+    Scene(bump="surface"),
+    Scene(bump="surface", field="sine", model="blinn_gated", shininess=1.0, horizon=True),
+])  # fmt: skip
+def test_the_default_scene(scene):
+    """Nothing is open, at 256²; bounds are tight. The same of another bump, and of light from in front alone."""
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12

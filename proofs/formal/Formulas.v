@@ -369,6 +369,14 @@ End program.
 Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End light_direction.
 
+Module height_of_light.
+Section program.
+Variables point_x point_y point_z light_x light_y light_z normal_x normal_y normal_z : R.
+Definition above := normal_x * (light_x - point_x) + normal_y * (light_y - point_y) + normal_z * (light_z - point_z).
+End program.
+Ltac lines := unfold above.
+End height_of_light.
+
 Module halfway_vector.
 Section program.
 Variables point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z view_x view_y view_z : R.

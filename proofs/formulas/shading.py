@@ -7,12 +7,12 @@ from sympy import Expr, Max, Min, Pow, sqrt
 from proofs.engine.program import Program, chain
 from proofs.engine.registry import by_name, check_name
 from proofs.engine.vectors import dot, real, squared, vectors, where
-from proofs.formulas.symbols import bumped, light, mu, point, shininess, specular, specular_base, towards, view
+from proofs.formulas.symbols import bumped, light, mu, normal, point, shininess, specular, specular_base, towards, view
 
 to_light, halfway = vectors("to_light halfway")
 light_distance, light_scale, ungated = real("light_distance light_scale ungated")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
-distance_squared, along_light = real("distance_squared along_light")
+distance_squared, along_light, above = real("distance_squared along_light above")
 
 light_direction = Program(
     "light_direction",
@@ -27,6 +27,9 @@ light_direction = Program(
     (towards, mu),
 )
 """ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
+
+height_of_light = Program("height_of_light", (point, light, normal), {above: dot(normal, light - point)})
+"""N·(L − P), positive where a light stands above the surface's own horizon; N of any length."""
 
 halfway_vector = chain("halfway_vector", light_direction, {halfway: towards + view})
 """ω + v̂, not normalised."""

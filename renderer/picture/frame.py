@@ -19,7 +19,7 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import read_only, way_of
-from renderer.shader.shader import ON_A
+from renderer.shader.shader import ON_A, slopes_of_bump
 from renderer.whole_files import checked_target
 
 
@@ -204,8 +204,10 @@ class Frame:
         if not self.scene.lights:
             raise not_allowed("light", light, "none, as the scene has no light")
         light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
-        normal = bumped_normal(*self.planes_on_a, self.scene.beta)
-        point, position = point_on_a(*self.planes_on_a[:4], self.scene.radius), self.scene.lights[light].position
+        *angles, h_u, h_v = self.planes_on_a
+        slopes = slopes_of_bump(self.scene.bump, angles[-1], self.scene.radius, (h_u, h_v))
+        normal = bumped_normal(*angles, *slopes, self.scene.beta)
+        point, position = point_on_a(*angles, self.scene.radius), self.scene.lights[light].position
         return self._plane(light_cosine(*point, *position, *normal), np.nan)
 
     def _plane(self, values, off_a, kind=np.float64):

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 else:  # no SymPy is imported
     Field = Any
 
-MODELS = tuple(LIGHT_MODELS)
+MODELS, BUMPS = tuple(LIGHT_MODELS), ("chart", "surface")
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 """The fields that no chamber depends on."""
 MAX_LIGHTS = 5
@@ -106,12 +106,17 @@ class Scene:
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
+    bump: str = _given("chart", "the chapter's bump, chart, or the surface's own, surface", check_choice, BUMPS)
+    horizon: bool = _given(False, "let no light in from behind the surface itself", check_truth)
 
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
             object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
-        check_size(self.field, self.ku, self.kv, self.beta)
+        if self.bump == "surface" and abs(self.beta) > 1e80 * self.radius:
+            raise not_allowed("beta", self.beta, f"at most {1e80 * self.radius:g} in size beside bump 'surface'")
+        steepest = 1e20 / self.radius if self.bump == "surface" else 1.0  # 1/R sin φ is less off the pole
+        check_size(self.field, self.ku, self.kv, self.beta * steepest)
         self._check_lengths()
 
     def __repr__(self) -> str:

@@ -62,8 +62,9 @@ class Want(NamedTuple):
     difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
     highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
     the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
-    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    are wanted. bumps: those of which `scene.bump` is the index of one. horizon: whether a light from behind the surface
+    itself adds nothing. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds:
+    whether each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
@@ -75,6 +76,8 @@ class Want(NamedTuple):
     stored: tuple = ()
     charted: bool = False
     bounds: bool = False
+    bumps: tuple = ("chart",)
+    horizon: bool = False
 
     @property
     def shader(self) -> Shader:
@@ -89,7 +92,8 @@ class Want(NamedTuple):
 
 def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
     """Return the Want of a scene's picture by a method."""
-    return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
+    scenes = {"bumps": (scene.bump,), "horizon": scene.horizon}
+    return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **scenes, **more)
 
 
 def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
@@ -111,6 +115,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
         model=0.0,
+        bump=0.0,
         eps=method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
