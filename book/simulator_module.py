@@ -17,8 +17,8 @@ from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
-from renderer import Light, Scene, exact, kernels
-from renderer.files.record import Drawing, text_of
+from renderer import Light, Scene, kernels
+from renderer.files.record import text_of
 from renderer.files.srgb import tables, thresholds
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
@@ -27,7 +27,7 @@ from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BI
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.scene.raster import Raster
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
@@ -64,7 +64,7 @@ def _scenes():
     found = {}
     for ball, *on in product((False, True), repeat=1 + len(SCENE.lights)):
         lights = tuple(a if lit else Light(a.position, None) for a, lit in zip(SCENE.lights, on, strict=True))
-        numbers, rows = numbers_of(replace(SCENE, ball=ball, lights=lights), exact())
+        numbers, rows = numbers_of(Shot(replace(SCENE, ball=ball, lights=lights)))
         found["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
     return found
 
@@ -101,12 +101,12 @@ def data() -> dict:
     return {
         "scene": asdict(SCENE),
         "scenes": _scenes(),
-        "record": json.loads(text_of(Drawing(SCENE, exact(), Raster(256, 256)))) | {"machine": "webassembly"},
+        "record": json.loads(text_of(Shot(SCENE, raster=Raster(256, 256)))) | {"machine": "webassembly"},
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
         "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
-            n: {"index": number, "power": scene_numbers(scene, exact()).power}
+            n: {"index": number, "power": scene_numbers(Shot(scene)).power}
             for number, (n, scene) in enumerate(MODELS.items())
         },
         "max_algebraic": MAX_ALGEBRAIC,

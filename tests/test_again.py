@@ -19,14 +19,14 @@ from tests.test_command_line import run
 HILL = HeightField("hill_drawn_again", exp(-2 * (2 * v - 1) ** 2) * (u * (1 - u)) ** 2 * k_u)
 SCENE = Scene(field=HILL, ku=3.0, beta=0.1, lights=())
 FRAME = render(SCENE, 30, 20, central(1e-3), (2, 3, 21, 15))
-TOLD = json.loads(record.text_of(record.Drawing(FRAME.scene, FRAME.method, FRAME.raster)))
+TOLD = json.loads(record.text_of(FRAME.shot))
 TEXT = json.dumps(TOLD)
 
 
 @pytest.mark.parametrize("name", ["A.PNG", "a.npz"])
 def test_a_picture_is_drawn_again(name, tmp_path, capsys):
     FRAME.save(tmp_path / name)
-    assert record.read(tmp_path / name)[:3] == (SCENE, FRAME.method, FRAME.raster)
+    assert record.read(tmp_path / name)[0] == FRAME.shot
     assert run("image", "--again", tmp_path / name, "--out", tmp_path / "b.npy") == 0
     assert shows(tmp_path / "b.npy", FRAME)
     assert capsys.readouterr().err == ""
@@ -79,7 +79,7 @@ def test_a_damaged_file_is_refused(name, tmp_path):
     """Cut anywhere, doubled, without a text, damaged, of another length than it says."""
     path = tmp_path / name
     with_text(path, TEXT)
-    assert record.read(path).scene == SCENE
+    assert record.read(path)[0].scene == SCENE
     whole = path.read_bytes()
     for cut in range(0, len(whole), 7):
         path.write_bytes(whole[:cut])

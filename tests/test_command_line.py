@@ -60,7 +60,7 @@ def test_image(name, tmp_path, capsys):
     assert capsys.readouterr() == (told, "")
     assert shows(target, frame)
     if is_whole:
-        assert record.read(target)[:3] == (scene, frame.method, frame.raster)
+        assert record.read(target)[0] == frame.shot
         kept = np.load(tmp_path / "b.npz")
         assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
 

@@ -21,6 +21,7 @@ from renderer.picture import stage
 from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
+from renderer.shader.numbers import Shot
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
@@ -201,7 +202,7 @@ def image_points():
         raster, numbers = Raster(width, height), np.arange(max(width, height))
         sizes = {"width": width, "height": height, "eye": scene.eye, "radius": scene.radius}
         true = in_balls(POINT, sizes | {"column": numbers, "row": numbers}).values()
-        bounds = rounded_inputs.of_image_points(scene, raster)
+        bounds = rounded_inputs.of_image_points(Shot(scene, raster=raster))
         for points, balls, bound in zip(raster.image_points(scene), true, bounds, strict=True):
             yield distance(points, balls[: len(points)]), bound
 

@@ -74,9 +74,9 @@ class Scene:
     Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field is a
     name or a HeightField, the model of light a name (blinn_gated: no highlight where N'·ω ≤ 0). The bump is the
     chapter's ("chart") or Blinn's, the normal of the surface that βh displaces, to first order, β a length ("surface";
-    theorem surface_bump); with `horizon` no light comes from behind the surface itself. Raises ValueError that names the field, its value and
-    what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
-    one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+    theorem surface_bump); with `horizon` no light comes from behind the surface itself. Raises ValueError that names
+    the field, its value and what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and
+    B's radius at least 1e-9 of one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
 
     >>> from renderer import Scene
     >>> Scene(field="sine", beta=0.1, ball=False)
