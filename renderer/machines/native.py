@@ -13,12 +13,15 @@ from typing import Any
 import llvmlite
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
+import numpy as np
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
 from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import arguments, emit
+from renderer.machines.points_code import emit_points
 
 NAME = "llvm"
+POINTS = 8  # of which a kernel computes that many at a time
 
 
 @cache
@@ -82,6 +85,35 @@ def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], 
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
+
+
+@cache
+def _points_code(kernel):
+    """Return (the function that runs a kernel over points, of the address of its arguments; its outputs; the owner)."""
+    outputs: list[int] = []
+    code, owner = machine_code(lambda module, name: outputs.append(emit_points(module, name, kernel, POINTS)))
+    return code, outputs[0], owner
+
+
+def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
+    """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
+    with compiling:
+        code, outputs, _ = _points_code(kernel)
+    points = np.broadcast(*inputs).size
+    room = -(-points // POINTS) * POINTS
+
+    def padded(values):
+        if np.size(values) == room and values.flags.c_contiguous:
+            return values
+        array = np.zeros(room)
+        array[:points] = values
+        return array
+
+    given = [*map(padded, inputs)]
+    results = np.empty((outputs, room))
+    arguments = (ctypes.c_int64 * (1 + len(given) + outputs))(room, *(each.ctypes.data for each in (*given, *results)))
+    code(ctypes.addressof(arguments))
+    return [*results[:, :points]]
 
 
 @cache

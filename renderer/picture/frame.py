@@ -1,7 +1,7 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,7 @@ from renderer.files import pictures
 from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
-from renderer.machines import machine
+from renderer.machines import at_points, machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
@@ -21,6 +21,19 @@ from renderer.scene.scene import Scene
 from renderer.shader.numbers import Shot, read_only
 from renderer.shader.shader import ON_A, slopes_of_bump
 from renderer.whole_files import checked_target
+
+
+@cache
+def _data_of(field):
+    """Return the function from a point's angles, slopes, (k_u, k_v) and ε to the data of a field there."""
+    kernels = field_kernels(field)
+
+    def data(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, k_u, k_v, eps):
+        here = *chart(cos_theta, sin_theta, cos_phi, sin_phi), k_u, k_v
+        flags = kernels["kink"](sin_phi, *here), kernels["straddling"](*here, eps)
+        return *here[:2], kernels["height"](*here), h_u, h_v, slope(h_u, h_v), *flags
+
+    return data
 
 
 @dataclass(eq=False, repr=False)
@@ -193,17 +206,12 @@ class Frame:
         return on_a
 
     @cached_property
-    @np.errstate(all="ignore")
     def data_on_a(self) -> dict[str, np.ndarray]:
         """The data of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
-        scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
-        u, v = chart(*self.planes_on_a[:4])
-        here = u, v, scene.ku, scene.kv
-        data = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
-        data["kink"] = field["kink"](self.planes_on_a[3], *here)
-        if self.method.eps:
-            data["straddling"] = field["straddling"](*here, self.method.eps)
-        return {name: np.broadcast_to(values, u.shape) for name, values in data.items()}
+        scene, names = self.scene, ["u", "v", "h", "h_u", "h_v", "slope", "kink", "straddling"]
+        numbers = scene.ku, scene.kv, self.method.eps or 0.0
+        data = dict(zip(names, at_points(_data_of(scene.field), *self.planes_on_a, *numbers), strict=True))
+        return data if self.method.eps else {name: data[name] for name in names[:-1]}
 
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
