@@ -47,9 +47,9 @@ def samples_of(name: str, method: str) -> Callable:
         at, taken = (u, v, k_u, k_v, epsilon), []
 
         def height(*there):
-            found = FIELDS[name]["height"](*there)
-            taken.extend((*there[:2], found))
-            return found
+            h = FIELDS[name]["height"](*there)
+            taken.extend((*there[:2], h))
+            return h
 
         slopes = difference(FIELDS[name] | {"height": height}, method, *at)
         return *taken, *slopes, *_noise(name, method, *at)

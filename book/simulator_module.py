@@ -61,12 +61,12 @@ TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
 def _scenes():
     """Return {B is on, each light is on, as 0 or 1: the scene's and the lights' numbers}: what else varies is set."""
-    found = {}
+    scenes = {}
     for ball, *on in product((False, True), repeat=1 + len(SCENE.lights)):
         lights = tuple(a if lit else Light(a.position, None) for a, lit in zip(SCENE.lights, on, strict=True))
         numbers, rows = numbers_of(Shot(replace(SCENE, ball=ball, lights=lights)))
-        found["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
-    return found
+        scenes["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
+    return scenes
 
 
 def _level_of_size(size):
@@ -122,7 +122,7 @@ def data() -> dict:
 
 
 def script(
-    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], known: dict,
+    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
     painters: Mapping[str, Callable] = PAINTERS,
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
@@ -131,7 +131,7 @@ def script(
     """
     module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
     kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
-    text, holder = json.dumps({"kernels": kernels_in} | known, separators=(",", ":")), place.partition(".")[0]
+    text, holder = json.dumps({"kernels": kernels_in} | beside, separators=(",", ":")), place.partition(".")[0]
     return (
         f"// Printed from proofs/ by `python -m book`: {words}.\n"
         f'"use strict";\nvar {holder} = {holder} || {{}};\n'

@@ -49,22 +49,22 @@ def lines(path):
 
 def test_a_sweep_that_is_killed_goes_on(many, tmp_path, capsys):
     """The same command computes the missing frames, none twice; each line has its scene."""
-    kept, scene = tmp_path / "a.jsonl", tmp_path / "a.toml"
+    path, scene = tmp_path / "a.jsonl", tmp_path / "a.toml"
     CUSTOM.to_file(scene)
     options = ["sweep", "--size", "200", "--eps", "1e-2,1e-3", "--beta", ",".join(map(str, BETAS))]
-    options += ["--scene", str(scene), "--checkpoint", str(kept), "--workers", "1"]
+    options += ["--scene", str(scene), "--checkpoint", str(path), "--workers", "1"]
     with started("-m", "renderer", *options) as child:
-        wait_until(lambda: len(lines(kept)) >= 16, child)
+        wait_until(lambda: len(lines(path)) >= 16, child)
         child.kill()
-    before = lines(kept)
+    before = lines(path)
     assert 16 <= len(before) < len(MANY)
     assert main(options) == 0
     assert capsys.readouterr().out == table(many) + "\n"
-    after = lines(kept)
+    after = lines(path)
     assert after[: len(before) - 1] == before[:-1]  # the last line may have been torn
-    found = [json.loads(line) for line in after]
-    assert sorted(line["key"] for line in found) == sorted(key_of(task) for task in MANY)
-    assert {Scene.from_record(line["task"]["scene"]) for line in found} == {task.scene for task in MANY}
+    records = [json.loads(line) for line in after]
+    assert sorted(line["key"] for line in records) == sorted(key_of(task) for task in MANY)
+    assert {Scene.from_record(line["task"]["scene"]) for line in records} == {task.scene for task in MANY}
 
 
 def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):

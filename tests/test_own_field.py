@@ -63,12 +63,12 @@ def formula(random, depth=3):
 @cache
 def accepted(count=24):
     """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
-    random, found = Random(28), {}
-    while len(found) < count:
+    random, fields = Random(28), {}
+    while len(fields) < count:
         text = formula(random)
         with suppress(ValueError):
-            found[text] = found.get(text) or HeightField(f"random_{len(found)}", parse_expression(text))
-    return list(found.items())
+            fields[text] = fields.get(text) or HeightField(f"random_{len(fields)}", parse_expression(text))
+    return list(fields.items())
 
 
 def by_mpmath(text):
@@ -82,10 +82,10 @@ def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
     scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
     here = random.uniform(0.01, 0.99, (2, count))
     here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(count)]
-    found = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
+    computed = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
     with mpmath.workdps(60):
         true = [[mpmath.diff(by_mpmath(text), at, n) for at in here.T.tolist()] for n in ((0, 0), (1, 0), (0, 1))]
-        return np.max(abs(np.array(found) - true) / size(np.array(true)))
+        return np.max(abs(np.array(computed) - true) / size(np.array(true)))
 
 
 def assert_drawn(scene, method, monkeypatch):
@@ -126,9 +126,9 @@ LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "*".join(f"(v+{n})" for n in range(1, 1
 @pytest.mark.parametrize("text", HOSTILE + LONG, ids=range(len(HOSTILE + LONG)))
 def test_a_hostile_formula_is_refused_in_a_sentence(text):
     """One that would take long is refused at once."""
-    said = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
-    assert said.startswith("field = 'hostile' is not allowed: at most" if text in LONG else "expression = ")
-    assert len(said) < 400
+    error = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
+    assert error.startswith("field = 'hostile' is not allowed: at most" if text in LONG else "expression = ")
+    assert len(error) < 400
 
 
 def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
@@ -218,8 +218,8 @@ def test_the_next_process_compiles_nothing(tmp_path):
             native.optimized = None
         record = {{"name": "kept", "expression": {DUNES!r}}}
         print(render(Scene.from_record({{"field": record}}), 8, 8).rgb.tobytes().hex())"""
-    own = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
-    drawn = [python("-c", code, seed, env=own | {"PYTHONHASHSEED": seed}) for seed in "12"]
+    environment = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
+    drawn = [python("-c", code, seed, env=environment | {"PYTHONHASHSEED": seed}) for seed in "12"]
     assert drawn[0] == drawn[1]
 
 

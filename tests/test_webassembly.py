@@ -37,9 +37,9 @@ def drawer_in(tab):
             arrays = job | {"counts": np.zeros(len(want.shader.counted), np.int64)}
             sizes = [WORD * len(names), *(-(-array.nbytes // WORD) * WORD for array in arrays.values())]
             places = dict(zip(arrays, np.cumsum(sizes).tolist(), strict=False))
-            given = places | {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job["x"])}
-            given["light_count"] = len(job["lights"])
-            parts = [np.array([given.get(name, 0) for name in names]), *arrays.values()]
+            numbers = places | {"first_row": rows.start, "last_row": rows.stop, "pitch": len(job["x"])}
+            numbers["light_count"] = len(job["lights"])
+            parts = [np.array([numbers.get(name, 0) for name in names]), *arrays.values()]
             block = b"".join(p.tobytes().ljust(size, b"\0") for p, size in zip(parts, sizes, strict=True))
             memory = base64.b64decode(tab.evaluate(DRAW, [base64.b64encode(part).decode() for part in (module, block)]))
             for name, array in arrays.items():
@@ -63,5 +63,5 @@ def bytes_of(drawer, scene, method):
 def test_bounds_have_the_same_bytes_on_every_machine(name, browser):
     """And so have colours, chambers and what is open, to the sign of a 0; what is least and largest is among them."""
     with browser.new_page() as tab:
-        found = bytes_of(drawer_in(tab), *SCENES[name])
-    assert found == bytes_of(native.drawer, *SCENES[name]) == bytes_of(numpy_rows.drawer, *SCENES[name])
+        by_tab = bytes_of(drawer_in(tab), *SCENES[name])
+    assert by_tab == bytes_of(native.drawer, *SCENES[name]) == bytes_of(numpy_rows.drawer, *SCENES[name])

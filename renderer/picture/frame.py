@@ -199,8 +199,15 @@ class Frame:
         """
         planes = self.stage.new_plane(channels=len(ON_A))
         bumped = replace(self.shot, scene=replace(self.scene, beta=1.0))
-        drawn = bumped, 1, dict(zip(ON_A, planes, strict=True))
-        self.stage.draw(*drawn, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
+        self.stage.draw(
+            bumped,
+            1,
+            dict(zip(ON_A, planes, strict=True)),
+            chambers_known=True,
+            surfaces="a",
+            colors=False,
+            stored=ON_A,
+        )
         on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
         read_only(on_a)
         return on_a

@@ -136,8 +136,7 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
     number: the class of the scene's numbers where others are computed from them.
     """
     scene, geometry = shot.scene, shot.geometry
-    (_, way), (_, style) = *shot.want.ways, *shot.want.lights
-    power_u, power_v = shot.powers if shot.powers and way == "algebraic" else (0, 0)
+    ((_, style),), (power_u, power_v) = shot.want.lights, shot.powers or (0, 0)
     light, dark = (floor_albedo(number(dark), number(scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},

@@ -1,4 +1,4 @@
-"""A mean over a lamp or a pixel: within the mean of the bounds, of the same chambers, as systematic as one sample."""
+"""Means over points of a lamp or a pixel: within the mean of the bounds, of equal chambers, no nearer the truth."""
 
 import numpy as np
 import pytest

@@ -17,7 +17,7 @@ BETAS = np.logspace(-3, -2, 4)
 
 
 def test_a_creased_field_does_not():
-    """The largest error stays between πk and the jump, 2πk; the RMS falls like the root of the texel."""
+    """Find the largest error between πk and the jump, 2πk, at every size; the RMS falls like the root of the texel."""
     for kind in ("bilinear", "cubic"):
         largest, rms = wall.errors("ridges", kind, SIZES)
         assert (np.abs(largest / (np.pi * wall.KU) - 1.5) < 0.5).all()
