@@ -7,7 +7,7 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer import HeightField, Light, Scene, central, central4, cospi, exact, forward, k_u, render, stage_of, u
 from renderer.scene import scene
 
 DEFAULT = Scene()
@@ -90,3 +90,29 @@ def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     assert work_of(central(1e-3), staged).light_terms == on_a
     assert work_of(options=staged, beta=2.0, field="sine", ku=3.0).light_terms == on_a
     assert work_of(options=staged, ka=0.2).light_terms == terms
+
+
+BLACK = tuple(Light(light.position, (0.0, 0.0, 0.0)) for light in DEFAULT.lights)
+
+
+@pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3)])
+@pytest.mark.parametrize("fields, same_as", [
+    ({"ku": 0.0}, {"beta": 0.0}),
+    ({"field": "sine", "kv": 0.0, "bump": "surface"}, {"beta": 0.0}),
+    ({"field": "rings", "kv": 0.0}, {"beta": 0.0}),
+    ({"field": HeightField("waves", cospi(k_u * u)), "ku": 0.0}, {"beta": 0.0}),
+    ({"kd": 0.0, "ks": 0.0}, {"lights": BLACK}),
+    ({"lights": BLACK}, {"kd": 0.0, "ks": 0.0}),
+    ({"lights": ()}, {"lights": tuple(Light(light.position, None) for light in BLACK)}),
+])  # fmt: skip
+def test_a_bump_that_is_not_seen_costs_no_gradient(fields, same_as, method):
+    """Nor light that nothing scatters; a field that is level in one direction alone has its slope; data stays."""
+    frame, other = (render(replace(DEFAULT, **given), *SIZE, method) for given in (fields, same_as))
+    np.testing.assert_array_equal(frame.rgb, other.rgb)
+    work = frame.work
+    assert work["gradient_evaluations"] == work["height_evaluations"] == 0
+    scatters = {"ku", "kv"} & fields.keys()
+    assert (work["light_terms"] > 0) == (work["specular_powers"] > 0) == bool(scatters)
+    assert frame.slope.any() != bool(scatters)
+    rings = work_of(method, field="rings", ku=0.0)
+    assert rings.gradient_evaluations + rings.height_evaluations > 0

@@ -50,9 +50,9 @@ def distance_from(
     undecided, within = np.zeros(reference.raster.shape, bool), np.zeros(3)
     for each in bounded:
         undecided, within = undecided | each.open, within + each.bounds
-    places, *masks = _pixels(reference.stage.on_a, undecided)
+    places, on_a, sure = _pixels(reference.stage.on_a, undecided)
     others = _taken(reference.rgb, places), _taken(np.broadcast_to(within, reference.rgb.shape), places)
-    return lambda frame: _enclosed(_taken(frame.rgb, places), *others, *masks, threads)
+    return lambda frame: _enclosed(_taken(frame.rgb, places), *others, on_a, sure, threads)
 
 
 def enclosed_distance(

@@ -1,6 +1,6 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
@@ -198,17 +198,11 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = self.stage.new_plane(channels=len(ON_A))
-        bumped = replace(self.shot, scene=replace(self.scene, beta=1.0))
-        self.stage.draw(
-            bumped,
-            1,
-            dict(zip(ON_A, planes, strict=True)),
-            chambers_known=True,
-            surfaces="a",
-            colors=False,
-            stored=ON_A,
-        )
-        on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
+        want = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
+        named = dict(zip(ON_A, planes, strict=True))
+        self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
+        places = np.flatnonzero(self.stage.on_a)
+        on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
         read_only(on_a)
         return on_a
 

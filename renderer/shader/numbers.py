@@ -14,6 +14,7 @@ from renderer.checks import check_kind
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.machines.forms import Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
@@ -122,12 +123,23 @@ class Shot:
         return algebraic_powers(self.scene, self.method)
 
     @cached_property
+    def way(self) -> str:
+        """The way to the gradient: algebraic, general, or a difference."""
+        return "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
+
+    @cached_property
+    def glows(self) -> bool:
+        """True if light is scattered: without it, no normal is seen."""
+        return (self.scene.kd > 0.0 or self.scene.ks > 0.0) and any(any(each.color or ()) for each in self.scene.lights)
+
+    @cached_property
     def want(self) -> Want:
-        """The Want of the picture, drawn from nothing; without a bump, without a gradient."""
-        way = "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
-        scene, way = self.scene, "flat" if self.scene.beta == 0.0 else way
-        bump = {"bumps": (scene.bump,), "horizon": scene.horizon}
-        return Want(((scene.field, way),), (style_of(scene),), scene.shininess.is_integer(), **bump)
+        """The Want of the picture, drawn from nothing; without a bump that is seen, without a gradient."""
+        scene, numbers = self.scene, {"k_u": self.scene.ku, "k_v": self.scene.kv}
+        level = any(numbers[name] == 0.0 for name in field_kernels(scene.field)["level_without"])
+        ways = ((scene.field, "flat" if level or scene.beta == 0.0 or not self.glows else self.way),)
+        whole = scene.shininess.is_integer()
+        return Want(ways, (style_of(scene),), whole, bumps=(scene.bump,), horizon=scene.horizon)
 
 
 def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
@@ -161,13 +173,16 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
     )
 
 
-def light_numbers(number: int, light: Light, boxes: Iterable[Box]) -> SimpleNamespace:
-    """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be."""
+def light_numbers(number: int, light: Light, boxes: Iterable[Box], glows: bool = True) -> SimpleNamespace:
+    """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be.
+
+    glows: whether anything scatters light.
+    """
     bit = float(1 << (FIRST_LIGHT_BIT + number))
     return SimpleNamespace(
         position=light.position,
         color=light.color,
-        glows=float(any(light.color or ())),  # 0 for a black light, which casts shadows and adds nothing
+        glows=float(glows and any(light.color or ())),  # 0 for a black light, which casts shadows and adds nothing
         bit=bit,  # of the chamber code
         inverse_bit=1 / bit,
         **dict(zip(SHADOWS, boxes, strict=True)),
@@ -184,7 +199,7 @@ SHADER = Shader(Group, SCENE_FORM, LIGHT_FORM, ROUNDED, WORK, PLANES)
 def numbers_of(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
     lights = [
-        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position)))
+        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position), shot.glows))
         for number, light in enumerate(shot.scene.lights)
         if light.color is not None
     ]
