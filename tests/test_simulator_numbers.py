@@ -29,6 +29,9 @@ OFTEN = {
     "kv": [4, 3, 0, -3.1],
     "model": [*LIGHT_MODELS],
     "method": [*DIFFERENCES],
+    "against": ["exact", "exact", *DIFFERENCES],
+    "against_eps": [0.01, 1e-5],
+    "lamp": [[5, 5, 10], [5, 5, 10], [-4, 3, 2.5]],
     "size": [128, 256, 512],
     "zoom": [0, 0, 3, 10],
 }

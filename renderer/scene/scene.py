@@ -117,8 +117,8 @@ class Scene:
             object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
         if self.bump == "surface" and abs(self.beta) > 1e80 * self.radius:
             raise not_allowed("beta", self.beta, f"at most {1e80 * self.radius:g} in size beside bump 'surface'")
-        steepest = 1e20 / self.radius if self.bump == "surface" else 1.0  # 1/R sin φ is less off the pole
-        check_size(self.field, self.ku, self.kv, self.beta * steepest)
+        steeper = 1e20 / self.radius if self.bump == "surface" else 1.0  # than 1/R sin φ, off the pole of any raster
+        check_size(self.field, self.ku, self.kv, self.beta, steeper)
         self._check_lengths()
 
     def __repr__(self) -> str:

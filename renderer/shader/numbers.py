@@ -58,12 +58,13 @@ class Want(NamedTuple):
     """The choice of the code that draws: the scene's numbers are its arguments.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
-    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
-    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. bumps: those of which `scene.bump` is the index of one. horizon: whether a light from behind the surface
-    itself adds nothing. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds:
-    whether each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    difference, flat, or stored: h_u and h_v are loaded. lights: (model, style) pairs, of which `scene.model` is the
+    index; a style is diffuse (with no highlight), base, or squared. integer_power: whether the shininess is a whole
+    number. chambers_known: whether the chambers are there to be loaded. surfaces: all, a (drawn over what is there)
+    or elsewhere. colors: whether these are wanted. bumps: those of which `scene.bump` is the index of one. horizon:
+    whether a light from behind the surface itself adds nothing. stored: which of ON_A and of CHART are. charted:
+    whether ANGLES and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
+    (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
