@@ -140,8 +140,9 @@ class Frame:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
         `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers` and `surface_data`. A `.png` and a `.npz` carry the scene, the method and the raster:
-        `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
+        `.npz`: `rgb`, `chambers` and `data_on_a`, whose numbers are those of the pixels where `chambers & 3` is 1, row
+        by row. A `.png` and a `.npz` carry the scene, the method and the raster: `python -m renderer image --again
+        FILE` draws them again, unless a field of one's own has no text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
@@ -150,7 +151,7 @@ class Frame:
             case ".png":
                 pictures.write_png(path, to_bytes(self.rgb), self._record())
             case ".npz":
-                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data}
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.data_on_a}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
