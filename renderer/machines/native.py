@@ -21,7 +21,7 @@ from renderer.machines.drawing_code import arguments, emit
 from renderer.machines.points_code import emit_points
 
 NAME = "llvm"
-POINTS, BLOCK = 8, 2**13  # so many go through a kernel's code at a time; and are copied for it at once
+POINTS = 8  # go through a kernel's code at a time
 
 
 @cache
@@ -101,20 +101,15 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
         code, outputs, _ = _points_code(kernel)
     points = np.broadcast(*inputs).size
     room = -(-points // POINTS) * POINTS
-    copies, results = np.zeros((len(inputs), min(BLOCK, room))), np.empty((outputs, room))
-    for copy, each in zip(copies, inputs, strict=True):
-        copy[:points] = each if np.size(each) == 1 else 0.0
-    for start in range(0, points, BLOCK):
-        rows, count = [], min(BLOCK, points - start)
-        for copy, each in zip(copies, inputs, strict=True):
-            part = copy if np.size(each) == 1 else each[start : start + count]
-            if part.size < len(copy) or not part.flags.c_contiguous:
-                copy[:count] = part
-                part = copy
-            rows.append(part)
-        rows += [row[start:] for row in results]
-        arguments = (ctypes.c_int64 * (1 + len(rows)))(min(BLOCK, room - start), *(row.ctypes.data for row in rows))
-        code(ctypes.addressof(arguments))
+    given, results = [], np.empty((outputs, room))
+    for each in inputs:
+        if np.size(each) < room or not each.flags.c_contiguous:
+            array = np.zeros(room)
+            array[:points], each = each, array
+        given.append(each)
+    arrays = (*given, *results)
+    arguments = (ctypes.c_int64 * (1 + len(arrays)))(room, *(array.ctypes.data for array in arrays))
+    code(ctypes.addressof(arguments))
     return [*results[:, :points]]
 
 

@@ -199,8 +199,8 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = self.stage.new_plane(channels=len(ON_A))
-        want = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
         named = dict(zip(ON_A, planes, strict=True))
+        want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
         self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
         places = np.flatnonzero(self.stage.on_a)
         on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
