@@ -19,7 +19,6 @@ from renderer import (
     gradient_at,
     height_at,
     k_v,
-    kernels,
     machines,
     render,
     sinpi,
@@ -110,17 +109,27 @@ def test_bounds_change_no_bit_and_are_the_same(name):
         assert (getattr(over, kind) == getattr(frame, kind)).all()
 
 
-def test_a_wrong_kernel_is_noticed(monkeypatch):
-    """NumPy draws by one whose first result is off by an ulp; LLVM's code is of the right one."""
-    right, light_term = held(render(Scene(), *SIZE)), kernels.light_term
-
-    def wrong(*arguments):
-        first, *rest = light_term(*arguments)
-        return first * (1.0 + 2.0**-52), *rest
-
-    monkeypatch.setattr(kernels, "light_term", wrong)
+@pytest.mark.parametrize("name", ["central_rings", "sum"])
+def test_slopes_change_no_bit_and_are_the_same(name):
+    """By both machines, alone or together; of a crop by several threads, and of A alone on a stage."""
+    (scene, method), names = SCENES[name], ("beta", "kd", "lights[0].position[2]")
+    plain = render(scene, *SIZE, method)
     with drawn_by(numpy_rows.drawer):
-        assert "rgb" in differing(held(render(Scene(), *SIZE)), right)
+        ours = render(scene, *SIZE, method, derivatives=names)
+    together = render(scene, *SIZE, method, derivatives=names)
+    assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
+    part = render(scene, *SIZE, method, (3, 5, 40, 7), threads=3, derivatives=names)
+    certified = render(scene, *SIZE, method, bounds=True, derivatives=names)
+    assert (certified.bounds == render(scene, *SIZE, method, bounds=True).bounds).all()
+    slopes = together.derivatives
+    assert (together.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
+    for by, slope in slopes.items():
+        alone = render(scene, *SIZE, method, derivatives=[by], stage=plain.stage)
+        for other in (ours, alone, certified):
+            np.testing.assert_array_equal(other.derivatives[by], slope, by)
+        assert (part.derivatives[by] == slope[5:12, 3:43]).all()
+        where = plain.stage.on_a if by == "beta" else plain.chambers & 3
+        assert alone.work["slopes"][by] == np.count_nonzero(where)
 
 
 @pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])
