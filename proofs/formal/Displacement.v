@@ -76,6 +76,20 @@ Proof.
   lines. unfold Rdiv. rewrite !Rinv_mult. repeat split; ring [C' D'].
 Qed.
 
+(* The surface's own bump *)
+
+Ltac selected := repeat match goal with |- context [Rlt_dec 0 ?x] => destruct (Rlt_dec 0 x); try lra end.
+Theorem surface_bump__dropped : Statements.surface_bump__dropped.
+Proof.
+  red. intros. pose proof PI_RGT_0. lines. selected. repeat split; intros; first [lra | apply Rmult_integral_contrapositive_currified; lra | field; lra].
+Qed.
+Theorem surface_bump__second_order : Statements.surface_bump__second_order.
+Proof.
+  red. intros. pose proof PI_RGT_0. circles_of H H0. lines. selected. repeat split; intros; first [lra | apply Rmult_integral_contrapositive_currified; lra | field [C' D']; lra].
+Qed.
+Theorem surface_bump__at_the_pole : Statements.surface_bump__at_the_pole.
+Proof. red. intros. lines. selected; repeat split; intros; first [lra | ring]. Qed.
+
 (* The displaced surface *)
 
 Section displaced.

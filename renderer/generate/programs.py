@@ -11,6 +11,7 @@ from proofs.formulas import (
     bump,
     camera,
     creases,
+    displacement,
     elementary,
     exponential,
     finite_difference,
@@ -62,8 +63,10 @@ KERNELS = (
     algebraic_form.complex_product,
     height_fields.slope,
     bump.bumped_normal,
+    displacement.surface_slopes,
     # light
     shading.light_direction.keep(mu, name="light_cosine"),
+    shading.height_of_light,
     *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
     shading.highlight,
     shading.light_term,
