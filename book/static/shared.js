@@ -215,6 +215,11 @@ function unpacked(base64) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
+/** Bring in what a page's folds keep: its browser reads it when they open, and at once where no script runs. @param {ParentNode} part */
+function unfold(part) {
+  for (const kept of find_all(part, "details > noscript")) kept.outerHTML = kept.textContent;
+}
+
 /** Save what stands at an address, under a name. @param {string} name @param {string} href */
 const download = (name, href) => make_element("a", { href, download: name }).click();
 
