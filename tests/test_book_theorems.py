@@ -60,7 +60,9 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
         assert len(card.select(".given dd")) == sum(len(claim.given) for claim in theorem.rounded)
         claims = chain.from_iterable(clause.claims for clause in theorem.clauses)
-        for shown, claim in zip(card.select(":is(details, noscript) > .claim"), [*claims, *theorem.rounded], strict=True):
+        for shown, claim in zip(
+            card.select(":is(details, noscript) > .claim"), [*claims, *theorem.rounded], strict=True
+        ):
             assert shown.dl["aria-label"] == f"Claim {claim.name}" and len(shown.dl.select("dd")) <= OPEN
             assert sorted(row.get_text() for row in shown.select("dd")) == sorted(f"${row.tex}$" for row in rows(claim))
         assert f"pytest verify --theorem {id}" in card.get_text()

@@ -24,7 +24,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullLocator
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
+from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, PHONE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
 from renderer.picture.views import add_colour_bar
 
 # Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
@@ -68,6 +68,17 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
     """
     fig = Figure(figsize=(WIDTHS[width], height), layout="constrained")
     return fig, fig.subplots(**subplots)
+
+
+def narrow(fig: Figure) -> None:
+    """Lay a plot out for a phone: its axes one below the other, and fewer powers of ten below them."""
+    axes = [ax for ax in fig.axes if ax.get_subplotspec()]
+    for place, ax in zip(fig.add_gridspec(len(axes), 1), axes, strict=True):
+        ax.set_subplotspec(place)
+        ax.tick_params(labelleft=True)
+        if ax.get_xscale() == "log":
+            ax.locator_params("x", numticks=6)
+    fig.set_size_inches(PHONE_WIDTH, len(axes) * fig.get_figheight())
 
 
 def bound_style() -> dict[str, object]:

@@ -27,6 +27,7 @@ from textwrap import indent
 from docutils import nodes
 from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
+from sphinx.addnodes import index
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly import report
@@ -51,13 +52,17 @@ def theorem_card(here: SphinxDirective) -> Nodes:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
     brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
-    return [card(book, id, brief), *messages]
+    shown, label = card(book, id, brief), book.label(id)
+    names = label, label.split()[-1]  # by which the search finds it
+    return [index(entries=[("single", name, shown["ids"][0], "main", None) for name in names]), shown, *messages]
 
 
 def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
     path, line = module_and_line(id)
     source = f"{listing_address(path)}#L-{line}"
-    return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
+    made = filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
+    made["ids"] = [f"theorem-{id}"]
+    return made
 
 
 def coq(name: str, statement: str) -> Markup:

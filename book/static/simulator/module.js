@@ -362,13 +362,15 @@ async function simulator_module(data, ...programs) {
     );
 
   /**
-   * Draw A.
+   * Draw A, all of it or some rows.
    * @param {SceneState} state
    * @param {Method} method
    * @param {Stage} stage
    * @param {string} name
+   * @param {Record<string, number>} [rows]
    */
-  const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
+  const draw_a = (state, method, stage, name, rows) =>
+    draw("draw_a", state, method, stage, { ...target(stage, name), ...rows });
 
   /** @param {SceneState} state @param {Stage} stage @param {string} name */
   const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));

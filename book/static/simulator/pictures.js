@@ -37,7 +37,6 @@ function simulator_pictures(root, states, data, module) {
   /** @type {Uint8Array[]} */
   let bounds = [];
   let decorated = "";
-  let held = false; // the key that shows the crease lines
 
   /** @param {HTMLCanvasElement} canvas */
   const context_of = (canvas, alpha = true) =>
@@ -148,7 +147,7 @@ function simulator_pictures(root, states, data, module) {
   function decorate(state = shown) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const whole = view === "loci" || held;
+    const whole = view === "loci";
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
@@ -161,12 +160,6 @@ function simulator_pictures(root, states, data, module) {
       resize(canvas, sides[n]);
       if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown, whole);
     }
-  }
-
-  /** Show the crease lines, or no longer. @param {boolean} now */
-  function hold(now) {
-    held = now;
-    decorate();
   }
 
   // The bounds of either picture's colours over it, in as many pixels as the screen has: one that is open stays seen.
@@ -212,7 +205,7 @@ function simulator_pictures(root, states, data, module) {
     return URL.createObjectURL(new Blob([Uint8Array.from(all)], { type: "image/png" }));
   }
 
-  return { boxes, file, paint, show, show_bounds, decorate, hold, resized, canvas: canvas_of, still: scale.still };
+  return { boxes, file, paint, show, show_bounds, decorate, resized, canvas: canvas_of, still: scale.still };
 }
 
 /** A PNG's chunk of text under the renderer's own word. @param {string} text */
