@@ -41,13 +41,12 @@ def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
             raise TypeError(
                 f"figure {entry.id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, channels) or None"
             )
-        data = data_file(entry.id, drawing)
-        if kind == "svg" and not getattr(picture, "pixel_exact", False):
+        data, exact = data_file(entry.id, drawing), kind == "png" or getattr(picture, "pixel_exact", False)
+        if kind == "svg" and not exact:
             narrow(picture)
             phone, files = _size(picture), files | _svg(picture, ".phone")
     numbers = plain_numbers(entry.id, drawing.numbers)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
-    exact = kind == "png" or getattr(picture, "pixel_exact", False)
     description = {"id": entry.id, "about": about, "kind": kind, "size": size, "phone": phone, "exact": exact}
     beside = next((f"{entry.id}{suffix}" for suffix in data), None)
     return files | data, description | {"certified": certified(drawing.shown), "data": beside, "numbers": numbers}

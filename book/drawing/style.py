@@ -81,18 +81,15 @@ def narrow(fig: Figure) -> None:
     fig.set_size_inches(PHONE_WIDTH, len(axes) * fig.get_figheight())
 
 
-def bound_style() -> dict[str, object]:
-    """Return the look of a bound: dashed, black (light grey on the dark page)."""
-    return {"color": colour_of("bound"), "linestyle": (0, (5, 3)), "linewidth": 1.3}
-
-
 def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
           **look: Any) -> None:  # fmt: skip
     """Draw y against x in a role's colour, a "bound" dashed; `look` goes to Line2D, whose label is `text`.
 
     `text` stands to a side of its last point, or of the one where x is nearest to `at` by ratio.
     """
-    line = {"label": "bound"} | bound_style() if role == "bound" else {"label": "_", "color": colour_of(role)}
+    line = {"label": "_", "color": colour_of(role)}
+    if role == "bound":
+        line |= {"label": "bound", "linestyle": (0, (5, 3)), "linewidth": 1.3}
     ax.plot(x, y, **line | ({"label": text} if text else {}) | look)
     if text:
         label_curve(ax, x, y, x[-1] if at is None else at, text, role, side)

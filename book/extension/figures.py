@@ -80,8 +80,8 @@ def _pictures(here: SphinxDirective, id: str, alt: str) -> list[dict]:
     common = {"alt": " ".join(alt.split()), "width": width, "height": height, "phone": description.get("phone")}
     folder = Path(here.env.app.outdir, "_images")
     folder.mkdir(parents=True, exist_ok=True)
-    for suffix in (*looks, *(f".phone{suffix}" for suffix in looks if common["phone"])):
-        shutil.copy(source / f"{id}{suffix}", folder)
+    for drawing in source.glob(f"{id}.*[vn]g"):
+        shutil.copy(drawing, folder)
     return [{"name": f"{id}{suffix}", "classes": look} | common for suffix, look in looks.items()]
 
 
