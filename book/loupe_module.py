@@ -11,16 +11,15 @@ from book.simulator_module import OFF_A, SCENE, WAYS, script
 from proofs.formulas.finite_difference import HEIGHTS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
-from renderer import exact
 from renderer.generate.programs import difference_of, differences
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, maximum, minimum
 from renderer.machines.forms import flat
 from renderer.operations import Number, nan
 from renderer.picture.differences import nearest_and_furthest
-from renderer.shader.numbers import scene_numbers
+from renderer.shader.numbers import Shot
 from renderer.shader.rounded_inputs import bound_of_x, bound_of_y, of_scene
 from renderer.shader.shader import difference
-from verify.accuracy.step_terms import BOUNDS, SLOPE_TERMS
+from verify.accuracy.step_terms import BOUNDS, RULES, slope_terms
 
 BY_ROUNDING = [TERMS.index(term) for term in ("argument rounding", "roundoff")]
 
@@ -28,14 +27,15 @@ BY_ROUNDING = [TERMS.index(term) for term in ("argument rounding", "roundoff")]
 def _noise(name, method, *at):
     """Return how much of the difference of heights rounding may make, then how far a slope is off: in u, and in v.
 
-    By the theorems, over the span of the samples; NaN where none covers the difference.
+    By the theorems, over the span of the samples; NaN where none covers the field.
     """
-    if method != "central" or name not in SLOPE_TERMS:
+    if (name, method) not in BOUNDS:
         return (nan,) * 4
     _, v, *_, epsilon = at
-    in_u, in_v = (sum(terms[n] for n in BY_ROUNDING) for terms in SLOPE_TERMS[name](*at))
-    noise = in_u * 2.0 * epsilon, in_v * (minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-    return *noise, *BOUNDS[name](*at)[2:]
+    in_u, in_v = (sum(terms[n] for n in BY_ROUNDING) for terms in slope_terms(HEIGHT_FIELDS[name], method)(*at))
+    span = RULES[method].span * epsilon
+    clamped = minimum(span, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
+    return in_u * span, in_v * clamped, *BOUNDS[name, method](*at)[2:]
 
 
 def samples_of(name: str, method: str) -> Callable:
@@ -48,9 +48,9 @@ def samples_of(name: str, method: str) -> Callable:
         at, taken = (u, v, k_u, k_v, epsilon), []
 
         def height(*there):
-            found = FIELDS[name]["height"](*there)
-            taken.extend((*there[:2], found))
-            return found
+            h = FIELDS[name]["height"](*there)
+            taken.extend((*there[:2], h))
+            return h
 
         slopes = difference(FIELDS[name] | {"height": height}, method, *at)
         return *taken, *slopes, *_noise(name, method, *at)
@@ -100,6 +100,6 @@ def pairs() -> dict[str, dict[str, list]]:
 
 def source() -> str:
     """Return the text of the script that the page loads when it is asked to."""
-    data = {"pairs": pairs(), "scene_bounds": flat(of_scene(SCENE, scene_numbers(SCENE, exact())))}
+    data = {"pairs": pairs(), "scene_bounds": flat(of_scene(Shot(SCENE)))}
     words = "what the loupe asks at a pixel, and what bounds the colours"
     return script(words, "Simulator.closer", "Simulator.closer.program", BOUNDED, KERNELS, data, {})

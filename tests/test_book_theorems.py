@@ -2,7 +2,7 @@
 
 import html
 import re
-from itertools import chain, count
+from itertools import count
 
 import pytest
 from sympy import evaluate, pi, symbols
@@ -19,7 +19,7 @@ from proofs.engine.half_turns import sinpi
 from proofs.engine.theorem import all_theorems
 from tests import one_page
 from tests.processes import python
-from verify.coq import formal
+from verify.coq import formal, recorded
 from verify.evidence.sources import ROOT
 
 THEOREMS = all_theorems()
@@ -36,7 +36,7 @@ def proofs(site):
 def cards(html_of):
     """Theorem → its card, in the order of the pages."""
     pages = map(html_of, page_files(ROOT / "book"))
-    return {found[1]: parsed(found[0]) for page in pages for found in CARD.finditer(page)}
+    return {match[1]: parsed(match[0]) for page in pages for match in CARD.finditer(page)}
 
 
 # The cards of the site
@@ -51,18 +51,22 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
             formula.replace_with(f"${formula['data-tex']}$")
-        whole = proofs.entries[id]["shown"] == "formal"
+        is_formal = proofs.entries[id]["shown"] == "formal"
         words = [word.extract().get_text() for word in card.select(".grade-word")]
-        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * whole
-        assert not (whole and theorem.expected == "argued")
+        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * is_formal
+        assert not (is_formal and theorem.expected == "argued")
         (statement,) = card.select(".statement")
+        brief = [text.get_text().strip().replace("’", "'") for text in card.select(".brief")]
+        assert brief == [" ".join(clause.text for clause in theorem.short)] * bool(theorem.short)
+        shown = [text.get_text() for text in card.select("details.coq[open] pre")]
+        for text, pin in zip(shown, theorem.pinned, strict=True):
+            assert "".join(recorded.in_full(pin.name, recorded.record()).split()) in "".join(text.split())
         shown = statement.get_text().strip().replace("’", "'")
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
         assert len(card.select(".given dd")) == sum(len(claim.given) for claim in theorem.rounded)
-        claims = chain.from_iterable(clause.claims for clause in theorem.clauses)
-        for shown, claim in zip(
-            card.select(":is(details, noscript) > .claim"), [*claims, *theorem.rounded], strict=True
-        ):
+        claims = [claim for clause in theorem.clauses for claim in clause.claims if claim in theorem.claims]
+        printed = card.select(":is(details, noscript) > .claim")
+        for shown, claim in zip(printed, [*claims, *theorem.rounded], strict=True):
             assert shown.dl["aria-label"] == f"Claim {claim.name}" and len(shown.dl.select("dd")) <= OPEN
             assert sorted(row.get_text() for row in shown.select("dd")) == sorted(f"${row.tex}$" for row in rows(claim))
         assert f"pytest verify --theorem {id}" in card.get_text()
@@ -114,8 +118,8 @@ def lacking(theorem, cut):
     names = [claim.name.partition("_")[0] for claim in theorem.rounded]
     missing = {name for name in (*names, "overflows") if name not in " ".join(texts)}
     for name, claim in zip(names, theorem.rounded, strict=True):
-        given = [text for text in hypotheses if name in text or not any(map(text.count, names))]
-        missing |= numbers(*map(tex, claim.given)) - numbers(words, *given) - {0, 1}
+        stated = [text for text in hypotheses if name in text or not any(map(text.count, names))]
+        missing |= numbers(*map(tex, claim.given)) - numbers(words, *stated) - {0, 1}
     return missing
 
 
@@ -179,9 +183,9 @@ def test_a_printed_claim_is_the_object_as_written():
     x, cos_theta = symbols("x cos_theta", real=True)
     with evaluate(False):
         claim = Claim("c", equation(pi * 2 * sinpi(x) * cos_theta**2, 0 + x), greater(x, 1))
-    said, given = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
-    assert rows(claim) == [given, ("shows", said)]
-    assert rows(claim, by_definition=(str(claim.shows[0]),)) == [given, ("by definition", said)]
+    line, hypothesis = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
+    assert rows(claim) == [hypothesis, ("shows", line)]
+    assert rows(claim, by_definition=(str(claim.shows[0]),)) == [hypothesis, ("by definition", line)]
     assert rows(claim, refuted=True)[-1].role == "false"
 
 

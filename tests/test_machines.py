@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import HeightField, Light, Scene, central, exact, forward, k_v, kernels, render, sinpi, u, v
+from renderer import HeightField, Light, Scene, central, exact, forward, k_v, render, sinpi, u, v
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -62,20 +62,20 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
         ours = draw((left, top, width, height))
     with drawn_by(partial(native.drawer, lanes=lanes), 1):
         assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
-        whole = draw()
+        complete = draw()
         for name in ("rgb", "chambers", "kink", "slope", "straddling"):
-            np.testing.assert_array_equal(getattr(ours, name), getattr(whole, name)[part], name)
+            np.testing.assert_array_equal(getattr(ours, name), getattr(complete, name)[part], name)
 
 
 def test_code_is_kept_by_its_text_and_by_the_processor(tmp_path, monkeypatch):
     monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(tmp_path))
-    kept = []
+    files = []
     for field, processor in (("ridges", "one"), ("sine", "one"), ("ridges", "other"), ("ridges", "one")):
         monkeypatch.setattr(native, "_processor", lambda processor=processor: processor)
         native.compiled.cache_clear()
         render(Scene(field=field), *SIZE)
-        kept.append(len(list(tmp_path.iterdir())))
-    assert kept == [1, 2, 3, 3]
+        files.append(len(list(tmp_path.iterdir())))
+    assert files == [1, 2, 3, 3]
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -94,14 +94,24 @@ def test_bounds_change_no_bit_and_are_the_same(name):
         assert (getattr(over, kind) == getattr(frame, kind)).all()
 
 
-def test_a_wrong_kernel_is_noticed(monkeypatch):
-    """NumPy draws by one whose first result is off by an ulp; LLVM's code is of the right one."""
-    right, light_term = held(render(Scene(), *SIZE)), kernels.light_term
-
-    def wrong(*arguments):
-        first, *rest = light_term(*arguments)
-        return first * (1.0 + 2.0**-52), *rest
-
-    monkeypatch.setattr(kernels, "light_term", wrong)
+@pytest.mark.parametrize("name", ["central_rings", "sum"])
+def test_slopes_change_no_bit_and_are_the_same(name):
+    """By both machines, alone or together; of a crop by several threads, and of A alone on a stage."""
+    (scene, method), names = SCENES[name], ("beta", "kd", "lights[0].position[2]")
+    plain = render(scene, *SIZE, method)
     with drawn_by(numpy_rows.drawer):
-        assert "rgb" in differing(held(render(Scene(), *SIZE)), right)
+        ours = render(scene, *SIZE, method, derivatives=names)
+    together = render(scene, *SIZE, method, derivatives=names)
+    assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
+    part = render(scene, *SIZE, method, (3, 5, 40, 7), threads=3, derivatives=names)
+    certified = render(scene, *SIZE, method, bounds=True, derivatives=names)
+    assert (certified.bounds == render(scene, *SIZE, method, bounds=True).bounds).all()
+    slopes = together.derivatives
+    assert (together.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
+    for by, slope in slopes.items():
+        alone = render(scene, *SIZE, method, derivatives=[by], stage=plain.stage)
+        for other in (ours, alone, certified):
+            np.testing.assert_array_equal(other.derivatives[by], slope, by)
+        assert (part.derivatives[by] == slope[5:12, 3:43]).all()
+        where = plain.stage.on_a if by == "beta" else plain.chambers & 3
+        assert alone.work["slopes"][by] == np.count_nonzero(where)

@@ -11,6 +11,8 @@ from renderer.scene.scene import MODELS
 from tests.strategies import methods, rasters, scenes
 from verify.reference import reference_pixel
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
+
 
 @given(scenes(), rasters(), methods, st.data())
 def test_a_record_has_the_bits_of_the_frame_and_what_adds_up_to_them(scene, size, method, data):

@@ -3,6 +3,7 @@
 import copy
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,6 +17,8 @@ from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
 from book.releases import archive, command, compare, notes as release_notes, record, same_bytes
+from proofs.engine.theorem import all_theorems
+from proofs.engine.vectors import real
 from tests.processes import run
 
 GRADES = {
@@ -78,15 +81,15 @@ def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not
     """First nothing moves; then a theorem is weaker, a number moved by 1e-3, pictures changed; last looks alone."""
     before, heights, pixels = released(places), STEPS**2, PIXELS.copy()
     draw_into(places.generated)
-    status, said = notes()
-    assert status == 0 and "Nothing moved." in said
+    status, output = notes()
+    assert status == 0 and "Nothing moved." in output
     assert command_line.main(["release"]) == 0 and released(places) == before
     places.grades["unit_length"]["grade"] = "measured"
     heights[1] *= 1.25
     pixels[2, 3, 1] += 40
     moved = {"rms": 0.0121 * (1 + 1e-3), "pixels": pixels, "heights": heights}
     draw_into(places.generated, **moved)
-    status, said = notes()
+    status, output = notes()
     assert status == 1
     for words in (
         "Weakened: 1\n\n- `unit_length`: proved → measured",
@@ -95,7 +98,7 @@ def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not
         "- `sweep`: its pixels or plotted numbers; a build of the older version's tag has those before",
         "- `unit_length` (weakened)\n- `sweep.rms_1e-3` (out of tolerance)\n",
     ):
-        assert words in said
+        assert words in output
     difference = np.asarray(Image.open(places.out / "hero.png"))
     assert np.argwhere(difference).tolist() == [[2, 3]] and difference.max() == 255
     for id, status in (("unit_length", 1), ("sweep.rms_1e-3", 0)):
@@ -114,14 +117,14 @@ def test_the_newest_version_keeps_pictures_and_what_cannot_be_released_is_refuse
     assert [archive.before(version) for version in ("0.10.0", "0.9.2", "0.1.0")] == ["0.2.0", "0.2.0", "0.1.0"]
     assert sorted(path.parent.name for path in places.releases.glob("*/*.*")) == ["0.10.0"]
     places.changelog.write_text("## 0.1.0\n")
-    for arguments, stale, said in (
+    for arguments, stale, error in (
         (["release-notes", "--against", "9.9"], {}, "there is no release 9.9; there are: 0.1.0, 0.2.0, 0.10.0"),
         (["release"], {}, "changelog has no heading ## 0.10.0"),
         (["release"], {"frames": "a.py changed"}, "frames: a.py changed: python -m verify.benchmark\n"),
     ):
         monkeypatch.setattr(command_line.evidence, "stale", lambda stale=stale: stale)
         assert command_line.main(arguments) == 2
-        assert said in capsys.readouterr().err
+        assert error in capsys.readouterr().err
 
 
 def test_theorems_added_removed_strengthened_weakened_and_restated():
@@ -135,8 +138,21 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
         assert {change.id: change.kind for change in compare.theorems(one, other)} == kinds
 
 
+def test_a_hypothesis_that_is_added_shows_whatever_the_words_are():
+    theorem = all_theorems()["unit_length"]
+    stricter = [claim.but(given=(claim.given, real("x") > 0)) for claim in theorem.claims]
+    for changes, moved in (
+        ({"claims": stricter}, [f"unit_length__{claim.name}" for claim in stricter]),
+        ({"hypotheses": "more"}, ["hypotheses"]),
+        ({}, []),
+    ):
+        old, new = (GRADES["unit_length"] | {"says": record.says(t)} for t in (theorem, replace(theorem, **changes)))
+        told = [change.words for change in compare.theorems({"a": old}, {"a": new})]
+        assert told == [f"said by other {', '.join(sorted(moved))}"] * bool(moved)
+
+
 def test_numbers_that_moved():
-    """As far as the older record allows."""
+    """Let a number move as far as the older record's tolerance allows."""
     for old, new, allowed, kind in (
         (1.0, 1.0 + 2**-51, 1e-9, "moved"),
         ("Tuesday", "Friday", "any", "moved"),

@@ -42,17 +42,18 @@ def lights_on(scene: Scene) -> list[Light]:
 def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
-    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y.
+    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y; or what stands
+    in place of the scene's.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     fields = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
-    values = others | {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
+    values = {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
     values |= {"ball_radius": ball_radius, "ball_on": float(scene.ball), "floor_on": float(scene.floor)}
     triples: list = [(ball_center, center), (ambient_light, scene.ambient)]
     triples += [(albedo_of_a, scene.albedo_a), (albedo_of_b, scene.albedo_b)]
     for number, light in enumerate(lights_on(scene)):
         triples += [(light_position(number), light.position), (light_color(number), light.color)]
-    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)}
+    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)} | others
 
 
 def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
@@ -63,14 +64,7 @@ def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
 
 
 def reference_pixel(
-    scene: Scene,
-    width: int,
-    height: int,
-    column: int,
-    row: int,
-    method: str = "exact",
-    eps: float | None = None,
-    digits: int = DIGITS,
+    scene: Scene, width: int, height: int, column: int, row: int, digits: int = DIGITS
 ) -> dict[str, arb]:
     """Return {name: ball} of every line of a pixel's program, from the exact values of the scene's numbers.
 
@@ -78,8 +72,8 @@ def reference_pixel(
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning. Raises Undecided where balls
     of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
-    place = {"column": column, "row": row, "width": width, "height": height, "epsilon": eps or 0.0}
-    enclosed = lines_of(scene, method, round((digits + 20) / math.log10(2)), **place)
+    place = {"column": column, "row": row, "width": width, "height": height}
+    enclosed = lines_of(scene, "exact", round((digits + 20) / math.log10(2)), **place)
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
     return enclosed

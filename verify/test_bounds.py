@@ -18,15 +18,15 @@ from renderer import Light, Scene, central, exact, kernels, operations, render
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
-from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
+from renderer.shader.numbers import Shot
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
-enclosed_bounds, where = Frame.bounds.fget, enclosing.where
+where = enclosing.where
 
 
 @pytest.fixture
@@ -45,11 +45,6 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
     assert all(numbers[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
 
 
-def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
-    monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
-    assert measure(3, first=0)["numbers"]["above_bound"] > 0
-
-
 @pytest.mark.parametrize("field", HEIGHT_FIELDS)
 @pytest.mark.parametrize("model", LIGHT_MODELS)
 def test_the_default_scene(field, model):
@@ -63,12 +58,12 @@ def test_the_default_scene(field, model):
     assert share <= (300 if scene == Scene() else 1000)
 
 
-def on_creases(numbers=range(1, 25)):
+def on_creases():
     """Return frames of one pixel each, which lies within a rounding of a crease of ridges."""
     scene = Scene(ball=False)
     u = render(scene, 64, 64).surface_data["u"][20, 25]
     crop = 25, 20, 1, 1
-    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in numbers]
+    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in range(1, 25)]
 
 
 def test_the_side_of_a_crease_is_open():
@@ -199,7 +194,7 @@ def image_points():
         raster, numbers = Raster(width, height), np.arange(max(width, height))
         sizes = {"width": width, "height": height, "eye": scene.eye, "radius": scene.radius}
         true = in_balls(POINT, sizes | {"column": numbers, "row": numbers}).values()
-        bounds = rounded_inputs.of_image_points(scene, raster)
+        bounds = rounded_inputs.of_image_points(Shot(scene, raster=raster))
         for points, balls, bound in zip(raster.image_points(scene), true, bounds, strict=True):
             yield distance(points, balls[: len(points)]), bound
 
@@ -214,7 +209,7 @@ def test_an_image_point_is_exact_where_it_is_0(monkeypatch):
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3)])
 def test_on_an_axis_nothing_is_open(method):
-    """Of 61 × 60 pixels column 30 is x = 0, row 25 is y = 0; nor at the edge of a square, nor on the seam."""
+    """Leave no pixel of column 30, x = 0, or row 25, y = 0, open: neither at the edge of a square nor on the seam."""
     for place in ((40, 25), (2, 25), (20, 25), (30, 20)):
         frame = render(Scene(), 61, 60, method, (*place, 1, 1), bounds=True)
         assert not frame.open.any() and frame.bounds.max() < 1e-8

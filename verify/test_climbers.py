@@ -1,7 +1,6 @@
 """An optimiser climbs toward the worst case of each bound that is measured on samples, and proved nowhere.
 
-A check that is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or of a fitted
-order (`difference_slopes`) leaves nothing to climb.
+A fitted order (`difference_slopes`) leaves nothing to climb.
 """
 
 import math
@@ -20,7 +19,7 @@ from verify.accuracy.step_terms import SLOPE_TERMS
 from verify.coq import formal
 from verify.stability.geometry import toward_the_pole
 
-EXHAUSTIVE = {"crease_products", "crease_contrast", "dark_difference", "difference_slopes"}
+FITTED = {"difference_slopes"}
 
 
 def difference(field, u, v, ku, kv, digits):
@@ -44,7 +43,7 @@ def _frame(name):
 
 def pixel(name, column, row):
     """Return the error of a decided pixel over its bound."""
-    checked = checked_pixel(name, _frame(name), "", column, row)
+    checked = checked_pixel(_frame(name), column, row)
     return 0.0 if checked.undecided or not checked.error else float(checked.error / checked.bound)
 
 
@@ -57,7 +56,7 @@ CLIMBS = {
         "digits": floats(1, 16)}),
     "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": floats(3.9, 6.3), "number": _seeds}),
     "pixel_accuracy": (pixel, 1.0, 1e-4, {
-        "name": sampled_from([*SCENES]), "column": _pixels, "row": _pixels}),
+        "name": sampled_from(range(len(SCENES))), "column": _pixels, "row": _pixels}),
 }  # fmt: skip
 """{theorem: (what is climbed, the bound that it claims, what is found at least, from where)}"""
 
@@ -89,4 +88,4 @@ def test_no_climber_gets_above_the_bound(theorem, pytestconfig):
 
 def test_each_measured_bound_has_a_climber():
     measured = {id for id, theorem in all_theorems().items() if theorem.expected == "measured"}
-    assert measured - formal.statements().keys() == EXHAUSTIVE | CLIMBS.keys()
+    assert measured - formal.statements().keys() == FITTED | CLIMBS.keys()

@@ -1,4 +1,4 @@
-"""Derivatives of a height field's expression: creases, factors, and the bounds of a central difference's error.
+"""Derivatives of a height field's expression: creases, factors, and the bounds of a difference's error.
 
 A field that no kernel could draw is refused in words.
 """
@@ -10,28 +10,28 @@ import numpy as np
 import pytest
 from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, log, sign, sqrt
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, floor, log, sign, sqrt
 
 from proofs.engine.functions import FUNCTIONS
 from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
-from proofs.formulas.finite_difference import central
+from proofs.formulas.creases import straddling
+from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.ranges import enclosure
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
-from proofs.formulas.symbols import h, h_u, h_v, k_u, k_v, u, v
+from proofs.formulas.symbols import h, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
-from renderer import kernels, operations
+from renderer import central, kernels, operations
 from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
 from verify.evaluate import Reference
-from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import Balls
 
 _inside = Rational(1, 16) - (u - Rational(1, 2)) ** 2 - (v - Rational(1, 2)) ** 2
@@ -43,10 +43,16 @@ MORE = {
     "waves": sinpi(k_u * u) + sinpi(2 * k_u * u),
     "bump": Max(0, _inside) ** 2,
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
+    "tent": Abs(v - Rational(1, 2)),
+    "golf": Max(0, sinpi(k_u * u) * sinpi(k_v * v) - Rational(1, 2)),
+    "bricks": Abs(sinpi(k_u * u + floor(k_v * v) / 2)) * Abs(sinpi(k_v * v)),
+    "nested": Abs(2 * Abs(_cosines) - 1),
+    "hills": Max(0, sinpi(k_u * u), sinpi(k_v * v)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
 COVERED = [field for field in FIELDS.values() if slope_terms(field)]
 every_field = pytest.mark.parametrize("field", COVERED, ids=lambda field: field.name)
+every_method = pytest.mark.parametrize("method", METHODS)
 CHART = (u, v, k_u, k_v)
 
 
@@ -73,9 +79,9 @@ def test_the_last_of_three_values_is_for_all_else():
 
 
 def crossed(factors, at):
-    """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
-    turns = [function_of(Program("turns", CHART, {real("turns"): factor.args[0]}))(*at) for factor in factors]
-    return sum((np.diff(np.floor(w)) != 0 for w in turns), np.zeros(len(at[0]) - 1, bool))
+    """Return between which neighbours of some points of the chart a factor changes its sign."""
+    signs = [np.sign(function_of(Program("factor", CHART, {h: factor}))(*at)) for factor in factors]
+    return sum((np.diff(side) != 0 for side in signs), np.zeros(len(at[0]) - 1, bool))
 
 
 @pytest.mark.parametrize("field", FIELDS.values(), ids=FIELDS)
@@ -84,15 +90,20 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     at = 0.03 + 0.9 * along, 0.11 + 0.61 * along, 8.0, 4.0
     slopes = np.broadcast_arrays(*function_of(gradient(field))(*at), along)[:2]
     jumps = np.abs(np.diff(slopes)).max(axis=0) > 0.5
-    assert_array_equal(jumps, crossed(field.creases, at))
+    creases = crossed(field.creases, at)
+    may = field.name == "hills"  # where two of its values are equal, the third may be above them
+    assert_array_equal(jumps, creases & jumps if may else creases)
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
-@pytest.mark.parametrize("field", [field for field in FIELDS.values() if field.wave_numbers], ids=str)
-def test_the_wave_numbers_give_the_gradient_its_factors(field):
-    at = {"u": [0.13, 0.71], "v": [0.29, 0.83], "k_u": [7.3, -2.0], "k_v": [4.1, 3.0]}
-    named, formula = in_balls(gradient(field), at), Program("slopes", CHART, {(h_u, h_v): field.gradient()})
-    assert max(distance(named[name], ball).max() for name, ball in in_balls(formula, at).items()) < 1e-60
+@pytest.mark.parametrize("name", ["tent", "golf", "bricks", "nested", "hills"])
+def test_no_difference_is_off_unless_it_straddles(name):
+    """Where it does and a slope jumps, it is off by some of the jump; out and back within the step is not noticed."""
+    at = *np.random.default_rng(53).uniform(0, 1, (2, 4000)), 8.0, 4.0
+    ours, true = function_of(METHODS["central"](FIELDS[name]))(*at, 1e-3), function_of(gradient(FIELDS[name]))(*at)
+    off = np.max([abs(one - other) + 0 * at[0] for one, other in zip(ours, true, strict=True)], axis=0)
+    flags = function_of(straddling(FIELDS[name]))(*at, 1e-3) == 1
+    assert off[~flags].max() < 0.2 < off[flags].max()
 
 
 REFUSED = {
@@ -106,8 +117,8 @@ REFUSED = {
     "rates": (sinpi(v) / (k_u + 3), "on the chart .* is not shown to be finite"),
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
-    "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
-    "three": (Max(0, sinpi(k_u * u), sinpi(k_v * v)), "creases have to be"),
+    "symbol": (u * real("w"), "it has w, and a field no symbols but u, v, k_u, k_v"),
+    "spiral": (atan2pi(v - Rational(1, 2), u), r"atan2pi\(y, x\) has a jump unless"),
 }
 
 
@@ -136,7 +147,7 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch, cap
         assert capsys.readouterr().out == f"{told} first: 0 lines\n"
 
 
-# The bounds of a central difference's error, on the pages and in the simulator
+# The bounds of a difference's error, on the pages and in the simulator
 
 
 def test_only_what_the_theorems_cover_has_a_bound():
@@ -159,40 +170,55 @@ def drawn(count):
     return places[0] % 1.0, np.clip(np.abs(places[1]), 0, 1), *waves, eps
 
 
-def errors_and_terms(field, at):
-    """Return how far a field's central difference is off, in u and in v, and each slope's terms, which bound that."""
-    ours, true = function_of(central(field))(*at), function_of(gradient(field))(*at[:-1])
+def errors_and_terms(field, at, method="central"):
+    """Return how far a field's difference is off, in u and in v, and each slope's terms, which bound that."""
+    ours, true = function_of(METHODS[method](field))(*at), function_of(gradient(field))(*at[:-1])
     zero = np.zeros(np.broadcast(*at).shape)
     errors = [zero + abs(one - other) for one, other in zip(ours, true, strict=True)]
-    return np.array(errors), np.array([[zero + term for term in slope] for slope in slope_terms(field)(*at)])
+    return np.array(errors), np.array([[zero + term for term in slope] for slope in slope_terms(field, method)(*at)])
 
 
+@every_method
 @every_field
 @np.errstate(all="ignore")
-def test_no_difference_is_further_off_than_its_bound(field):
+def test_no_difference_is_further_off_than_its_bound(field, method):
     at = drawn(20_000)
-    errors, terms = errors_and_terms(field, at)
+    errors, terms = errors_and_terms(field, at, method)
     of_slopes = terms.sum(axis=1)
     assert (errors <= of_slopes).all()
     assert (errors > of_slopes - terms.max(axis=1)).any()  # without its largest term it is no bound
     leading = {TERMS[number] for number in np.unique(terms.argmax(axis=1))}
-    assert leading == {*TERMS} - ({"straddling"} if factors_of(field)[0] is None else set())  # rings has no seam
-    bound, leading, *slopes = bounds_of(field)(*at)  # what the simulator shows: the larger slope's
+    never = {"one-sided"} if method == "forward" else set()  # it turns round at a pole
+    never |= {"straddling"} if factors_of(field)[0] is None else set()  # rings has no seam
+    assert leading == {*TERMS} - never
+    bound, leading, *slopes = bounds_of(field, method)(*at)  # what the simulator shows: the larger slope's
     assert_allclose(slopes, of_slopes)
     larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]
     assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
     assert_array_equal(bound, np.max(slopes, axis=0))
 
 
+@every_method
 @every_field
 @np.errstate(all="ignore")
-def test_where_both_arguments_round_back_the_bound_is_the_slope(field):
+def test_where_both_arguments_round_back_the_bound_is_the_slope(field, method):
     """The difference is 0 there, and its error the slope itself: the bound is no more than a rounding above it."""
     at = *np.random.default_rng(5).uniform(0.1, 0.9, (2, 1000)), 8.0, 4.0
-    for eps in (1e-18, 5e-18):
-        errors, terms = errors_and_terms(field, (*at, eps))
-        assert not np.any(function_of(central(field))(*at, eps))
+    for eps in (1e-18, 2.5e-18):  # twice that rounds back, too
+        errors, terms = errors_and_terms(field, (*at, eps), method)
+        assert not np.any(function_of(METHODS[method](field))(*at, eps))
         assert (errors <= terms.sum(axis=1)).all() and (terms.sum(axis=1) <= errors * ROOM**2 + 1e-12).all()
+
+
+@every_field
+@np.errstate(all="ignore")
+def test_a_representable_step_moves_no_argument_within_a_binade(field):
+    """So its error is below a bound without that part, which holds for hardly any other step."""
+    at = *np.random.default_rng(6).uniform(0.52, 0.98, (2, 2000)), 8.0, 4.0
+    for step in (1e-3, 1e-7, 1e-11):
+        errors, terms = errors_and_terms(field, (*at, central(step, representable=True).eps))
+        assert (errors <= terms.sum(axis=1)).all() and not terms[:, 1].any()
+        assert errors_and_terms(field, (*at, step))[1][:, 1].any()
 
 
 @np.errstate(all="ignore")
@@ -205,7 +231,7 @@ def test_a_hump_of_ridges_that_ends_inside_the_step_has_no_smooth_bound():
 
 
 def test_the_bounds_are_sharp():
-    """Where the slope is steepest, the error of a small step is the bound, up to the next term of its series."""
+    """Reach the bound, up to the next term of its series, by a small step where the slope is steepest."""
     for k in (1.0, 8.0, 64.0):
         error = np.pi * k * (1 - np.sinc(1e-2))
         assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1

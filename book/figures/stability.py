@@ -76,7 +76,7 @@ def stability_wave_numbers() -> Drawing:
 def stability_totals() -> Drawing:
     """All sweeps together: points, escapes, the largest error in responses; numbers only."""
     swept = [sweep(name) for name in SWEEPS]
-    totals = {what: sum(getattr(each, what) for each in swept) for what in ("points", "escaped")}
+    totals = {count: sum(getattr(each, count) for each in swept) for count in ("points", "escaped")}
     sharpness = np.median([each.sharpness for each in swept])
     values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
     numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}
@@ -88,7 +88,7 @@ def shares_of_terms() -> Drawing:
     """The shares of sphere A on which each of the error's terms is the largest, at three steps; numbers only."""
     frame, numbers = render(Scene(), 88, 88), {}
     for eps in (3e-2, 1e-6, 1e-8):
-        kinds = attribution.over_the_image(frame, eps)
-        shares = attribution.shares(kinds[kinds > -2])
+        kinds = attribution.dominant(frame.scene, frame.data_on_a["u"], frame.data_on_a["v"], eps)
+        shares = attribution.shares(kinds)
         numbers |= {f"{re.sub('[ -]', '_', term)}_{eps:.0e}": share for term, share in shares.items()}
     return Drawing(numbers=numbers | {"pixels": frame.stage.on_a.sum()})

@@ -47,7 +47,7 @@ def standing(theorem: dict) -> tuple[int, int]:
 
 
 def grade_words(theorem: dict) -> str:
-    """The grade as it is read: "proved, given DLMF"."""
+    """Return the grade as it is read: "proved, given DLMF"."""
     return theorem["grade"] + (f", given {', '.join(theorem['given'])}" if theorem["given"] else "")
 
 
@@ -65,6 +65,8 @@ def _theorem(id: str, old: dict, new: dict) -> Iterator[Change]:
         yield Change(id, "restated", words)
     if new["statement"] != old["statement"]:
         yield Change(id, "restated", f"“{old['statement']}” → “{new['statement']}”")
+    if moved := sorted(dict(old.get("says", new.get("says", {})).items() ^ new.get("says", {}).items())):
+        yield Change(id, "restated", f"said by other {', '.join(moved)}")
 
 
 def numbers(before: dict, after: dict) -> list[Change]:

@@ -13,6 +13,9 @@ from pathlib import Path
 from book.assembly import report, stamps
 from book.releases.pictures import arrays_of, digest
 from proofs.engine.project import PROJECT
+from proofs.engine.theorem import Theorem, all_theorems
+from proofs.printers.coq_statements import statements
+from verify.coq import recorded
 
 GENERATED, BENCHMARKS = PROJECT.generated, PROJECT.root / PROJECT.benchmarks
 FORMAT = 1
@@ -25,7 +28,7 @@ def version() -> str:
 
 
 def make() -> dict:
-    """The record of what is built now. NoReport if the theorems' report is missing or stale."""
+    """Return the record of what is built now. NoReport if the theorems' report is missing or stale."""
     paths = [path for path in sorted(GENERATED.glob("*.json")) if path.name != report.REPORT.name]
     figures = [stamps.table_in(path) for path in paths]
     return {
@@ -39,13 +42,24 @@ def make() -> dict:
 
 
 def theorems() -> dict[str, dict]:
-    """Id → what the last run graded it, and the words of the statement."""
-    from proofs.engine.theorem import all_theorems
-
+    """Id → what the last run graded it, the words of the statement, and digests of what says them, by name."""
     entries, stated = report.load(), all_theorems()
     return {
-        id: {"grade": entry["grade"], "given": entry["given_cited"], "statement": stated[id].words}
+        id: {
+            "grade": entry["grade"],
+            "given": entry["given_cited"],
+            "statement": stated[id].words,
+            "says": says(stated[id]),
+        }
         for id, entry in sorted(entries.items())
+    }
+
+
+def says(theorem: Theorem) -> dict[str, str]:
+    """The digests of a theorem's hypotheses, of its claims as they are printed for Coq, and of what it pins."""
+    printed = {"hypotheses": " ".join(theorem.hypotheses)} | statements(theorem)
+    return {name: recorded.digest(text) for name, text in printed.items()} | {
+        pin.name: pin.digest for pin in theorem.pinned
     }
 
 
@@ -60,13 +74,13 @@ def _measured(path: Path) -> dict:
 
 
 def _picture(figure: dict) -> dict[str, str]:
-    """The name of a picture's file of data, and the digest of its pixels or of the curves that it has."""
+    """Return the name of a picture's file of data, and the digest of its pixels or of the curves that it has."""
     return {"data": figure["data"], "content": digest(arrays_of(GENERATED / figure["data"]))}
 
 
 @cache
 def rules(path: Path = RULES) -> dict:
-    """The file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
+    """Return the file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
     content = stamps.table_in(path)
     for rule in content["rule"]:
         if not rule.get("why", "").strip():
@@ -77,7 +91,7 @@ def rules(path: Path = RULES) -> dict:
 
 
 def tolerance(name: str, value: int | float | str) -> float | str:
-    """The tolerance of a number: relative, 0 for exact, "any" for a label."""
+    """Return the tolerance of a number: relative, 0 for exact, "any" for a label."""
     for rule in rules()["rule"]:
         if any(fnmatchcase(name, pattern) for pattern in rule["numbers"]):
             if rule["within"] == float("inf"):

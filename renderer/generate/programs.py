@@ -1,5 +1,7 @@
 """The programs of `proofs/` that become kernels, by name."""
 
+from functools import cache
+
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
@@ -19,7 +21,7 @@ from proofs.formulas import (
 )
 from proofs.formulas.chart import chart, chart_radians
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import h_v, k_u, k_v, mu, x, y
+from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, mu, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,
@@ -67,13 +69,15 @@ KERNELS = (
     shading.light_term,
     shading.clip,
 )
+STEP = {epsilon: real("eps")}
+"""ε by the name that it has from the command line on; formulas and statements spell it out."""
 
 
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
     by_method: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
-        program = difference(height_fields.ANY_FIELD)
+        program = difference(height_fields.ANY_FIELD).at(STEP)
         by_method |= {method: program, f"{method}_in_v": program.keep(h_v)}
     return by_method
 
@@ -89,13 +93,14 @@ def height_evaluations(method: str, field: HeightField) -> int:
     return sum(symbol in finite_difference.HEIGHTS for symbol, _ in lines)
 
 
+@cache
 def field_programs(field: HeightField) -> dict[str, Program]:
     """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
     programs = {
         "height": height_fields.height(field),
         "gradient": height_fields.gradient(field),
         "kink": creases.kink_flag(field),
-        "straddling": creases.straddling(field),
+        "straddling": creases.straddling(field).at(STEP),
     }
     if field.wave_numbers:
         waves = real("a b")

@@ -68,7 +68,7 @@ class Mask:
         return self.holds if self.open is None else self.holds | self.open
 
     def __and__(self, other):
-        return Mask(self.holds & other.holds, _either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
+        return Mask(self.holds & other.holds, either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
 
     def __or__(self, other):
         return ~(~self & ~other)
@@ -81,7 +81,8 @@ def _both(open_, mask):
     return None if open_ is None else open_ & mask
 
 
-def _either(one, other):
+def either(one: Any, other: Any) -> Any:
+    """Return where one of two masks holds, of which each may be None."""
     return other if one is None else one if other is None else one | other
 
 
@@ -179,7 +180,7 @@ class Enclosed(Bounded):
         return size, self.stays_exact
 
     def inverse(self) -> Any:
-        """Return 1/|b| of the smallest b within the bound, infinite if that may be 0."""
+        """Return a bound of 1/|b| for every b within the bound of this number: infinite where b may be 0."""
         if is_zero(self.error):
             return 1.0 / abs(self.value)
         least = abs(self.value) - self.bound

@@ -1,5 +1,7 @@
 """The gradient and the height of a field at points of the chart, and the form of its exact gradient."""
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -11,28 +13,22 @@ from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 
 
-def algebraic_powers(scene: Scene) -> tuple[int, int] | None:
-    """Return the whole powers (for u, for v) of the algebraic form of the scene's field, or None without one."""
-    wave_numbers = field_kernels(scene.field)["wave_numbers"]
-    if wave_numbers is None:
-        return None
-    a, b = wave_numbers(scene.ku, scene.kv)
-    if a % 2 or b % 1 or max(abs(a), abs(b)) > MAX_ALGEBRAIC:
-        return None
-    return int(a) // 2, int(b)
-
-
-def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
-    """Return whether the exact gradient of the scene is taken without a transcendental function.
+def algebraic_powers(scene: Scene, method: GradientMethod) -> tuple[int, int] | None:
+    """Return the whole powers (for u, for v) of the algebraic form of a scene's gradient; None if it is not taken so.
 
     Raises ValueError if the form "algebraic" is asked for where there is none.
     """
-    powers = algebraic_powers(scene)
-    if method.form == "algebraic" and powers is None:
+    if method.name != "exact" or method.form == "general":
+        return None
+    wave_numbers = field_kernels(scene.field)["wave_numbers"]
+    a, b = wave_numbers(scene.ku, scene.kv) if wave_numbers else (math.nan, math.nan)
+    if a % 2 == 0 and b % 1 == 0 and max(abs(a), abs(b)) <= MAX_ALGEBRAIC:
+        return int(a) // 2, int(b)
+    if method.form == "algebraic":
         wave_numbers = f"a field whose wave number in u is even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
         of_scene = f"not '{scene.field}' with ku = {scene.ku:g}, kv = {scene.kv:g}"
         raise not_allowed("form", method.form, f"{wave_numbers}, {of_scene}")
-    return powers is not None and method.form != "general"
+    return None
 
 
 def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -40,15 +36,17 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         x, y = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
     except (TypeError, ValueError):
         raise not_allowed("(u, v)", (u, v), "numbers, or arrays of shapes that go together") from None
-    inside = (x >= 0) & (x < 1) & (y >= 0) & (y <= 1)
+    inside = (x >= 0) & (x <= 1) & (y >= 0) & (y <= 1)
     if not inside.all():
-        raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
+        raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u and v in [0, 1]")
     return x, y
 
 
 @np.errstate(all="ignore")
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
-    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart.
+    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart, [0, 1]².
+
+    At u = 1 the formula is taken there, though the sphere's meridian is u = 0.
 
     >>> from renderer import Scene, height_at
     >>> height_at(Scene(field="sine"), [0.0, 0.0625], 0.125).tolist()
@@ -63,7 +61,7 @@ def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
 def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
-    u ∈ [0, 1), v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
+    u and v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
 
     >>> from renderer import Scene, central, exact, gradient_at
     >>> for method in (exact(), central(1e-3)):
@@ -76,7 +74,7 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     here = _chart_points(u, v)
     field, arguments = field_kernels(scene.field), (*here, scene.ku, scene.kv)
     if checked_method("method", method).name == "exact":
-        uses_algebraic_form(scene, method)  # which refuses a form that there is none of
+        algebraic_powers(scene, method)  # which refuses a form that there is none of
         gradient = field["gradient"](*arguments)
     else:
         gradient = difference(field, method.name, *arguments, method.eps)
