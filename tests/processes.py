@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import time
 
 from verify.evidence.sources import ROOT
 
@@ -29,12 +28,3 @@ def started(*arguments, **options):
     """Start this Python; what it prints, and what it complains of, can be read as text."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
     return subprocess.Popen([sys.executable, *map(str, arguments)], cwd=ROOT, **pipes | options)
-
-
-def wait_until(condition, child):
-    """Wait until a condition holds while a process runs, two minutes at most."""
-    deadline = time.monotonic() + 120
-    while not condition():
-        assert child.poll() is None, child.stderr.read()
-        assert time.monotonic() < deadline
-        time.sleep(0.001)

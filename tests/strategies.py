@@ -4,6 +4,7 @@ The examples are the same every time.
 """
 
 import math
+from itertools import product
 
 import numpy as np
 from hypothesis import HealthCheck, settings
@@ -19,13 +20,12 @@ from hypothesis.strategies import (
     none,
     one_of,
     sampled_from,
-    text,
     tuples,
 )
 
 from renderer import Light, Scene, central, central4, exact, forward
 from renderer.kernels import FIELDS
-from renderer.scene.scene import MODELS
+from renderer.scene.scene import BUMPS, MODELS
 
 unhealthy = [HealthCheck.too_slow, HealthCheck.filter_too_much]
 settings.register_profile("same", max_examples=100, derandomize=True, deadline=None, suppress_health_check=unhealthy)
@@ -98,6 +98,8 @@ _rest = {
     "ku": wave_numbers,
     "kv": wave_numbers,
     "beta": betas,
+    "bump": sampled_from(BUMPS),
+    "horizon": booleans(),
 }
 
 
@@ -129,13 +131,16 @@ def scenes(draw, **fixed):
     chosen = {**place, "lights": tuple(lights)}
     for name, value in {**_rest, **fixed}.items():
         chosen[name] = draw(value) if isinstance(value, SearchStrategy) else value
+    if abs(chosen["beta"]) > 1e80 * radius:
+        chosen["bump"] = "chart"
     return Scene(**chosen)
 
 
+_chart = {"bump": "chart", "horizon": False}
 _looks = (
-    {"field": "ridges", "model": "blinn", "shininess": 32.0},
-    {"field": "sine", "model": "phong", "shininess": 7.5},
-    {"field": "rings", "model": "blinn", "shininess": 7.0},
+    {"field": "ridges", "model": "blinn", "shininess": 32.0, **_chart},
+    {"field": "sine", "model": "phong", "shininess": 7.5, **_chart},
+    {"field": "rings", "model": "blinn_gated", "shininess": 7.0, "bump": "surface", "horizon": True},
 )
 looks = sampled_from(_looks).flatmap(lambda look: scenes(**look))
 """Scenes of a few looks, for tests that are about neither field nor light: every combination is code to compile."""
@@ -147,14 +152,11 @@ NOT_NUMBERS += [bytearray(b"1"), np.complex64(1), np.bool_(1)]
 NOT_NUMBERS += [np.array(value, kind) for value in ("1", True, 1j) for kind in (None, object)]
 NOT_TRIPLES = [None, 1.0, "abc", b"abc", (), (0.1,), (0.1, 0.1), (0.1,) * 4]
 NOT_TRIPLES += [bytearray(3), {0, 0.5, 1}]
-not_numbers = sampled_from(NOT_NUMBERS)
-not_triples = one_of(sampled_from(NOT_TRIPLES), tuples(just(0.1), not_numbers, just(0.1)))
-unknown_names = one_of(text(max_size=5), none(), integers()).filter(lambda n: n not in (*FIELDS, *MODELS))
-rejected_fields = one_of(
-    tuples(sampled_from(NUMBER_FIELDS), not_numbers),
-    tuples(sampled_from(TRIPLE_FIELDS), not_triples),
-    tuples(sampled_from(["field", "model"]), unknown_names),
-    tuples(sampled_from(["ball", "floor"]), sampled_from([None, "yes", 2, math.nan, ()])),
-    tuples(just("lights"), sampled_from([None, 1.0, "no", ((5, 5, 5),), (None,), {}, set(), b""])),
-)
-"""(field, value): a value that no Scene accepts for that field."""
+REJECTED = [
+    *product(NUMBER_FIELDS, NOT_NUMBERS),
+    *product(TRIPLE_FIELDS, [*NOT_TRIPLES, *((0.1, wrong, 0.1) for wrong in NOT_NUMBERS)]),
+    *product(("field", "model"), ["", "other", None, 3]),
+    *product(("ball", "floor"), [None, "yes", 2, math.nan, ()]),
+    *product(("lights",), [None, 1.0, "no", ((5, 5, 5),), (None,), {}, set(), b""]),
+]
+"""[(field, value)]: a value that no Scene accepts for that field."""

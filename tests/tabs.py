@@ -4,7 +4,7 @@ from contextlib import ExitStack, contextmanager
 from functools import partial
 from urllib.parse import urljoin
 
-from playwright.sync_api import Route, expect, sync_playwright
+from playwright.sync_api import expect, sync_playwright
 
 from book.editions.chromium import FLAGS, installed
 
@@ -42,17 +42,15 @@ def chromium():
 
 
 @contextmanager
-def opened(browser, address, until=None, prepare="", given=(), home=None, **options):
+def opened(browser, address, until=None, prepare="", home=None, **options):
     """Give the page in a context of its own. When it is closed it may have asked for nothing elsewhere, and have logged
     no error.
 
-    until: what to wait for. prepare: a script to run before the page's own. given: scripts to give for others, by their
-    addresses. home: what addresses begin with that it may ask for. options: as Playwright's new_context.
+    until: what to wait for. prepare: a script to run before the page's own. home: what addresses begin with that it may
+    ask for. options: as Playwright's new_context.
     """
     context, asked, complaints = browser.new_context(**DESKTOP | {"reduced_motion": "reduce"} | options), [], []
     context.add_init_script(prepare)
-    for place, script in dict(given).items():
-        context.route(place, partial(Route.fulfill, body=script, content_type="text/javascript"))
     tab = context.new_page()
     tab.wait_for_function = partial(wait_for, tab)
     tab.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)

@@ -9,7 +9,22 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import HeightField, Light, Scene, central, exact, forward, k_v, kernels, render, sinpi, u, v
+from renderer import (
+    HeightField,
+    Light,
+    Scene,
+    central,
+    exact,
+    forward,
+    gradient_at,
+    height_at,
+    k_v,
+    machines,
+    render,
+    sinpi,
+    u,
+    v,
+)
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -94,14 +109,36 @@ def test_bounds_change_no_bit_and_are_the_same(name):
         assert (getattr(over, kind) == getattr(frame, kind)).all()
 
 
-def test_a_wrong_kernel_is_noticed(monkeypatch):
-    """NumPy draws by one whose first result is off by an ulp; LLVM's code is of the right one."""
-    right, light_term = held(render(Scene(), *SIZE)), kernels.light_term
-
-    def wrong(*arguments):
-        first, *rest = light_term(*arguments)
-        return first * (1.0 + 2.0**-52), *rest
-
-    monkeypatch.setattr(kernels, "light_term", wrong)
+@pytest.mark.parametrize("name", ["central_rings", "sum"])
+def test_slopes_change_no_bit_and_are_the_same(name):
+    """By both machines, alone or together; of a crop by several threads, and of A alone on a stage."""
+    (scene, method), names = SCENES[name], ("beta", "kd")
+    draw = partial(render, scene, *SIZE, method)
+    plain, together = draw(bounds=True), draw(derivatives=names, bounds=True)
     with drawn_by(numpy_rows.drawer):
-        assert "rgb" in differing(held(render(Scene(), *SIZE)), right)
+        ours = draw(derivatives=names)
+    assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
+    assert (together.bounds == plain.bounds).all()
+    part, slopes = draw((3, 5, 40, 7), threads=3, derivatives=names), together.derivatives
+    assert (ours.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
+    for by, on in (("beta", plain.stage.on_a), ("kd", plain.chambers & 3)):
+        alone = draw(derivatives=[by], stage=plain.stage)
+        assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
+        assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
+        assert alone.work["slopes"][by] == np.count_nonzero(on)
+
+
+@pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])
+def test_at_points_the_bits_are_the_same(field, monkeypatch):
+    """Slopes by every method, heights, and the data of a frame: points that fill no whole group."""
+    scene, at = Scene(field=field), np.random.default_rng(53).random((2, 3, 1401))
+
+    def computed():
+        slopes = [gradient_at(scene, *at, each) for each in (exact(), forward(1e-3), central(1e-4))]
+        data = render(scene, 128, 99, central(1e-3)).data_on_a
+        return [height_at(scene, *at), *(slope for pair in slopes for slope in pair), *data.values()]
+
+    compiled, few = computed(), []
+    monkeypatch.setattr(machines, "FEW_POINTS", np.inf)
+    monkeypatch.setattr(native, "over_points", lambda *given: few.append(given))
+    assert all(np.array_equal(one, other) for one, other in zip(compiled, computed(), strict=True)) and not few

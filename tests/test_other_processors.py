@@ -5,10 +5,10 @@ import platform
 import llvmlite.binding as llvm
 import pytest
 
-from renderer import Scene, central
+from renderer import Scene, central, render
 from renderer.machines import native, numpy_rows
 from renderer.machines.drawing_code import emit
-from tests.test_webassembly import bytes_of
+from tests.test_machines import SIZE, drawn_by
 
 pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="these are features of x86")
 NEEDS = {"fma": ["avx2", "fma"], "avx512": ["avx512f", "avx512bw", "avx512dq", "avx512vl"]}
@@ -24,6 +24,13 @@ TARGETS = {  # {LLVM's processor: lanes, the set of features that it needs}
     "sapphirerapids": (8, ("fma", "avx512")),
     "cascadelake": (16, ("fma", "avx512")),
 }
+
+
+def bytes_of(drawer, scene, method):
+    """Return the bytes of all that a machine's frame with bounds holds, by name, and what it counted."""
+    with drawn_by(drawer):
+        frame = render(scene, *SIZE, method, threads=1, bounds=True)
+    return {name: getattr(frame, name).tobytes() for name in ("rgb", "chambers", "bounds", "open")} | frame._counts
 
 
 @pytest.mark.parametrize("name", TARGETS)

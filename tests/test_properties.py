@@ -13,6 +13,7 @@ from renderer import Light, Scene, exact, pixel, render
 from renderer.kernels import FIELDS
 from tests.strategies import methods, rasters, scaled_triple, scenes
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
 FLOOR = 3
 DARK = 128
 

@@ -8,6 +8,8 @@ import pytest
 
 from book.extension.mathematics import typeset
 from book.extension.search import in_a_line
+from book.extension.theorems import load
+from book.notebooks.laboratory import BOOK
 
 # Two words, one of the prose, of a caption, a Greek letter, one of a theorem's card; and where each has to be found.
 FOUND = {
@@ -34,12 +36,16 @@ def search(tab, words):
     )
 
 
-def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+def test_words_and_theorems_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+    theorems = load(BOOK)
     tab = visit("source/proofs/formulas/bump.py", scheme)
     for words, page in FOUND.items():
         assert page in {link.partition("#")[0] for link in search(tab, words)}
-    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-']) .search-sentence")
+    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#']) .search-sentence")
     assert "lagrange" in shown.locator("mark").first.inner_text().lower() and shown.inner_text().count(". ") <= 1
+    for id in ("seam", "hit_of_b"):
+        label = theorems.label(id)
+        assert {search(tab, words)[0].split("#")[1] for words in (label, label.split()[-1])} == {f"theorem-{id}"}
     assert search(tab, "xylophone") == []
     assert "did not match any" in tab.inner_text("#search-results")
     assert search(tab, "silhouette")
@@ -63,11 +69,7 @@ def test_a_formula_that_is_found_stands_in_the_line(tex, text):
     assert in_a_line(ElementTree.fromstring(typeset(tex))) == text
 
 
-def test_no_markup_is_sent_to_search_in(site):
-    texts = (site / "_static" / "search-text.js").read_text("utf-8")
-    assert "ε" in texts and not re.search("<m[a-z]+[ >]", texts) and "\\\\(" not in texts
-
-
-def test_no_sentence_is_a_figure_s_small_print_or_a_key(site):
+def test_no_markup_no_small_print_of_a_figure_and_no_key_is_sent_to_search_in(site):
     text = (site / "_static" / "search-text.js").read_text("utf-8")
-    assert "python -m book figures" not in text and "Blinn1978" not in text and "Blinn 1978" in text
+    assert "ε" in text and "Blinn 1978" in text
+    assert not re.search(r"<m[a-z]+[ >]|\\\\\(|python -m book figures|Blinn1978", text)

@@ -119,7 +119,7 @@ def shared(records, others):
     return [{name: record[name] for name in other} for record, other in zip(records, others, strict=True)]
 
 
-def test_the_copied_line_prints_the_numbers_shown(tab):
+def test_the_copied_line_prints_the_numbers_shown(tab, by_numpy):
     rng, surfaces = random.Random("lines"), []
     for line, records, rows in tab.evaluate(PIXELS, [random_state(rng) for _ in range(200)]):
         assert shared(printed(line), records) == records, line

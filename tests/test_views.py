@@ -3,11 +3,8 @@
 import matplotlib
 import numpy as np
 
-from renderer import Scene, render
 from renderer.files import srgb
 from renderer.picture import views
-
-FRAME = render(Scene(), 48, 40)
 
 
 def test_srgb_is_the_formula_everywhere():

@@ -23,15 +23,17 @@ class Undecided(ValueError):
 
 
 @lru_cache(maxsize=64)
-def _lines_of(field, model, lights, method):
+def _lines_of(field, model, lights, method, *bump):
     """Return a whole pixel in balls, by a gradient method: exact is the general form."""
     height_field = HEIGHT_FIELDS[field]
-    return Balls(pixel(height_field, model, lights, None if method == "exact" else METHODS[method](height_field)))
+    gradient = None if method == "exact" else METHODS[method](height_field)
+    return Balls(pixel(height_field, model, lights, gradient, *bump))
 
 
 def lines_of(scene: Scene, method: str, bits: int, **others: Any) -> dict[str, arb]:
     """Return {name: ball} of every line of a pixel's program, of the exact values of the scene's numbers and others."""
-    return _lines_of(scene.field, scene.model, len(lights_on(scene)), method)(scene_values(scene, **others), bits)
+    lines = _lines_of(scene.field, scene.model, len(lights_on(scene)), method, scene.bump, scene.horizon)
+    return lines(scene_values(scene, **others), bits)
 
 
 def lights_on(scene: Scene) -> list[Light]:
@@ -42,17 +44,18 @@ def lights_on(scene: Scene) -> list[Light]:
 def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
-    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y.
+    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y; or what stands
+    in place of the scene's.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     fields = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
-    values = others | {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
+    values = {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
     values |= {"ball_radius": ball_radius, "ball_on": float(scene.ball), "floor_on": float(scene.floor)}
     triples: list = [(ball_center, center), (ambient_light, scene.ambient)]
     triples += [(albedo_of_a, scene.albedo_a), (albedo_of_b, scene.albedo_b)]
     for number, light in enumerate(lights_on(scene)):
         triples += [(light_position(number), light.position), (light_color(number), light.color)]
-    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)}
+    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)} | others
 
 
 def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
@@ -63,14 +66,7 @@ def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:
 
 
 def reference_pixel(
-    scene: Scene,
-    width: int,
-    height: int,
-    column: int,
-    row: int,
-    method: str = "exact",
-    eps: float | None = None,
-    digits: int = DIGITS,
+    scene: Scene, width: int, height: int, column: int, row: int, digits: int = DIGITS
 ) -> dict[str, arb]:
     """Return {name: ball} of every line of a pixel's program, from the exact values of the scene's numbers.
 
@@ -78,8 +74,8 @@ def reference_pixel(
     rgb_red, rgb_green, rgb_blue. Off the surface that a name belongs to it has no meaning. Raises Undecided where balls
     of as many digits leave the surface open, or a shadow, a square or a side of a crease that the colour depends on.
     """
-    place = {"column": column, "row": row, "width": width, "height": height, "epsilon": eps or 0.0}
-    enclosed = lines_of(scene, method, round((digits + 20) / math.log10(2)), **place)
+    place = {"column": column, "row": row, "width": width, "height": height}
+    enclosed = lines_of(scene, "exact", round((digits + 20) / math.log10(2)), **place)
     if wide := [name for name in ("surface", *COLORS) if not enclosed[name].rad() < arb(10) ** (10 - digits)]:
         raise Undecided(f"column = {column}, row = {row}: {', '.join(wide)} undecided at {digits} digits")
     return enclosed

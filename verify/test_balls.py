@@ -6,8 +6,7 @@ from sympy import Or, Piecewise, sign, sqrt
 
 from proofs.engine.program import chain
 from proofs.engine.vectors import real
-from renderer import Scene, render
-from verify.accuracy.pixels import checked_pixel, problems
+from renderer import Scene
 from verify.evaluate.arrays import in_balls
 from verify.evaluate.balls import Balls
 from verify.reference import Undecided, reference_pixel
@@ -44,10 +43,3 @@ def test_a_pixel_on_the_silhouette_is_undecided():
     with pytest.raises(Undecided, match="column = 10, row = 9: rgb_red, rgb_green, rgb_blue undecided"):
         reference_pixel(scene, 21, 20, 10, 9)  # on a crease
     assert reference_pixel(scene, 21, 20, 11, 1)["surface"] == 1
-
-
-def test_a_pixel_that_is_off_is_found():
-    good = checked_pixel("ridges, blinn", render(Scene(), 64, 64, bounds=True), "", 25, 25)
-    bad = [good._replace(error=error) for error in (2 * good.bound, float("nan"))]
-    bad += [good._replace(same_chamber=False)]
-    assert problems([good, *bad, bad[0]._replace(undecided=True)]) == bad

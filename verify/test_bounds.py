@@ -18,7 +18,6 @@ from renderer import Light, Scene, central, exact, kernels, operations, render
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
-from renderer.picture.frame import Frame
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
@@ -27,7 +26,7 @@ from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
-enclosed_bounds, where = Frame.bounds.fget, enclosing.where
+where = enclosing.where
 
 
 @pytest.fixture
@@ -46,16 +45,13 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
     assert all(numbers[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
 
 
-def test_a_bound_that_is_too_small_is_counted(monkeypatch, by_rows):
-    monkeypatch.setattr(Frame, "bounds", property(lambda frame: 1e-3 * enclosed_bounds(frame)))
-    assert measure(3, first=0)["numbers"]["above_bound"] > 0
-
-
-@pytest.mark.parametrize("field", HEIGHT_FIELDS)
-@pytest.mark.parametrize("model", LIGHT_MODELS)
-def test_the_default_scene(field, model):
-    """Nothing is open, at 256²; bounds are tight."""
-    scene = Scene(field=field, model=model)
+@pytest.mark.parametrize("scene", [
+    *(Scene(field=field, model=model) for model in LIGHT_MODELS for field in HEIGHT_FIELDS),
+    Scene(bump="surface"),
+    Scene(bump="surface", field="sine", model="blinn_gated", shininess=1.0, horizon=True),
+])  # fmt: skip
+def test_the_default_scene(scene):
+    """Nothing is open, at 256²; bounds are tight. The same of another bump, and of light from in front alone."""
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
@@ -64,12 +60,12 @@ def test_the_default_scene(field, model):
     assert share <= (300 if scene == Scene() else 1000)
 
 
-def on_creases(numbers=range(1, 25)):
+def on_creases():
     """Return frames of one pixel each, which lies within a rounding of a crease of ridges."""
     scene = Scene(ball=False)
     u = render(scene, 64, 64).surface_data["u"][20, 25]
     crop = 25, 20, 1, 1
-    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in numbers]
+    return [render(replace(scene, ku=float(n / u)), 64, 64, exact("general"), crop, bounds=True) for n in range(1, 25)]
 
 
 def test_the_side_of_a_crease_is_open():

@@ -31,7 +31,7 @@ STAGES = (
 """Modules that Python runs: the quick check, all but the theorems, the theorems with samples and false variants."""
 OF_NUMBERS = (STAGES[0], ("verify.evidence.stale",), *STAGES[1:])
 """The same of a number: whether all that is stored still says it comes second."""
-FEW_NUMBERS, FEW_RELATIONS = 3, 20
+FEW_NUMBERS = 3
 FORMULAS = "formulas/*.py", "engine/half_turns.py", "engine/vectors.py"
 """Of proofs/: the formulas, and what they are written in."""
 

@@ -8,10 +8,9 @@ from importlib.util import find_spec
 from types import SimpleNamespace
 
 import pytest
-from sympy import Abs, Derivative, Max, Piecewise, cos, evaluate, sign, sqrt
+from sympy import Derivative, sign
 
-from proofs.engine.claim import Claim, Separation, equation, greater
-from proofs.engine.program import chain
+from proofs.engine.claim import Claim, Separation, equation
 from proofs.engine.theorem import all_theorems
 from proofs.engine.vectors import real
 from proofs.printers.coq_statements import proposition, statements, statements_of
@@ -195,6 +194,7 @@ def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(writ
 def test_people_can_read_the_files_and_open_them_as_the_command_does():
     texts = [re.sub(r"\d{100,}", "", path.read_text("utf-8")) for path in formal.FOLDER.glob("*.v")]
     assert max(len(line) for text in texts for line in text.splitlines()) <= 160
+    assert not [text for text in texts if re.search(r"\bH\d+\b", text)]  # a name that an edit of a claim moves
     project = (formal.FOLDER / "_CoqProject").read_text("utf-8").replace("-arg ", "")
     assert project.split() == [*formal.COQC[1:]]
 
@@ -253,32 +253,7 @@ def test_a_survey_that_is_cut_short_or_says_more_than_axioms_is_refused(printed,
         survey.read(named, [], survey.groups(named, {}), printed)
 
 
-x, y, z = real("x y z")
-with evaluate(False):
-    NEEDS = [
-        (1 / x - 1 / x, "x <> 0"),
-        (cos(x * y / x), "x <> 0"),
-        (Max(Abs(1 / x) + 1, y), "x <> 0"),
-        (sqrt(x) * sqrt(x), "x >= 0"),
-        (y / sqrt(x), "sqrt x <> 0"),
-        (Piecewise((1 / x, y > 0), (0, True)), "(y > 0 -> x <> 0)"),
-        (Piecewise((0, y > 0), (1 / x, True)), "(~ (y > 0) -> x <> 0)"),
-        (Piecewise((0, 1 / x > 0), (1, True)), "x <> 0"),
-        (Derivative(Abs(x), x), "ex_derive (fun x : R => Rabs x) x"),
-        (Derivative(sqrt(x), x), "x > 0"),
-        (Derivative(y / x, y), "x <> 0"),
-    ]
-"""[(an expression, what Coq is asked, too)]: of the same the kernel is asked, as test_attacks shows."""
-
-
-@pytest.mark.parametrize("expression, need", NEEDS)
-def test_the_printed_form_of_a_claim_asks_what_the_kernel_asks(expression, need):
-    """Of what it shows, is given, or puts in; it is shown, and given where the claim is refuted."""
-    above = greater(y, expression)
-    for where in ({"shows": above}, {"given": above}, {"lines": chain("line", {z: expression})}):
-        claim = Claim("one", equation(z, 0)).but(**where)
-        assert f"\n  {need} /\\\n" in proposition(claim)
-        assert f"\n  {need} ->\n" in proposition(claim, refuted=True)
+x = real("x")
 
 
 def test_a_second_derivative_of_corners_has_no_proposition():
@@ -298,20 +273,23 @@ def test_a_printed_name_is_a_name_and_one_claims(named):
         statements_of(claims)
 
 
-SAYS = {
-    r"\\sin\b": r"\bsin",
-    r"\\cos\b": r"\bcos",
-    r"\\max\b": "Rmax",
-    r"\\min\b": "Rmin",
-    r"\\arctan": r"\batan",
-    r"\bwhole\b|any number|whatever order": r"\b(nat|Z|INR)\b",
-    r"exactly (if|on)\b": "<->",
-    "no derivative": r"~\s*ex_derive",
-    r"float64|mathrm\{fl": "float64",
-    r"\btends? to\b": r"\b(filterlim|is_lim)\b",
-    r"\bRMS\b": r"\bis_RInt\b",
-}
-"""{a function, a quantifier or a limit in words: in a statement}"""
+SAYS = dict(
+    line.split()
+    for line in r"""
+        \\sin\b                             \bsin
+        \\cos\b                             \bcos
+        \\max\b                             Rmax
+        \\min\b                             Rmin
+        \\arctan                            \batan
+        \bwhole\b|any\snumber|any\sorder    \b(nat|Z|INR)\b
+        exactly\s(if|on)\b                  <->
+        no\sderivative                      ~\s*ex_derive
+        float64|mathrm\{fl                  float64
+        \btends?\sto\b                      \b(filterlim|is_lim)\b
+        \bRMS\b                             \bis_RInt\b
+    """.strip().splitlines()
+)
+"""{a function, a quantifier or a limit in words: in a statement}; of the last three the other way, too."""
 NUMBER, QUOTIENT = r"(?<![\w'.])\d+(?:\.\d+)?", r"(\d+) / (\d+)"
 PINNING = {id: theorem for id, theorem in all_theorems().items() if theorem.pinned}
 

@@ -1,5 +1,7 @@
 """The programs of `proofs/` that become kernels, by name."""
 
+from functools import cache
+
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
@@ -9,6 +11,7 @@ from proofs.formulas import (
     bump,
     camera,
     creases,
+    displacement,
     elementary,
     exponential,
     finite_difference,
@@ -60,8 +63,10 @@ KERNELS = (
     algebraic_form.complex_product,
     height_fields.slope,
     bump.bumped_normal,
+    displacement.surface_slopes,
     # light
     shading.light_direction.keep(mu, name="light_cosine"),
+    shading.height_of_light,
     *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
     shading.highlight,
     shading.light_term,
@@ -91,6 +96,7 @@ def height_evaluations(method: str, field: HeightField) -> int:
     return sum(symbol in finite_difference.HEIGHTS for symbol, _ in lines)
 
 
+@cache
 def field_programs(field: HeightField) -> dict[str, Program]:
     """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
     programs = {

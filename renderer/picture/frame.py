@@ -1,26 +1,43 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_whole, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, check_whole, not_allowed
 from renderer.files import pictures
 from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
-from renderer.machines import machine
+from renderer.machines import at_points, machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import Shot, read_only
-from renderer.shader.shader import ON_A
+from renderer.shader.shader import ON_A, slopes_of_bump
 from renderer.whole_files import checked_target
+
+BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
+ON_ONE = ("beta", "ku", "kv", "albedo_a"), ("albedo_b",), ("floor_tint",)  # what moves the colours of A, B, the floor
+
+
+@cache
+def _data_of(field):
+    """Return the function from a point's angles, slopes, (k_u, k_v) and ε to the data of a field there."""
+    kernels = field_kernels(field)
+
+    def data(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, k_u, k_v, eps):
+        here = *chart(cos_theta, sin_theta, cos_phi, sin_phi), k_u, k_v
+        flags = kernels["kink"](sin_phi, *here), kernels["straddling"](*here, eps)
+        return *here[:2], kernels["height"](*here), h_u, h_v, slope(h_u, h_v), *flags
+
+    return data
 
 
 @dataclass(eq=False, repr=False)
@@ -44,6 +61,8 @@ class Frame:
     _planes: np.ndarray | None
     _counts: dict[str, int]
     _enclosure: tuple[np.ndarray, np.ndarray] | None = None
+    _by: tuple[str, ...] = ()
+    _slopes: Sequence = ((), ())
 
     @property
     def scene(self) -> Scene:
@@ -66,10 +85,15 @@ class Frame:
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
-        specular_powers, light_terms.
+        specular_powers, light_terms. slopes: {name: the pixels of the surfaces where one of `derivatives` is not 0 for
+        certain}.
         """
         codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
-        _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        _, *surfaces = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        on_a, on_b, on_floor = surfaces
+        moved = {
+            name: surfaces[place] for place, names in enumerate(ON_ONE) for name in self._by if name.startswith(names)
+        }
         ((field, way),) = self.shot.want.ways
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
         gradients = self._counts["gradient_evaluations"]
@@ -82,6 +106,7 @@ class Frame:
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
+            "slopes": dict.fromkeys(self._by, sum(surfaces)) | moved,
         }
 
     def hand_over(self) -> np.ndarray:
@@ -115,34 +140,55 @@ class Frame:
     def __repr__(self) -> str:
         return f"Frame({self.raster}, {self.method}, {self.scene})"
 
-    def _repr_png_(self):
-        """Return the PNG that a notebook shows."""
-        return pictures.png_of(to_bytes(self.rgb), self._record())
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(height, width, 3), as of `rgb`."""
+        return *self.raster.shape, 3
+
+    def __sub__(self, other: "Frame") -> np.ndarray:
+        """Return the difference of `rgb` from another frame's. Raises ValueError where its shape is another."""
+        if check_kind("frame", other, Frame).shape != self.shape:
+            raise not_allowed("frame", other, f"one of the shape {self.shape}")
+        return self.rgb - other.rgb
+
+    @property
+    def srgb(self) -> np.ndarray:
+        """(height, width, 3) uint8: the sRGB bytes that a screen shows, and a `.png` has."""
+        return to_bytes(self.rgb)
+
+    def to_png(self) -> bytes:
+        """Return the PNG that `save` writes."""
+        return pictures.png_of(self.srgb, self._record())
+
+    _repr_png_ = to_png  # which a notebook shows
 
     def _record(self):
         """Return the text by which the picture can be drawn again."""
         return text_of(self.shot)
 
-    def save(self, path: str | Path) -> None:
+    def save(self, path: str | Path, linear: str | None = None) -> None:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
-        `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers` and `surface_data`. A `.png` and a `.npz` carry the scene, the method and the raster:
-        `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
+        `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`, with the extra `tiff`: the same bytes, or linear light in
+        numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64. `.npz`: `rgb`, `chambers`,
+        `slope_arrays()` and `data_on_a`, whose numbers are those of the pixels where `chambers & 3` is 1, row by row. A
+        `.png` and a `.npz` carry the scene, the method and the raster: `python -m renderer image --again FILE` draws
+        them again, unless a field of one's own has no text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
         path = checked_target(path, pictures.PICTURE_SUFFIXES, "path")
+        pictures.check_linear(linear, path)
         match path.suffix.lower():
             case ".png":
-                pictures.write_png(path, to_bytes(self.rgb), self._record())
+                pictures.write_png(path, self.srgb, self._record())
             case ".npz":
-                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data}
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.data_on_a, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
             case _:
-                pictures.write_tiff(path, to_bytes(self.rgb))
+                pictures.write_tiff(path, self.rgb.astype(linear) if linear else self.srgb)
 
     @property
     def bounded(self) -> bool:
@@ -174,6 +220,54 @@ class Frame:
         return self._enclosed("open", 1) > 0
 
     @property
+    def derivatives(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: the slope of each colour by a number, drawn with `derivatives=(name, …)`.
+
+        It is that of the exact picture, or of a difference's. A clipped colour has slope 0. By a number on which
+        boundaries depend it is the slope inside them.
+
+        >>> from renderer import Scene, render
+        >>> frame = render(Scene(), 16, 16, derivatives=("beta", "eye"))
+        >>> {name: round(float(abs(slope).max()), 2) for name, slope in frame.derivatives.items()}
+        {'beta': 1.15, 'eye': 0.47}
+        >>> frame.moves_boundaries
+        ('eye',)
+        """
+        return dict(zip(self._by, self._slopes[0], strict=True))
+
+    @property
+    def derivative_bounds(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: |slope − exact| is at most this, of a frame drawn with `bounds=True`.
+
+        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves: there is no slope.
+        Raises ValueError without bounds.
+        """
+        self._enclosed("derivative_bounds", 0)
+        return dict(zip(self._by, self._slopes[1], strict=True))
+
+    def slope_arrays(self) -> dict[str, np.ndarray]:
+        """Return {"derivative_" and a number's name: its slopes}, and "derivative_bound_…" with bounds, for a file."""
+        arrays = {f"derivative_{name}": slope for name, slope in self.derivatives.items()}
+        bounds = self.derivative_bounds if self.bounded else {}
+        return arrays | {f"derivative_bound_{name}": bound for name, bound in bounds.items()}
+
+    def derivative(self, direction: dict[str, float]) -> np.ndarray:
+        """Return the slope in a direction of several numbers, {name: its part}: (height, width, 3) float64.
+
+        Raises ValueError on a number by which the frame has no slope.
+        """
+        slopes = self.derivatives
+        for name, part in check_kind("direction", direction, dict, "{name: number}").items():
+            check_number(check_choice("direction", name, slopes), part)
+        return sum((part * slopes[name] for name, part in direction.items()), np.zeros(self.rgb.shape))
+
+    @property
+    def moves_boundaries(self) -> tuple[str, ...]:
+        """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
+        gated = ("beta", "ku", "kv") if self.scene.model == "blinn_gated" else ()  # where a highlight ends at once
+        return tuple(name for name in self._by if name.startswith(BOUNDARIES + gated) or "position" in name)
+
+    @property
     def chambers(self) -> np.ndarray:
         """(height, width) uint8, read-only: every frame of the stage has the same."""
         return self.stage.chambers
@@ -185,32 +279,21 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = self.stage.new_plane(channels=len(ON_A))
-        bumped = replace(self.shot, scene=replace(self.scene, beta=1.0))
-        self.stage.draw(
-            bumped,
-            1,
-            dict(zip(ON_A, planes, strict=True)),
-            chambers_known=True,
-            surfaces="a",
-            colors=False,
-            stored=ON_A,
-        )
-        on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
+        named = dict(zip(ON_A, planes, strict=True))
+        want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
+        self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
+        places = np.flatnonzero(self.stage.on_a)
+        on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
         read_only(on_a)
         return on_a
 
     @cached_property
-    @np.errstate(all="ignore")
     def data_on_a(self) -> dict[str, np.ndarray]:
         """The data of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
-        scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
-        u, v = chart(*self.planes_on_a[:4])
-        here = u, v, scene.ku, scene.kv
-        data = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
-        data["kink"] = field["kink"](self.planes_on_a[3], *here)
-        if self.method.eps:
-            data["straddling"] = field["straddling"](*here, self.method.eps)
-        return {name: np.broadcast_to(values, u.shape) for name, values in data.items()}
+        scene, names = self.scene, ["u", "v", "h", "h_u", "h_v", "slope", "kink", "straddling"]
+        numbers = scene.ku, scene.kv, self.method.eps or 0.0
+        data = dict(zip(names, at_points(_data_of(scene.field), *self.planes_on_a, *numbers), strict=True))
+        return data if self.method.eps else {name: data[name] for name in names[:-1]}
 
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
@@ -221,9 +304,19 @@ class Frame:
         if not self.scene.lights:
             raise not_allowed("light", light, "none, as the scene has no light")
         light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
-        normal = bumped_normal(*self.planes_on_a, self.scene.beta)
+        normal = self._normal_on_a()
         point, position = point_on_a(*self.planes_on_a[:4], self.scene.radius), self.scene.lights[light].position
         return self._plane(light_cosine(*point, *position, *normal), np.nan)
+
+    @property
+    def normal(self) -> np.ndarray:
+        """(height, width, 3) float64: the bumped normal N' by the frame's method, of length 1; NaN off A."""
+        return np.stack([self._plane(part, np.nan) for part in self._normal_on_a()], axis=-1)
+
+    def _normal_on_a(self):
+        *angles, h_u, h_v = self.planes_on_a
+        slopes = slopes_of_bump(self.scene.bump, angles[-1], self.scene.radius, (h_u, h_v))
+        return bumped_normal(*angles, *slopes, self.scene.beta)
 
     def _plane(self, values, off_a, kind=np.float64):
         plane = np.full(self.raster.shape, off_a, kind)
@@ -243,7 +336,10 @@ class Frame:
 
     @property
     def kink(self) -> np.ndarray:
-        """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
+        """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A.
+
+        There is a crease where a factor of sines is 0; where any other expression is, there may be one.
+        """
         return self._plane(self.data_on_a["kink"] == 1.0, False, bool)
 
     @property
@@ -253,5 +349,8 @@ class Frame:
 
     @property
     def straddling(self) -> np.ndarray:
-        """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
+        """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact.
+
+        One that is no line of zeros of sines is found by the signs of its factor at the difference's heights.
+        """
         return self._plane(self.data_on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)

@@ -1,6 +1,7 @@
 """A record of one pixel: the shader once more, on NumPy, with its geometry and each light's share."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -50,14 +51,22 @@ class PixelRecord:
     straddling: bool | None = None
     lights: tuple = ()
     rgb: tuple = (0.0, 0.0, 0.0)
+    derivatives: dict = field(default_factory=dict)
 
 
 def pixel(
-    scene: Scene, width: int, height: int, column: int, row: int, gradient: GradientMethod | None = None
+    scene: Scene,
+    width: int,
+    height: int,
+    column: int,
+    row: int,
+    gradient: GradientMethod | None = None,
+    derivatives: Iterable[str] = (),
 ) -> PixelRecord:
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
-    `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+    `normal` is N' on sphere A. derivatives: as for `render`; the record has {name: slopes of rgb}. Its rgb is bit for
+    bit that of `render`. Raises ValueError as `render` does.
 
     >>> from renderer import Scene, pixel
     >>> record = pixel(Scene(), 16, 16, 8, 9)
@@ -67,17 +76,18 @@ def pixel(
     raster = Raster(width, height)
     column = check_whole("column", column, raster.width - 1, low=0)
     row = check_whole("row", row, raster.height - 1, low=0)
-    frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
+    frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1, derivatives=derivatives)
     code = int(frame.chambers[0, 0])
     surface = SURFACES[code & SURFACE_BITS]
     data = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
-    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()))
+    slopes = {name: tuple(slope[0, 0].tolist()) for name, slope in frame.derivatives.items()}
+    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()), derivatives=slopes)
 
 
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
-    def light_up(self, mask, place, albedo, bodies):
+    def light_up(self, mask, place, albedo, bodies, upright=None):
         """Record each light's part, in place of adding it up."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
         for light in self.machine.lights:
@@ -85,7 +95,8 @@ class _WrittenDown(Group):
             mu, specular = self.model(point, light, normal, self.view(), mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
-            adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
+            behind = self.want.horizon and not self.faces(light, point, upright or normal)
+            adds = (0.0, 0.0, 0.0) if occluded or behind else _floats(adds)
             lights.append(LightRecord(number, occluded, *_floats((mu, specular)), adds))
         self.record = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
 

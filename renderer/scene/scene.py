@@ -1,12 +1,14 @@
 """The scene and its lights, checked when they are made."""
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
+from renderer.machines.forms import part_of, path_of, with_part
 from renderer.scene.fields import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
@@ -15,12 +17,15 @@ if TYPE_CHECKING:
     from proofs.formulas.height_fields import HeightField
 
     Field: TypeAlias = str | HeightField
-else:  # no SymPy is imported
-    Field = Any
+    Triple: TypeAlias = Sequence[float]
+    Lights: TypeAlias = Sequence["Light"]
+else:  # no SymPy is imported, and of a sequence a tuple is kept
+    Field, Triple, Lights = Any, tuple, tuple
 
-MODELS = tuple(LIGHT_MODELS)
+MODELS, BUMPS = tuple(LIGHT_MODELS), ("chart", "surface")
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 """The fields that no chamber depends on."""
+NUMBERS = "names of the scene's numbers in its record, such as beta, albedo_a[0], lights[1].position[2]"
 MAX_LIGHTS = 5
 MAX_WAVE_NUMBER = 2.0**20
 
@@ -34,8 +39,8 @@ class Light:
     Light(position=(0.0, 0.0, 5.0), color=(1.0, 1.0, 1.0))
     """
 
-    position: tuple
-    color: tuple | None = (1.0, 1.0, 1.0)
+    position: Triple
+    color: Triple | None = (1.0, 1.0, 1.0)
 
     def __post_init__(self):
         object.__setattr__(self, "position", check_triple("light.position", self.position))
@@ -72,9 +77,11 @@ class Scene:
     """Sphere A (the bumped one, at the origin), sphere B, the floor z = 0, the eye (0, 0, eye), up to five lights.
 
     Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field is a
-    name or a HeightField, the model of light a name. Raises ValueError that names the field, its value and
-    what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
-    one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+    name or a HeightField, the model of light a name (blinn_gated: no highlight where N'·ω ≤ 0). The bump is the
+    chapter's ("chart") or Blinn's, the normal of the surface that βh displaces, to first order, β a length ("surface";
+    theorem surface_bump); with `horizon` no light comes from behind the surface itself. Raises ValueError that names
+    the field, its value and what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and
+    B's radius at least 1e-9 of one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
 
     >>> from renderer import Scene
     >>> Scene(field="sine", beta=0.1, ball=False)
@@ -87,31 +94,36 @@ class Scene:
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
     eye: float = _given(4.0, "height of the eye", check_number)
     ball: bool = _given(True, "leave sphere B out", check_truth)
-    ball_center: tuple = _given((0.5, 0.5, 1.3), "centre of sphere B", check_triple)
+    ball_center: Triple = _given((0.5, 0.5, 1.3), "centre of sphere B", check_triple)
     ball_radius: float = _given(0.32, "radius of sphere B", check_number)
     floor: bool = _given(True, "leave the floor out", check_truth)
-    lights: tuple = _given(
+    lights: Lights = _given(
         DEFAULT_LIGHTS, "a light, in place of the default two; repeat it for more, at most five", _check_lights
     )
-    ambient: tuple = _given((0.15, 0.15, 0.16), "colour of the ambient light", check_triple, 0.0, 1e6)
-    albedo_a: tuple = _given((0.63, 0.19, 0.16), "albedo of sphere A", check_triple, 0.0, 1.0)
-    albedo_b: tuple = _given((0.33, 0.44, 0.62), "albedo of sphere B", check_triple, 0.0, 1.0)
+    ambient: Triple = _given((0.15, 0.15, 0.16), "colour of the ambient light", check_triple, 0.0, 1e6)
+    albedo_a: Triple = _given((0.63, 0.19, 0.16), "albedo of sphere A", check_triple, 0.0, 1.0)
+    albedo_b: Triple = _given((0.33, 0.44, 0.62), "albedo of sphere B", check_triple, 0.0, 1.0)
     ka: float = _given(0.1, "ambient weight", check_number, 0.0, 1e6)
     kd: float = _given(0.7, "diffuse weight", check_number, 0.0, 1e6)
     ks: float = _given(0.5, "specular weight", check_number, 0.0, 1e6)
     shininess: float = _given(32.0, "exponent of the highlight", check_number, 1e-3, 1e6)
     model: str = _given("blinn", f"model of light: {', '.join(MODELS)}", check_choice, MODELS)
     floor_tint: float = _given(0.25, "how much red and green the floor lacks", check_number, 0.0, 1.0)
-    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_field, FIELDS)  # noqa: RUF009
+    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_field, FIELDS)
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
+    bump: str = _given("chart", "the chapter's bump, chart, or the surface's own, surface", check_choice, BUMPS)
+    horizon: bool = _given(False, "let no light in from behind the surface itself", check_truth)
 
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
             object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
-        check_size(self.field, self.ku, self.kv, self.beta)
+        if self.bump == "surface" and abs(self.beta) > 1e80 * self.radius:
+            raise not_allowed("beta", self.beta, f"at most {1e80 * self.radius:g} in size beside bump 'surface'")
+        steeper = 1e20 / self.radius if self.bump == "surface" else 1.0  # than 1/R sin φ, off the pole of any raster
+        check_size(self.field, self.ku, self.kv, self.beta, steeper)
         self._check_lengths()
 
     def __repr__(self) -> str:
@@ -140,6 +152,31 @@ class Scene:
             check_kind("lights", values["lights"], list, "a list of records")
             values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
         return cls(**values)
+
+    def number(self, name: str) -> float:
+        """Return a number by its name in the record, such as "lights[0].position[2]". Raises ValueError on no name."""
+        number: Any = self
+        try:
+            for part in path_of(name):
+                number = part_of(number, part)
+        except (AttributeError, IndexError, TypeError):
+            number = None
+        if not isinstance(number, float):
+            raise not_allowed("name", name, NUMBERS)
+        return number
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> "Scene":
+        """Return the scene with other numbers, {name: number}. Raises ValueError on what is not allowed.
+
+        >>> from renderer import Scene
+        >>> Scene().with_numbers({"ku": 6, "ambient[2]": 0.2})
+        Scene(ambient=(0.15, 0.15, 0.2), ku=6.0)
+        """
+        scene = self
+        for name, number in check_kind("numbers", numbers, Mapping).items():  # type: ignore[type-abstract]
+            scene.number(name)
+            scene = with_part(scene, path_of(name), number)
+        return scene
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""
@@ -178,7 +215,7 @@ class Geometry(NamedTuple):
 
     eye: float
     radius: float
-    ball: tuple[float, float, float, float]
+    ball: tuple[float, ...]
     ball_on: float
     floor_on: float
     lights: tuple

@@ -18,7 +18,7 @@ from typing import Any
 
 from renderer import kernels as k
 from renderer.machines.forms import COLORS, Numbers, Variables
-from renderer.operations import Mask, Number, floor, where
+from renderer.operations import Mask, Number, floor, of_whole_power, where
 from renderer.scene.fields import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
@@ -92,8 +92,12 @@ class Group:
         for name, value in zip((*ON_A, *CHART), (*angles, *gradient, *chart), strict=False):
             if name in want.stored:
                 self.pixels.store(name, value)
-        place = (*k.point_on_a(*angles, s.radius), *k.bumped_normal(*angles, *gradient, s.beta))
-        self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
+        slopes = self.machine.choose(
+            want.bumps, s.bump, lambda bump: slopes_of_bump(bump, angles[-1], s.radius, gradient)
+        )
+        point = k.point_on_a(*angles, s.radius)
+        place = (*point, *k.bumped_normal(*angles, *slopes, s.beta))
+        self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)], upright=point)
 
     def loaded(self, names: Iterable[str]) -> Numbers:
         """Return the numbers of planes."""
@@ -147,10 +151,12 @@ class Group:
 
         return self.machine.choose(self.want.ways, s.way, by)
 
-    def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
+    def light_up(
+        self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies, upright: Numbers | None = None
+    ) -> None:
         """Find each light's shadows, and add up the light.
 
-        place: the point, and N'.
+        place: the point, and N'. upright: along the surface's own normal, where N' is another.
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
         """
         s, want, machine = self.scene, self.want, self.machine
@@ -169,11 +175,17 @@ class Group:
                 self.loaded_shadow(light) if want.chambers_known else self.shadow(light, mask, point, bodies(light))
             )
             if want.colors:
-                lit = lit & (light.glows > 0.0)
+                lit = lit if want.by_color else lit & (light.glows > 0.0)
+                if want.horizon:
+                    lit = lit & self.faces(light, point, upright or normal)
                 machine.when(lit, lambda: shine(light, lit))
 
         machine.each_light(reach)
         self.color.set(map(k.clip, color.value), mask)
+
+    def faces(self, light: SimpleNamespace, point: Numbers, upright: Numbers) -> Mask:
+        """Return where a light stands before the surface itself."""
+        return k.height_of_light(*point, *light.position, *upright) > 0.0
 
     def view(self) -> Numbers:
         """Return the direction to the eye."""
@@ -217,13 +229,19 @@ class Group:
                 highlight = self.machine.variable(0.0)
                 self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
                 return mu, highlight.value
-            return mu, *power(self.machine, (specular,), s.power)
+            (highlight,) = power(self.machine, (specular,), s.power)
+            return mu, of_whole_power(highlight, specular, s.power)
 
         return self.machine.choose(self.want.lights, s.model, by)
 
     def value(self, number: Number) -> Number:
         """Return a number as one of the machine's."""
         return self.machine.variable(number).value if isinstance(number, float) else number
+
+
+def slopes_of_bump(bump: str, sin_phi: Number, radius: Number, gradient: Numbers) -> Numbers:
+    """Return the slopes along e_θ and e_φ by which a bump tilts the normal: the chart's, or the surface's own."""
+    return k.surface_slopes(sin_phi, radius, *gradient) if bump == "surface" else gradient
 
 
 def power(

@@ -4,7 +4,7 @@ Truth is the pixel's program in balls of 256 bits, whose radius is below 1e-50; 
 that the frame has of it. A pixel whose chamber or side of a crease is open there is counted apart.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from copy import copy
 from dataclasses import replace
 from itertools import cycle, product
@@ -21,20 +21,15 @@ from verify.reference import COLORS, chamber_code, lines_of
 
 SIZE, EACH, SEED, BITS = 255, 46, 5, 256  # an odd size: a column of pixels lies on x = 0, on a crease
 WIDEST = 1e-40
-SCENES = {f"{field}, {model}": Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)}
-SHININESSES = {
-    f"shininess {p:g}": Scene(model=model, shininess=p)
-    for p, model in zip((0.5, 7.3, 1000.0, 1e6), cycle(LIGHT_MODELS), strict=False)
-}
+SCENES = [Scene(field=field, model=model) for field, model in product(HEIGHT_FIELDS, LIGHT_MODELS)]
+SHININESSES = [
+    Scene(model=model, shininess=p) for p, model in zip((0.5, 7.3, 1000.0, 1e6), cycle(LIGHT_MODELS), strict=False)
+]
 
 
 class Checked(NamedTuple):
     """One pixel. error, bound: the largest of its channels; undecided: by the frame's bounds, or by the balls."""
 
-    scene: str
-    kind: str
-    column: int
-    row: int
     error: float
     bound: float
     undecided: bool
@@ -47,8 +42,9 @@ def _edges(codes):
     return (around[..., (0, 2, 1, 1), (1, 1, 0, 2)] != codes[..., None]).any(axis=-1)
 
 
-def _kinds(scene, frame):
-    """Return {kind: a plane in which the pixels of that kind have the smallest numbers}."""
+def _kinds(frame):
+    """Yield a plane for each kind of pixels, in which they have the smallest numbers."""
+    scene = frame.scene
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
@@ -58,34 +54,33 @@ def _kinds(scene, frame):
     def least_cosine(frame):
         return np.min([np.abs(frame.light_cosines(number)) for number in range(len(scene.lights))], axis=0)
 
-    return {
-        "at random": np.zeros(surface.shape),
-        "silhouette": np.where(_edges(surface), 0.0, np.inf),
-        "shadow's edge": np.where(_edges(shadows) & ~_edges(surface), 0.0, np.inf),
-        "next to the pole": v,
-        "next to the seam": np.minimum(u, 1 - u),
-        "next to a crease": np.minimum(*np.abs(waves)),
-        "terminator": least_cosine(frame),
-        "grazing light": least_cosine(flat),
-    }
+    yield np.zeros(surface.shape)  # at random
+    yield np.where(_edges(surface), 0.0, np.inf)  # on the silhouette
+    yield np.where(_edges(shadows) & ~_edges(surface), 0.0, np.inf)  # at a shadow's edge
+    yield v  # next to the pole,
+    yield np.minimum(u, 1 - u)  # to the seam,
+    yield np.minimum(*np.abs(waves))  # to a crease
+    yield least_cosine(frame)  # on the terminator
+    yield least_cosine(flat)  # where light grazes
 
 
-def chosen(scene: Scene, frame: Frame, each: int = EACH) -> list[tuple[str, int, int]]:
-    """Return [(kind, column, row)]: `each` pixels of every kind; among equals at random."""
-    rng, pixels = np.random.default_rng(SEED), []
-    for kind, plane in _kinds(scene, frame).items():
+def chosen(frame: Frame, each: int = EACH) -> list[tuple[int, int]]:
+    """Return [(column, row)]: `each` pixels of every kind; among equals at random."""
+    rng = np.random.default_rng(SEED)
+    pixels: list[tuple[int, int]] = []
+    for plane in _kinds(frame):
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)
-        pixels += [(kind, *place) for place in zip(columns.tolist(), rows.tolist(), strict=True)]
+        pixels += zip(columns.tolist(), rows.tolist(), strict=True)
     return pixels
 
 
-def truth_of(frame: Frame, column: int, row: int) -> dict[str, arb]:
-    """Return the balls of every line of a frame's pixel."""
+def truth_of(frame: Frame, column: int, row: int, bits: int = BITS, **others: arb) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; others: what stands in place of the scene's numbers."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
-    return lines_of(scene, method.name, BITS, **place, epsilon=method.eps or 0.0)
+    return lines_of(scene, method.name, bits, **place, epsilon=method.eps or 0.0, **others)
 
 
 def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:
@@ -97,23 +92,15 @@ def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[
     return truth, errors, bool(code == frame.chambers[row, column])
 
 
-def checked_pixel(name: str, frame: Frame, kind: str, column: int, row: int) -> Checked:
+def checked_pixel(frame: Frame, column: int, row: int) -> Checked:
     """Return a pixel of a frame with bounds, Checked."""
     truth, errors, same_chamber = compared(frame, column, row)
     undecided = bool(frame.open[row, column]) or any(float(truth[name].rad()) > WIDEST for name in COLORS)
     error, bound = max(float(error.upper()) for error in errors), frame.bounds[row, column].max()
-    return Checked(name, kind, column, row, error, bound, undecided, same_chamber)
+    return Checked(error, bound, undecided, same_chamber)
 
 
-def checked_pixels(scenes: Mapping[str, Scene], each: int = EACH) -> list[Checked]:
-    """Return every chosen pixel of {name: Scene}, Checked."""
-    pixels = []
-    for name, scene in scenes.items():
-        frame = render(scene, SIZE, SIZE, bounds=True)
-        pixels += [checked_pixel(name, frame, *place) for place in chosen(scene, frame, each)]
-    return pixels
-
-
-def problems(pixels: Iterable[Checked], share: float = 1.0) -> list[Checked]:
-    """Return the decided pixels that are in another chamber, or above a share of their bound."""
-    return [p for p in pixels if not p.undecided and not (p.error <= share * p.bound and p.same_chamber)]
+def checked_pixels(scenes: Iterable[Scene], each: int = EACH) -> list[Checked]:
+    """Return every chosen pixel of the scenes, Checked."""
+    frames = (render(scene, SIZE, SIZE, bounds=True) for scene in scenes)
+    return [checked_pixel(frame, *place) for frame in frames for place in chosen(frame, each)]

@@ -107,7 +107,7 @@ def mirrored(scene: Scene, planes: np.ndarray) -> np.ndarray:
     return np.select(others, (2, 3, 4), kernels.checker(x, y) > 0)
 
 
-def mirrors_apart(scene: Scene, side: int = SIDE) -> tuple[int, int]:
+def mirrors_apart(scene: Scene) -> tuple[int, int]:
     """Return of how many pixels of A the mirrored rays of the two pipelines meet something else, and A's pixels."""
-    one, other = (mirrored(scene, render(scene, side, side, way).planes_on_a) for way in (central(EPS), exact()))
+    one, other = (mirrored(scene, render(scene, SIDE, SIDE, way).planes_on_a) for way in (central(EPS), exact()))
     return int(np.count_nonzero(one != other)), one.size

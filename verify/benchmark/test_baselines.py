@@ -9,8 +9,8 @@ from numpy.testing import assert_array_equal
 from renderer import Scene, central, exact, render
 from renderer.kernels import FIELDS
 from renderer.machines import native
+from renderer.picture.facts import SEED_MODELS
 from renderer.picture.stage import SURFACE_BITS
-from renderer.scene.scene import MODELS
 from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
 from verify.benchmark.frames import on_numpy
 
@@ -18,20 +18,19 @@ SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradie
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
 
 
-def largest(rgb, frame):
-    return np.abs(rgb - frame.rgb).max()
-
-
-DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIELDS, MODELS, (None, 1e-3))]
+DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIELDS, SEED_MODELS, (None, 1e-3))]
 
 
 @pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 30, None)])
 def test_the_seed_loops_draw_our_picture(drawn):
     *picture, eps = drawn
-    rgb, surfaces = seed_loops(*picture, eps)
+    rgb, surfaces, kink, slope = seed_loops(*picture, eps)
     frame = render(*picture, exact() if eps is None else central(eps))
-    assert largest(rgb, frame) < LOOPS_AGREE
+    assert np.abs(rgb - frame.rgb).max() < LOOPS_AGREE
     assert_array_equal(surfaces, frame.chambers & SURFACE_BITS)
+    assert_array_equal(kink, frame.kink)
+    ours = sum(np.nan_to_num(abs(frame.surface_data[name])) for name in ("h_u", "h_v"))
+    assert np.abs(slope - ours).max() < 1e-10
 
 
 def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
@@ -42,7 +41,7 @@ def test_the_two_pipelines_of_the_seed_loops_differ_in_the_gradient_alone():
 
 def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart():
     """F1: with c = |C|² − R₂² B covers the picture."""
-    _, surfaces = seed_loops(Scene(), 8, 8, quadratic=PRINTED)
+    _, surfaces, *_ = seed_loops(Scene(), 8, 8, quadratic=PRINTED)
     assert (surfaces == 2).all()
     assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
 

@@ -6,7 +6,7 @@ A machine that slows down for a while then slows all of them.
 import os
 import sys
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,10 +30,6 @@ class Case:
     visits: int = ROUNDS
     unit: str = "ms"
     points: int = 1
-
-    def numbers(self, seconds: Sequence[float] | np.ndarray) -> dict[str, float]:
-        """Return the median of seconds in its unit, with quartiles."""
-        return with_quartiles(f"{self.name}_{self.unit}", np.array(seconds) * (UNITS[self.unit] / self.points))
 
 
 def load() -> float:
@@ -67,13 +63,12 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     return seconds
 
 
-def with_quartiles(name: str, values: Sequence[float] | np.ndarray) -> dict[str, float]:
-    """Return the median of values by name, and their quartiles by NAME_low and NAME_high."""
-    keys = (f"{name}_low", name, f"{name}_high")
-    return dict(zip(keys, np.quantile(values, (0.25, 0.5, 0.75)).tolist(), strict=True))
-
-
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
-    """Time the cases; return {NAME_UNIT: the median of all calls}, with quartiles."""
+    """Time the cases; return {NAME_UNIT: the median of all calls}, and its quartiles by NAME_UNIT_low and _high."""
     seconds = timings(cases, title)
-    return {key: number for case in cases for key, number in case.numbers(seconds[case.name]).items()}
+    numbers: dict[str, float] = {}
+    for case in cases:
+        name, times = f"{case.name}_{case.unit}", np.array(seconds[case.name]) * (UNITS[case.unit] / case.points)
+        keys = (f"{name}_low", name, f"{name}_high")
+        numbers |= dict(zip(keys, np.quantile(times, (0.25, 0.5, 0.75)).tolist(), strict=True))
+    return numbers

@@ -36,22 +36,22 @@ NOTHING = {"rule": "ideal", "cofactors": []}
 EMPTY = {"rule": "contradiction", "positive": [], "sum": [], "cofactors": []}
 SQUARES = EMPTY | {"positive": [0], "sum": [["1", X, []]]}
 NEGATIVE = SQUARES | {"sum": [["-1", X, []]]}
-UNSOUND: list[tuple[list, dict, str]] = [
-    ([show(X, "=")], NOTHING, "the two sides differ"),
-    ([show({}, ">")], NOTHING, "equations only"),
-    ([show({"x^2": "-1"}, ">=")], NEGATIVE, "negative weight"),
-    ([show(X, ">=")], EMPTY, "the two sides differ"),
-    ([show(X, "=")], {"rule": "trust me"}, "no rule"),
-    ([("inverse", X, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING, "equations only"),
-    ([("root", X, {"new": "w"})], NOTHING, "equations only"),
-    ([("define", ONE, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING, "twice"),
-    ([show([], "=")], NOTHING, "a polynomial is missing"),
-    ([assume(X, "toString"), show({}, "=")], NOTHING, "no relation"),
-    ([assume(X, ">"), show(X, "=")], BY_FIRST_FACT, "not ="),
-    ([show(X, "=")], BY_FIRST_FACT, "no fact 0"),
-    ([("conjure", {}, {"new": "w"})], NOTHING, "no step"),
-]  # fmt: skip
-"""[(steps, the proof of each, what the second checker says of it)]"""
+UNSOUND: list[tuple[list, dict]] = [
+    ([show(X, "=")], NOTHING),  # the two sides differ
+    ([show({}, ">")], NOTHING),  # equations only
+    ([show({"x^2": "-1"}, ">=")], NEGATIVE),  # negative weight
+    ([show(X, ">=")], EMPTY),  # the two sides differ
+    ([show(X, "=")], {"rule": "trust me"}),  # no rule
+    ([("inverse", X, {"new": "r"}), show({"r x": "1", "": "-1"}, "=")], NOTHING),  # equations only
+    ([("root", X, {"new": "w"})], NOTHING),  # equations only
+    ([("define", ONE, {"new": "x"}), show({"x": "1", "": "-1"}, "=")], NOTHING),  # twice
+    ([show([], "=")], NOTHING),  # a polynomial is missing
+    ([assume(X, "toString"), show({}, "=")], NOTHING),  # no relation
+    ([assume(X, ">"), show(X, "=")], BY_FIRST_FACT),  # not =
+    ([show(X, "=")], BY_FIRST_FACT),  # no fact 0
+    ([("conjure", {}, {"new": "w"})], NOTHING),  # no step
+]
+"""[(steps, the proof of each)]"""
 
 
 STATEMENT, CERTIFICATE = GOOD = [derivation(show({"x^2": "1"}, ">=")), {"proofs": [SQUARES]}]
@@ -151,7 +151,7 @@ def reasons_of(texts: Sequence[str], check: Callable = kernel.check) -> list[str
 
 def wrong_verdicts(reasons_of: Callable[[Sequence[str]], list[str]]) -> list[str]:
     """Return the texts of which a checker that says why it refuses each is wrong: none, if all is well."""
-    good, bad = map(compact, WELL_FORMED), [*map(compact, [*BROKEN, *(pair_of(s, proof) for s, proof, _ in UNSOUND)])]
+    good, bad = map(compact, WELL_FORMED), [*map(compact, [*BROKEN, *(pair_of(*each) for each in UNSOUND)])]
     bad += ["[" * 10**5 + "]" * 10**5, *(compact(GOOD).replace(*was) for was in REWRITTEN)]
     texts = [*good, *bad]
     refused = [bool(reason) for reason in reasons_of(texts)]

@@ -1,4 +1,4 @@
-"""The stand-alone scripts: bare Python accepts each as it is, and none once a number or a statement is changed."""
+"""Bare Python accepts every certificate, and no stand-alone script once a number or a statement is changed."""
 
 import inspect
 import re
@@ -28,20 +28,17 @@ def test_all_stored_certificates_are_accepted():
 
 
 SCRIPTS = [  # what is changed behind the first certificate's beginning
-    ("seed_orientation", "", "", "seed_orientation: REFUTED."),
-    ("bump_moves_no_boundary", "", "", "bump_moves_no_boundary: PROVED."),
     ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
     ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
 ]
 
 
 @pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
-def test_the_script_says_its_verdict(id, was, changed, says, tmp_path):
-    """By the checker as it stands."""
+def test_a_changed_script_is_rejected(id, was, changed, says, tmp_path):
+    """By the checker as it stands. The scripts that the book offers are run by `tests/test_book_theorems.py`."""
     head, certificate, tail = standalone_script(id).partition('"certificate"')
     assert all(inspect.getsource(part).strip() in head + certificate + tail for part in (kernel, check, standalone.run))
     path = tmp_path / "theorem.py"
     path.write_text(head + certificate + tail.replace(was, changed, 1), "utf-8")
     status, printed, errors = bare(str(path))
-    assert (status, errors) == (int(was != ""), "")
-    assert says in printed and ("REJECTED" in printed) == (was != "")
+    assert (status, errors) == (1, "") and says in printed

@@ -1,4 +1,4 @@
-"""Attribution of a central difference's error, pixel by pixel: which of its terms is the largest.
+"""Attribution of a central difference's error, point by point: which of its terms is the largest.
 
 The terms are those of `proofs.formulas.step_bounds`, each measured by `verify.accuracy.differences`; which of them the
 exact difference's error is, truncation, straddling or one-sided, is that of its bound.
@@ -8,7 +8,6 @@ import numpy as np
 
 from proofs.formulas.step_bounds import TERMS
 from renderer import Scene
-from renderer.picture.frame import Frame
 from verify.accuracy.differences import PARTS, SLOPES, taken_apart
 from verify.accuracy.step_terms import SLOPE_TERMS
 
@@ -32,10 +31,3 @@ def dominant(scene: Scene, u: np.ndarray, v: np.ndarray, eps: float) -> np.ndarr
 def shares(kinds: np.ndarray) -> dict[str, float]:
     """Return {term: its share of the points}."""
     return {name: float(np.mean(kinds == index)) for index, name in enumerate(TERMS)}
-
-
-def over_the_image(frame: Frame, eps: float) -> np.ndarray:
-    """Return the dominant term at every pixel of a frame, (height, width) int; −2 off A."""
-    result = np.full(frame.raster.shape, -2)
-    result[frame.stage.on_a] = dominant(frame.scene, frame.data_on_a["u"], frame.data_on_a["v"], eps)
-    return result

@@ -30,10 +30,10 @@ our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
 
 
 @lru_cache
-def tangent_vector(field: str, form: str, ku: float = 8.0, kv: float = 4.0) -> Program:
-    """Return the program (image point, scene) → g by the "general" or the "algebraic" form of the exact gradient."""
+def tangent_vector(field: str, form: str) -> Program:
+    """Return the program (image point, scene) → g by the "general" or the "algebraic" form, this of k = (8, 4)."""
     height_field = HEIGHT_FIELDS[field]
-    middle = [chart, gradient(height_field)] if form == "general" else [algebraic_gradient(height_field, ku, kv)]
+    middle = [chart, gradient(height_field)] if form == "general" else [algebraic_gradient(height_field, 8.0, 4.0)]
     return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
 
 

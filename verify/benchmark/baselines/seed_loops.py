@@ -50,12 +50,11 @@ def seed_scene(scene: Scene, eps: float = 1e-3) -> dict:
 
 def seed_loops(
     scene: Scene, width: int, height: int, eps: float | None = None, quadratic: str = MENDED
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return (rgb (height, width, 3) in [0, 1], surface (height, width)): the exact pipeline, or of step eps.
+) -> tuple[np.ndarray, ...]:
+    """Return (rgb in [0, 1], surface, kink, |h_u| + |h_v|), (height, width) each: the exact pipeline, or of step eps.
 
     On a raster that is not square the seed's pixels are not square either.
     """
     program = seed_program(quadratic)
     draw = program.render_symbolic_bump if eps is None else program.render_numeric_bump
-    rgb, surface, *_ = draw(width, height, seed_scene(scene, eps or 1e-3))
-    return rgb, surface
+    return draw(width, height, seed_scene(scene, eps or 1e-3))
