@@ -1,4 +1,4 @@
-"""The seed as a page: quoted as it came, and under each place the verdicts on what is claimed there.
+"""The seed as a page: quoted as it came, and beside each place the verdicts on what is claimed there.
 
 :::{seed}
 :::
@@ -25,6 +25,7 @@ from verify.benchmark.baselines.seed_loops import seed_cells
 
 HEADING = re.compile(r"^(§\d · .+|🐍 .+)$", re.M)
 DISPLAYED = re.compile(r" *\$\$(.+?)\$\$ *")
+SIGNS = re.compile("[🐍📋⬇☰] *")  # for which many systems have no letter
 LINES = re.compile(r"(?<=\S)\n(?=\S)")  # lines of one block, as on the front and in the table of §6
 
 SIDE = 48  # pixels of the pictures that the page's run draws
@@ -58,11 +59,12 @@ def seed(here: SphinxDirective) -> Nodes:
         stand, name = [claim for claim in claims if claim.where == f"seed:{place}"], f"seed-{place.replace('.', '-')}"
         verdicts = [filled("seed_claims", book=book, claims=stand, id=name)]
         for piece in filter(str.strip, HEADING.split(text)):
+            words = SIGNS.sub("", piece)
             if HEADING.match(piece):
-                children.append(section(piece, f"seed-part-{len(children)}", classes=["seed"]))
+                children.append(section(words, f"seed-part-{len(children)}", classes=["seed"]))
             else:
-                children[-1] += [_quoted(here, piece, place), *verdicts]
-                verdicts = []  # they stand under the first of its pieces
+                children[-1] += nodes.container("", _quoted(here, words, place), *verdicts, classes=["passage"])
+                verdicts = []  # they stand beside the first of its pieces
     return children
 
 

@@ -1,4 +1,15 @@
-// What the pages' scripts hand each other, by the files that make it. A comment alone: no page loads this.
+// What the pages' scripts hand each other, by the files that make it: for the checker of types, no page loads this.
+
+// What other scripts of the pages declare: those that the build prints, the mailed file's, and Sphinx's.
+var /** @type {SimulatorParts} */ Simulator,
+  /** @type {IdeasParts} */ Ideas,
+  /** @type {ChapterPages} */ Chapter,
+  /** @type {Record<string, [string, string][]>} */ SearchText,
+  /** @type {SearchScorer} */ Scorer,
+  /** @type {SphinxSearch} */ Search,
+  /** @type {SphinxStemmer} */ Stemmer,
+  /** @type {(query: string) => string[]} */ splitQuery,
+  /** @type {(text: string) => string} */ _escapeRegExp;
 
 // simulator/module.js
 /**

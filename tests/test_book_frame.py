@@ -114,6 +114,20 @@ def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_syste
     assert tab.locator(".bd-article section > p > math").first.bounding_box()["width"] > 3
 
 
+def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_where_no_script_runs(visit, page_of):
+    """No link leads into one, so none has to be opened by its address."""
+    assert not page_of("lemmas").select("noscript [id], noscript noscript")
+    counts = []
+    for scripts in (True, False):
+        tab = visit("lemmas", java_script_enabled=scripts)
+        counts.append(tab.locator("*").count())
+        tab.click("#theorem-unit_length summary >> nth=0")
+        tab.locator("#theorem-unit_length .part").first.wait_for()
+        tab.keyboard.press("Control+KeyF")
+        counts.append(tab.locator("*").count())
+    assert counts[0] < 6000 and min(counts[1:]) > 60_000
+
+
 def test_a_formula_is_copied_as_tex(visit):
     tab = visit("s3")
     copied = tab.evaluate("""() => {

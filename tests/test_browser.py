@@ -70,6 +70,7 @@ SEEN = """async () => {
             || !(getComputedStyle(i).imageRendering === 'pixelated' || i.src.endsWith('.svg'))).map(i => i.src),
         scaled: renders.filter(i => i.getBoundingClientRect().width % i.naturalWidth).map(i => i.src),
         unloaded: shown.filter(i => !(i.complete && i.naturalWidth)).map(i => i.currentSrc),
+        stretched: shown.filter(i => i.matches('.plot') && i.getBoundingClientRect().width > innerWidth).length,
         unset: formulas.filter(e => !e.getBoundingClientRect().width).length,
         fonts: !formulas.length || document.fonts.check('1em "Book Formulas"'),
         wide: document.documentElement.scrollWidth,
@@ -99,6 +100,7 @@ def look(tab, page, mode):
     assert all(source.endswith(".dark.svg") == (mode == "dark") for source in state["plots"])
     if mode == "phone":  # what is too wide stands in something that scrolls
         assert state["wide"] <= PHONE["viewport"]["width"] and (page in OTHERS or state["cut"] == [])
+        assert state["stretched"] == 0
     else:  # a pixel is so many of the screen's
         assert state["scaled"] == []
 

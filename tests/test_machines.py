@@ -9,7 +9,23 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import HeightField, Light, Scene, central, exact, forward, k_v, pixel, render, sinpi, u, v
+from renderer import (
+    HeightField,
+    Light,
+    Scene,
+    central,
+    exact,
+    forward,
+    gradient_at,
+    height_at,
+    k_v,
+    machines,
+    pixel,
+    render,
+    sinpi,
+    u,
+    v,
+)
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -113,3 +129,19 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
         assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
         assert alone.work["slopes"][by] == np.count_nonzero(on)
+
+
+@pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])
+def test_at_points_the_bits_are_the_same(field, monkeypatch):
+    """Slopes by every method, heights, and the data of a frame: points that fill no whole group."""
+    scene, at = Scene(field=field), np.random.default_rng(53).random((2, 3, 1401))
+
+    def computed():
+        slopes = [gradient_at(scene, *at, each) for each in (exact(), forward(1e-3), central(1e-4))]
+        data = render(scene, 128, 99, central(1e-3)).data_on_a
+        return [height_at(scene, *at), *(slope for pair in slopes for slope in pair), *data.values()]
+
+    compiled, few = computed(), []
+    monkeypatch.setattr(machines, "FEW_POINTS", np.inf)
+    monkeypatch.setattr(native, "over_points", lambda *given: few.append(given))
+    assert all(np.array_equal(one, other) for one, other in zip(compiled, computed(), strict=True)) and not few

@@ -8,6 +8,8 @@ import pytest
 
 from book.extension.mathematics import typeset
 from book.extension.search import in_a_line
+from book.extension.theorems import load
+from book.notebooks.laboratory import BOOK
 
 # Two words, one of the prose, of a caption, a Greek letter, one of a theorem's card; and where each has to be found.
 FOUND = {
@@ -34,12 +36,16 @@ def search(tab, words):
     )
 
 
-def test_words_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+def test_words_and_theorems_are_found_each_page_shows_its_sentence_and_is_led_to(visit, scheme):
+    theorems = load(BOOK)
     tab = visit("source/proofs/formulas/bump.py", scheme)
     for words, page in FOUND.items():
         assert page in {link.partition("#")[0] for link in search(tab, words)}
-    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#lemmas-']) .search-sentence")
+    shown = tab.locator("#search-results li:has(a[href^='lemmas.html#']) .search-sentence")
     assert "lagrange" in shown.locator("mark").first.inner_text().lower() and shown.inner_text().count(". ") <= 1
+    for id in ("seam", "hit_of_b"):
+        label = theorems.label(id)
+        assert {search(tab, words)[0].split("#")[1] for words in (label, label.split()[-1])} == {f"theorem-{id}"}
     assert search(tab, "xylophone") == []
     assert "did not match any" in tab.inner_text("#search-results")
     assert search(tab, "silhouette")

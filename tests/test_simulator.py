@@ -253,6 +253,25 @@ def test_words_beside_the_pictures_follow_the_state(tab):
     says(tab, ".sim-bar span >> nth=-1", "10⁻⁴")
 
 
+# A worker draws, and is told to stop after the first tile; then draws, as if it had not been: whose replies come, and
+# whether the picture is one that is drawn at once.
+STOPPED = """async () => {
+    const { states, module } = Simulator.running, state = { ...states.start(), size: 512 }, replies = [];
+    const band = states.crop(state), take = simulator_worker(reply => replies.push(reply)), part = {};
+    await take({ kind: 'begin', data: Simulator.data, compiled: await compiled_program(Simulator.program) });
+    for (const [id, kind] of ['draw', 'stop', 'draw'].entries()) await take({ kind, id, state, band, part });
+    while (!replies.length) await new Promise(done => setTimeout(done, 20));
+    const stage = module.make_stage(state, band), { top, bytes } = replies[0].images.numeric;
+    module.render(state, { name: state.method, eps: state.eps }, stage);
+    module.paint('paint_colors', stage, 'picture', { whole: true });
+    const whole = module.bytes(stage, 'picture', [0, state.size]);
+    return [replies.map(({ id }) => id), top, bytes.length, whole.every((byte, n) => byte === bytes[n])]; }"""
+
+
+def test_a_worker_stops_after_a_tile_and_draws_as_if_at_once(tab):
+    assert tab.evaluate(STOPPED) == [[2], 0, 4 * 512**2, True]
+
+
 SCREENS = [(1440, 900, 512), (1280, 720, 360), (1024, 768, 380), (820, 1180, 380), (1180, 820, 400), (1920, 1080, 700)]
 SCREENS += [(2560, 1300, 640)]
 TOGETHER = ["[data-picture=numeric]", "[data-picture=symbolic]", "[data-picture=difference]", "#sim-eps", "#sim-ku"]

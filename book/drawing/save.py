@@ -1,5 +1,7 @@
 """Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json.
 
+A plot is drawn a second time for phones: ID.phone.svg and ID.phone.dark.svg.
+
 The numbers behind a picture lie beside it: of curves ID.csv, a row for each point; with pictures or arrays ID.npz,
 where the pixels of `panels` and of renders are picture_1, picture_2 … A curve is kept under its label, or as curve 1,
 curve 2 …; what is drawn with fewer points than a curve has is a mark, unless it has a label.
@@ -18,7 +20,7 @@ from matplotlib.figure import Figure
 from book.assembly.stamps import write_whole
 from book.drawing.palette import CSS_PIXELS_PER_INCH, for_dark
 from book.drawing.registry import Drawing, Registered, certified, flat, plain_numbers
-from book.drawing.style import styled
+from book.drawing.style import narrow, styled
 from renderer.files.pictures import png_of
 
 MOST_BYTES = 512 * 1024  # of a file of numbers; where floats would take more, the picture's 8 bits are its data
@@ -27,24 +29,25 @@ FEWEST_POINTS = 5  # of a line that counts as a curve: marks and slope triangles
 
 def draw_files(entry: Registered) -> tuple[dict[str, bytes], dict]:
     """Draw a figure: its files by suffix, and what its JSON says about them."""
-    files, size, kind = {}, None, "numbers"
+    files, size, phone, kind = {}, None, None, "numbers"
     with styled():
         drawing = entry.drawn()
         picture = drawing.picture
         if isinstance(picture, Figure):
-            size, kind = [round(inches) for inches in picture.get_size_inches() * CSS_PIXELS_PER_INCH], "svg"
-            svg = _svg(picture)
-            files = {".svg": svg.encode(), ".dark.svg": for_dark(svg).encode()}
+            size, kind, files = _size(picture), "svg", _svg(picture)
         elif getattr(picture, "dtype", None) == np.uint8 and picture.ndim == 3:
             files, size, kind = {".png": png_of(picture)}, [picture.shape[1], picture.shape[0]], "png"
         elif picture is not None:
             raise TypeError(
                 f"figure {entry.id!r}: a picture is a Matplotlib figure, a uint8 array (h, w, channels) or None"
             )
-    data, numbers = data_file(entry.id, drawing), plain_numbers(entry.id, drawing.numbers)
+        data, exact = data_file(entry.id, drawing), kind == "png" or getattr(picture, "pixel_exact", False)
+        if kind == "svg" and not exact:
+            narrow(picture)
+            phone, files = _size(picture), files | _svg(picture, ".phone")
+    numbers = plain_numbers(entry.id, drawing.numbers)
     about = " ".join((entry.draw.__doc__ or "").split("\n\n")[0].split())
-    exact = kind == "png" or getattr(picture, "pixel_exact", False)
-    description = {"id": entry.id, "about": about, "kind": kind, "size": size, "exact": exact}
+    description = {"id": entry.id, "about": about, "kind": kind, "size": size, "phone": phone, "exact": exact}
     beside = next((f"{entry.id}{suffix}" for suffix in data), None)
     return files | data, description | {"certified": certified(drawing.shown), "data": beside, "numbers": numbers}
 
@@ -61,11 +64,17 @@ def save(entry: Registered, folder: Path, source: str, key: str) -> list[str]:
     return [f"{entry.id}{suffix}" for suffix in files]
 
 
-def _svg(fig: Figure) -> str:
+def _size(fig: Figure) -> list[int]:
+    return [round(inches) for inches in fig.get_size_inches() * CSS_PIXELS_PER_INCH]
+
+
+def _svg(fig: Figure, name: str = "") -> dict[str, bytes]:
+    """Return a drawing for the light page and for the dark one, by suffix."""
     text = io.StringIO()
     # No date, no creator: the same drawing must give the same bytes.
     fig.savefig(text, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
-    return text.getvalue()
+    svg = text.getvalue()
+    return {f"{name}.svg": svg.encode(), f"{name}.dark.svg": for_dark(svg).encode()}
 
 
 def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:

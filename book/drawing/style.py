@@ -24,7 +24,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.ticker import LogLocator, NullLocator
 
-from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
+from book.drawing.palette import CSS_PIXELS_PER_INCH, PAGE_WIDTH, PHONE_WIDTH, ROLE, TEXT_WIDTH, colour_of, readable
 from renderer.picture.views import add_colour_bar
 
 # Matplotlib keeps the last 50 formulas that it typeset. A plot's labels are more, and are laid out some ten times.
@@ -70,9 +70,15 @@ def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Fig
     return fig, fig.subplots(**subplots)
 
 
-def bound_style() -> dict[str, object]:
-    """Return the look of a bound: dashed, black (light grey on the dark page)."""
-    return {"color": colour_of("bound"), "linestyle": (0, (5, 3)), "linewidth": 1.3}
+def narrow(fig: Figure) -> None:
+    """Lay a plot out for a phone: its axes one below the other, and fewer powers of ten below them."""
+    axes = [ax for ax in fig.axes if ax.get_subplotspec()]
+    for place, ax in zip(fig.add_gridspec(len(axes), 1), axes, strict=True):
+        ax.set_subplotspec(place)
+        ax.tick_params(labelleft=True)
+        if ax.get_xscale() == "log":
+            ax.locator_params("x", numticks=6)
+    fig.set_size_inches(PHONE_WIDTH, len(axes) * fig.get_figheight())
 
 
 def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "right", at: float | None = None,
@@ -81,7 +87,9 @@ def curve(ax: Axes, x: Any, y: Any, role: str, text: str = "", side: str = "righ
 
     `text` stands to a side of its last point, or of the one where x is nearest to `at` by ratio.
     """
-    line = {"label": "bound"} | bound_style() if role == "bound" else {"label": "_", "color": colour_of(role)}
+    line = {"label": "_", "color": colour_of(role)}
+    if role == "bound":
+        line |= {"label": "bound", "linestyle": (0, (5, 3)), "linewidth": 1.3}
     ax.plot(x, y, **line | ({"label": text} if text else {}) | look)
     if text:
         label_curve(ax, x, y, x[-1] if at is None else at, text, role, side)

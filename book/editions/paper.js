@@ -11,6 +11,7 @@ async function put_on_paper(names) {
     names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)
   );
   document.body.replaceChildren(...pages.map((page) => find_element(page, ".bd-article")));
+  unfold(document);
   for (const element of find_all(document, active)) element.remove();
   for (const details of find_all(document, "details")) details.setAttribute("open", "");
   // A heading gets its section's name: it may stand on the page after the one on which the section begins.

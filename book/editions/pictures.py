@@ -29,6 +29,10 @@ def change(old: str, new: str) -> str:
 def inline_pictures(site: Path, page: Page) -> None:
     """Put every picture of a page into the file. A dark one is made of its light neighbour when it is wanted."""
     light: list[str] = []
+    for phone in page.article.select("source, img.panel"):  # of a picture's drawings the file has one
+        phone.decompose()
+    for plot in page.article.select("picture"):
+        plot.unwrap()
     for image in page.article.find_all("img", src=True):
         path = site / target(page.name, image["src"])[0]
         image.attrs.pop("loading", None)  # it is there

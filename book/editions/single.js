@@ -5,24 +5,14 @@
   const pages = find_all(document, ".chapter-page");
   const root = document.documentElement;
   const title = document.title;
-  const hiding = "onbeforematch" in root ? "until-found" : "";
   let current = pages[0];
   let is_shown = false;
   /** @type {number | null} */
   let back = null;
 
-  /** @param {string} text */
-  function plain(text) {
-    try {
-      return decodeURIComponent(text);
-    } catch {
-      return text;
-    }
-  }
-
   // The element, or the page, that the address names. What follows a question mark is for the page's own scripts.
   function named() {
-    const id = plain(location.hash.slice(1).split("?")[0]);
+    const id = location.hash.slice(1).split("?")[0];
     return document.getElementById(id) ?? pages.find((page) => page.dataset.page === id);
   }
 
@@ -49,14 +39,14 @@
     is_shown = true;
     for (const other of pages) {
       if (other === page) other.removeAttribute("hidden");
-      else other.setAttribute("hidden", hiding);
+      else other.setAttribute("hidden", "until-found");
     }
     for (const part of document.querySelectorAll("[data-of]"))
       part.toggleAttribute("hidden", part.getAttribute("data-of") !== page.dataset.page);
     /** @type {HTMLAnchorElement[]} */
     const links = find_all(document, ".bd-docs-nav a");
     for (const link of links) {
-      const here = page.contains(document.getElementById(plain(link.hash.slice(1))));
+      const here = page.contains(document.getElementById(link.hash.slice(1)));
       for (const name of ["current", "active"]) link.parentElement?.classList.toggle(name, here);
       link.classList.toggle("current", here);
     }

@@ -25,6 +25,7 @@ from textwrap import indent
 from docutils import nodes
 from docutils.parsers.rst import directives
 from markupsafe import Markup, escape
+from sphinx.addnodes import index
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from book.assembly import report
@@ -48,13 +49,17 @@ KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 def theorem_card(here: SphinxDirective) -> Nodes:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    return [card(book, id)]
+    shown, label = card(book, id), book.label(id)
+    names = label, label.split()[-1]  # by which the search finds it
+    return [index(entries=[("single", name, shown["ids"][0], "main", None) for name in names]), shown]
 
 
 def card(book: Here, id: str) -> Filled:
     path, line = module_and_line(id)
     source = f"{listing_address(path)}#L-{line}"
-    return filled("card", id=id, book=book, check_here=check_here(book, id), source=source)
+    made = filled("card", id=id, book=book, check_here=check_here(book, id), source=source)
+    made["ids"] = [f"theorem-{id}"]
+    return made
 
 
 def coq(name: str, statement: str) -> Markup:

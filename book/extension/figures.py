@@ -77,13 +77,11 @@ def _pictures(here: SphinxDirective, id: str, alt: str) -> list[dict]:
     looks = {".svg": f"{plot} only-light", ".dark.svg": f"{plot} only-dark"}
     if description["kind"] == "png":  # a render is the same on the dark page, and no filter may touch it
         looks = {".png": "render dark-light"}
-    common, folder = (
-        {"alt": " ".join(alt.split()), "width": width, "height": height},
-        Path(here.env.app.outdir, "_images"),
-    )
+    common = {"alt": " ".join(alt.split()), "width": width, "height": height, "phone": description.get("phone")}
+    folder = Path(here.env.app.outdir, "_images")
     folder.mkdir(parents=True, exist_ok=True)
-    for suffix in looks:
-        shutil.copy(source / f"{id}{suffix}", folder)
+    for drawing in source.glob(f"{id}.*[vn]g"):
+        shutil.copy(drawing, folder)
     return [{"name": f"{id}{suffix}", "classes": look} | common for suffix, look in looks.items()]
 
 

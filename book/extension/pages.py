@@ -8,7 +8,6 @@ from pathlib import Path, PurePosixPath
 import nbclient
 from docutils import nodes
 from jupyter_cache.executors import utils
-from sphinx.addnodes import desc
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
@@ -67,15 +66,6 @@ def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
     explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
     for section in document.findall(nodes.section):
         section["ids"].sort(key=lambda id: id not in explicit)
-
-
-@on("doctree-resolved")
-def mark_what_may_wait(app: Sphinx, document: nodes.document, name: str) -> None:
-    """Mark sections that stand below a figure or a module's members: a browser may lay them out later (frame.css)."""
-    below = {"include_self": False, "descend": False, "ascend": True}
-    high = document.findall(lambda node: isinstance(node, nodes.figure | desc))
-    for section in {section for part in high for section in part.findall(nodes.section, **below)}:
-        section["classes"].append("later")
 
 
 @on("env-updated")

@@ -21,7 +21,7 @@ COMPACT = {"ensure_ascii": False, "separators": (",", ":")}
 
 
 def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
-    """A page's texts in order: the id of the section, and some words."""
+    """A page's texts in order: the id of the section or the card, and some words."""
     for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
         for text in "".join(_words(node)).split(BREAK):
             if " " in (text := " ".join(text.split())) and NOT_READ not in text:
@@ -63,7 +63,7 @@ def in_a_line(part: ElementTree.Element) -> str:
 
 
 def _section(node: nodes.Node) -> str:
-    while node and not (isinstance(node, nodes.section) and node["ids"]):
+    while node and not (isinstance(node, nodes.section | Filled) and node["ids"]):
         node = node.parent
     return node["ids"][0] if node else ""
 

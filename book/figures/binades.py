@@ -18,12 +18,17 @@ STEPS = tuple(step for column in COLUMNS for step in column)
 RASTER, CROP = 360, (30, 4, 300, 300)  # sphere A and a little around it
 RIM = np.arccos(SCENE.radius / SCENE.eye) / np.pi  # v of the last circle that the eye sees
 NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h_v are 0; at which (u, v)
-    1e-16: {"½ ≤ u < 1": (0.79, 0.31), "¼ ≤ u < ½": (0.38, 0.32), "⅛ ≤ u < ¼": (0.19, 0.32), "u < ⅛": (0.07, 0.27)},
-    5e-17: {"$h_u = 0$: ½ < u": (0.78, 0.27)},
-    2e-17: {"$h_u = 0$: ¼ < u": (0.38, 0.17), "$h_v = 0$: ¼ < v": (0.75, 0.335)},
-    1e-17: {"$h_u = 0$: ⅛ < u": (0.3, 0.27), "$h_v = 0$: ⅛ < v": (0.77, 0.24)},
-    3e-18: {"$h_u = 0$: $^1\\!/_{32}$ < u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ < v": (0.77, 0.24)},
-    1e-18: {"$h_u = 0$: $^1\\!/_{64}$ < u": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ < v": (0.77, 0.24)},
+    1e-16: {
+        "½ ≤ $u$ < 1": (0.79, 0.31),
+        "¼ ≤ $u$ < ½": (0.38, 0.32),
+        "⅛ ≤ $u$ < ¼": (0.19, 0.32),
+        "$u$ < ⅛": (0.07, 0.27),
+    },
+    5e-17: {"$h_u = 0$: ½ < $u$": (0.78, 0.27)},
+    2e-17: {"$h_u = 0$: ¼ < $u$": (0.38, 0.17), "$h_v = 0$: ¼ < $v$": (0.75, 0.335)},
+    1e-17: {"$h_u = 0$: ⅛ < $u$": (0.3, 0.27), "$h_v = 0$: ⅛ < $v$": (0.77, 0.24)},
+    3e-18: {"$h_u = 0$: $^1\\!/_{32}$ < $u$": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{32}$ < $v$": (0.77, 0.24)},
+    1e-18: {"$h_u = 0$: $^1\\!/_{64}$ < $u$": (0.3, 0.27), "$h_v = 0$: $^1\\!/_{64}$ < $v$": (0.77, 0.24)},
 }
 HALO = [patheffects.withStroke(linewidth=2, foreground="#000000a0")]
 
@@ -58,7 +63,7 @@ def binades() -> Drawing:
             curve(ax, *line, "white", label=f"edge {number}", linewidth=0.8, linestyle=(0, (2, 3)))
         for words, at in NAMES[step].items():
             (column,), (row,) = place(frame, *np.array(at)[:, None])
-            ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
+            ax.text(column, row, words, color="white", ha="center", va="center", fontsize=11, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
         frames.append(frame)
         numbers[name] = lost(step)

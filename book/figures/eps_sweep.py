@@ -39,13 +39,14 @@ def eps_sweep() -> Drawing:
     """RMS difference on A against ε for the three fields, 256 × 256."""
     steps, shown = STEPS[:SHOWN], {field: _values(_curves(field)["rms"])[:SHOWN] for field in FIELD_NAMES}
     fig, ax = plot(height=4.2)
-    for field, side, at, dash in (
-        ("sine", "left", 3e-4, DASHED), ("ridges", "above", 1e-4, SOLID), ("rings", "left", 1e-2, DOTTED),
+    for field, text, side, at, dash in (
+        ("sine", "sine and rings", "right", 3e-5, DASHED), ("ridges", "ridges", "above", 1e-4, SOLID),
+        ("rings", "", "", None, DOTTED),
     ):  # fmt: skip
-        curve(ax, steps, shown[field], "difference", field, side, at, linestyle=dash, linewidth=1.6)
+        curve(ax, steps, shown[field], "difference", text, side, at, label=field, linestyle=dash, linewidth=1.6)
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
-    slope_triangle(ax, 2e-4, 1e-8, 2)
-    slope_triangle(ax, 3e-5, 6e-4, 0.5)
+    slope_triangle(ax, 3e-3, 1e-7, 2)
+    slope_triangle(ax, 2e-5, 1e-4, 0.5)
     return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]})
 
 

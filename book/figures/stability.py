@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, label_line_end, plot, slope_triangle
+from book.drawing.style import DASHED, SOLID, curve, decades, label_curve, plot
 from proofs.formulas.certified import GENERAL_GRADIENT
 from renderer import Scene, render
 from renderer.operations import UNIT
@@ -16,13 +16,13 @@ from verify.stability.rows import SWEEPS, sweep
 LOWEST = 1e-18
 
 
-def _draw(ax, swept, others=(), at=None, sides=("above", "below")):
+def _draw(ax, swept, others, at):
     """Draw a sweep's bound and our error, named at a place, and the others' errors: [(name, text, side, at, dash)]."""
     for other, text, side, there, dash in others:
         look = {"label": other, "linewidth": 1.5, "linestyle": dash}
         curve(ax, swept.parameter, swept.worst(other), "numeric", text, side, there, **look)
-    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", sides[0], at)
-    curve(ax, swept.parameter, np.maximum(swept.worst(), LOWEST), "symbolic", "ours", sides[1], at, linewidth=1.6)
+    curve(ax, swept.parameter, swept.bounds.max(axis=1), "bound", "bound", "above", at)
+    curve(ax, swept.parameter, np.maximum(swept.worst(), LOWEST), "symbolic", "ours", "below", at, linewidth=1.6)
 
 
 def _numbers(**swept):
@@ -41,7 +41,7 @@ def pole() -> Drawing:
     fig, ax = plot(height=3.8)
     near, far = toward_the_pole(sines=np.logspace(-0.08, -9, 48)), sweep("pole")
     others = (
-        ("seed", "seed's frame", "left", 3e-3, SOLID),
+        ("seed", "seed's frame", "right", 1e-5, SOLID),
         ("seed with fallback", "seed, with its fallback", "above", 1e-7, DASHED),
     )
     _draw(ax, near, others, 1e-3)
@@ -51,16 +51,11 @@ def pole() -> Drawing:
 
 @figure
 def stability_silhouette() -> Drawing:
-    """The error of the normal against the distance from the silhouette: ours, the seed's, and our bound."""
-    fig, ax = plot(height=3.6)
+    """The error of the normal towards the silhouette, and from the nearest eye to the furthest; numbers only."""
     swept = sweep("silhouette")
-    _draw(ax, swept, [("seed", "", "", None, DASHED)], sides=("right", "right"))
-    decades(ax, 2, 2, xlim=(1, 1e-14), ylim=(1e-17, 1e-6), ylabel="error of $N$",
-            xlabel=r"$s = 1 - (\rho/\rho_s)^2$")  # fmt: skip
-    slope_triangle(ax, 1e-12, 3e-12, -0.5, decades=2)
-    label_line_end(ax, swept.parameter[-1], swept.worst("seed")[-1] / 2, "seed", "numeric")
     scaled = swept.worst() * np.sqrt(swept.parameter) * 2.0**53
-    return Drawing(fig, _numbers(silhouette=swept, near_to_far=sweep("near_to_far")) | {"in_roundings": scaled.max()})
+    numbers = _numbers(silhouette=swept, near_to_far=sweep("near_to_far"))
+    return Drawing(numbers=numbers | {"in_roundings": scaled.max()})
 
 
 @figure

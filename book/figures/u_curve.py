@@ -30,7 +30,7 @@ def u_curve() -> Drawing:
     curve(ax, steps, truncation, "bound", label="truncation")
     decades(ax, 2, 2, ylim=(1e-13, 1e2), xlabel="step ε", ylabel="error of $h_u$")
     label_line_end(ax, steps[0], total[0], "central\ndifference", "numeric")
-    label_curve(ax, steps, truncation, 1e-7, "truncation, in\nexact arithmetic", "bound")
+    label_curve(ax, steps, truncation / 30, 4e-6, "truncation, in\nexact arithmetic", "bound")
     slope_triangle(ax, 3e-4, 1e-7, 2)
     branch = (steps < 3e-2) & (steps > 1e-4)
     best, step = total.argmin(), best_of(SCENE.ku, UNIT).step

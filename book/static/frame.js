@@ -113,11 +113,15 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
     root.classList.remove("begun");
     drop_down(target instanceof Node ? target : null);
   });
+  addEventListener("toggle", ({ target }) => unfold(/** @type {Element} */ (target)), true);
   addEventListener("keydown", (event) => {
-    if ((event.ctrlKey || event.metaKey) && event.key === "k") {
-      event.preventDefault();
-      search();
-    } else if (event.key === "Escape") drop_down(null);
+    const { key } = event;
+    if (key === "Escape") drop_down(null);
+    else if (!event.ctrlKey && !event.metaKey) return;
+    if (key === "f") unfold(document); // the browser's own search reads what is there
+    if (key !== "k") return;
+    event.preventDefault();
+    search();
   });
   addEventListener("scroll", () => requestAnimationFrame(mark_section), { passive: true });
   when_ready(begin);

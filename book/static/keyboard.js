@@ -1,6 +1,6 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
-// is more: the Tab key then reaches it, and the arrow keys move it. On a phone a picture's panels stand one below the other,
-// and a table that is too wide becomes a list. A formula that is copied is its TeX.
+// is more: the Tab key then reaches it, and the arrow keys move it. On a phone a table that is too wide becomes a list. A
+// formula that is copied is its TeX.
 "use strict";
 (() => {
   const SCROLLS =
@@ -53,20 +53,6 @@
     }
   });
 
-  /** Each panel is the whole picture, cut at its sides. @param {HTMLImageElement} image */
-  function stack(image) {
-    const [whole, high] = ["width", "height"].map((name) => Number(image.getAttribute(name)));
-    let left = 0;
-    for (const width of (image.dataset.panels ?? "").split(" ").map(Number)) {
-      const look = `${image.className} panel`;
-      const panel = make_element("img", { src: image.src, loading: "lazy", class: look, alt: left ? "" : image.alt });
-      panel.style.cssText = `aspect-ratio: ${width} / ${high}; object-position: ${(100 * left) / (whole - width)}%; max-width: ${width}px`;
-      image.parentElement?.append(panel);
-      left += width;
-    }
-    image.removeAttribute("data-panels");
-  }
-
   /** Each row is an entry; a cell says what its column is called. @param {HTMLTableElement} table */
   function list(table) {
     if (table.offsetWidth <= (table.parentElement?.clientWidth ?? 0)) return;
@@ -78,10 +64,7 @@
 
   /** @param {Element} page */
   function mend(page) {
-    if (PHONE.matches) {
-      /** @type {HTMLImageElement[]} */ (find_all(page, "img[data-panels][src]")).forEach(stack);
-      /** @type {HTMLTableElement[]} */ (find_all(page, "table.table:not(.as-list)")).forEach(list);
-    }
+    if (PHONE.matches) /** @type {HTMLTableElement[]} */ (find_all(page, "table.table:not(.as-list)")).forEach(list);
     for (const element of page.querySelectorAll(SCROLLS)) sizes.observe(element);
   }
 

@@ -1,8 +1,8 @@
 // The search while one types, the chapter's pages first. Under each that is found: the first sentence with the most of its
 // words, and a link to its section.
 "use strict";
-// Sphinx shows first what scores most: §1 to §9 have pages s1 to s9.
-Scorer.score = ([page, , , , score]) => score + (/^s\d$/.test(page) ? 100 : 0);
+// Sphinx shows first what scores most: a theorem that is named, then §1 to §9, which have pages s1 to s9.
+Scorer.score = ([page, , place, , score]) => score + (/^s\d\b|#theorem/.test(page + place) ? 100 : 0);
 addEventListener("DOMContentLoaded", () => {
   const results = find_element(document, "#search-results");
   /** @type {HTMLInputElement} */
@@ -32,9 +32,10 @@ addEventListener("DOMContentLoaded", () => {
   /** The first text with the most words, of some with what belongs to them. @param {[string, string][]} texts */
   const best_of = (texts) => least_of([["", ""], ...texts], ([, text]) => -count(text));
 
-  /** @param {string} page */
-  function best_sentence(page) {
-    const [id, paragraph] = best_of(SearchText[page] ?? []);
+  /** Of a place that was found the first, of a page the best. @param {HTMLAnchorElement} link */
+  function best_sentence({ pathname, hash }) {
+    const texts = SearchText[pathname.replace(/^.*\/|\.html$/g, "")] ?? [];
+    const [id, paragraph] = texts.find(([id]) => `#${id}` === hash) ?? best_of(texts);
     const sentences = paragraph.split(/(?<=[.!?]) (?=[\p{Lu}“(|√])/u);
     const [, text] = best_of(sentences.map((sentence) => [id, sentence]));
     return { id, text };
@@ -57,7 +58,7 @@ addEventListener("DOMContentLoaded", () => {
   function show(item) {
     /** @type {HTMLAnchorElement} */
     const link = find_element(item, "a");
-    const { id, text } = best_sentence(link.pathname.replace(/^.*\/|\.html$/g, ""));
+    const { id, text } = best_sentence(link);
     if (!text || item.querySelector(".search-sentence")) return;
     if (!link.hash && id) link.setAttribute("href", `${link.getAttribute("href")}#${id}`);
     item.append(marked(text));

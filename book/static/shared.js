@@ -141,16 +141,17 @@ const is_typed = ({ target }) =>
  */
 function follow_arrows(target, stepped) {
   /** @type {Record<string, Point>} */
+  const arrows = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  /** @type {Record<string, Point>} */
   const ends = { PageUp: [10, 0], PageDown: [-10, 0], End: [Infinity, 0], Home: [-Infinity, 0] };
+  const steps = target.role === "slider" ? { ...arrows, ...ends } : arrows;
   target.addEventListener("keydown", (event) => {
-    const far = event.shiftKey ? 10 : 1;
-    /** @type {Record<string, Point>} */
-    const arrows = { ArrowRight: [far, 0], ArrowLeft: [-far, 0], ArrowUp: [0, far], ArrowDown: [0, -far] };
-    const step = arrows[event.key] ?? (target.role === "slider" && ends[event.key]);
+    const step = steps[event.key];
     if (!step || is_shortcut(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    stepped(...step);
+    const [right, up] = step.map((part) => part * (event.shiftKey ? 10 : 1));
+    stepped(right, up);
   });
 }
 
@@ -213,6 +214,11 @@ function unpacked(base64) {
   const letters = atob(base64);
   const packed = new Uint8Array(letters.length).map((_, n) => letters.charCodeAt(n));
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
+/** Bring in what a page's folds keep: its browser reads it when they open, and at once where no script runs. @param {ParentNode} part */
+function unfold(part) {
+  for (const kept of find_all(part, "details > noscript")) kept.outerHTML = kept.textContent;
 }
 
 /** Save what stands at an address, under a name. @param {string} name @param {string} href */

@@ -67,8 +67,8 @@ RULES = {
     "central": Rule(1.0, truncation_bound, 1.0, 0.5, 2.0),
     "central4": Rule(2.0, fourth_bound, 4 / 3, 0.75, 2.0, 1.5, 10 / 9 * ((1 + UNIT) ** 5 - 1)),
 }
-"""Those of Coq's: roundoff_bound__forward_in_float64_u and _v, __fourth_in_float64_u and _v. Fourth order has weights
-(8, 8, 1, 1)/12: 3/2 of the errors that two samples 2ε apart have, five roundings, and a quotient of at most 5/3 πk."""
+"""Theorems: roundoff_bound, forward_and_fourth_order. Fourth order has weights (8, 8, 1, 1)/12: 3/2 of the
+errors that two samples 2ε apart have, five roundings, and a quotient of at most 5/3 πk."""
 
 
 class Side(NamedTuple):

@@ -86,11 +86,23 @@ async function data_of(place) {
 
 function start_checker() {
   const clerk = checking_clerk();
-  const places = find_all(document, ".checker[data-theorem]");
-  when_near(places, async (place) => checker_card(place, await data_of(place), clerk));
+  /** @param {ParentNode} part */
+  const places = (part, which = "") => find_all(part, `.checker[data-theorem]${which}`);
+  /** @param {HTMLElement} place */
+  const put_card = async (place) => checker_card(place, await data_of(place), clerk);
+  when_near(places(document), put_card);
+  document.addEventListener(
+    "toggle",
+    ({ target }) => when_near(places(/** @type {Element} */ (target), ":not(:has(.check-body))"), put_card),
+    true
+  );
   for (const place of document.querySelectorAll(".checker[data-all]")) {
     // None of its own where all cards stand in this document: the file that is mailed.
-    const read = () => (place.querySelector("script") ? data_of(place) : Promise.all(places.map(data_of)));
+    const read = async () => {
+      if (place.querySelector("script")) return data_of(place);
+      unfold(document);
+      return Promise.all(places(document).map(data_of));
+    };
     check_all(place, read, clerk);
   }
 }

@@ -1,6 +1,6 @@
 // Who draws what. The page itself draws at most 256 × 256 pixels, in the slider's own frame: to hand that over would take
 // longer; so it draws the first picture, too. When nothing moves any more, the workers start if they have not, draw all
-// pixels of a larger picture, each a band of rows, and then do the idle work. The next move cancels either. Where no worker
+// pixels of a larger picture, each a band of rows, and then do the idle work. The next move stops either. Where no worker
 // starts or answers, the page does their part, too.
 "use strict";
 
@@ -26,7 +26,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let frame = 0;
   let timer = 0;
   let id = 0;
-  let resting = 0;
+  let resting = 0; // workers that have something to do
   let refined = ""; // the raster that the workers were last asked for
   let is_on = false;
   /** @type {Drawer} */
@@ -138,6 +138,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   /** @param {State} state */
   function refine(state) {
     refined = Object.values(states.crop(state)).join();
+    resting = workers.length;
     send(state, workers, bands_of(state));
   }
 

@@ -3,7 +3,6 @@
 
 /** @param {ReturnType<typeof simulator_pictures>} pictures @param {Act} act */
 function simulator_hand(pictures, act) {
-  const LINES = "c"; // the key that shows the crease lines while it is held
   const STEADY = 4; // pixels that a click may move
   const TURN = 50; // pixels of the wheel that zoom by a step: a notch has more, a finger on a pad sends many small ones
   /** @type {Map<number, Point>} */
@@ -108,13 +107,6 @@ function simulator_hand(pictures, act) {
   }
 
   pictures.boxes.forEach(wire);
-  for (const kind of /** @type {("keydown" | "keyup")[]} */ (["keydown", "keyup"])) {
-    document.addEventListener(kind, (event) => {
-      if (event.key.toLowerCase() === LINES && !is_shortcut(event) && !is_typed(event))
-        pictures.hold(kind === "keydown");
-    });
-  }
-  window.addEventListener("blur", () => pictures.hold(false));
   return {
     release() {
       pinned = false;

@@ -389,23 +389,24 @@ async function simulator_module(data, ...programs) {
     );
 
   /**
-   * Draw A.
+   * Draw A, all of it or some rows.
    * @param {SceneState} state
    * @param {Method} method
    * @param {Stage} stage
    * @param {string} name
+   * @param {Record<string, number>} [rows]
    */
-  function draw_a(state, method, stage, name) {
+  function draw_a(state, method, stage, name, rows) {
     const own = own_of(state);
     const planes = target(stage, name);
-    if (own) {
+    if (own && !rows?.first_row) {
       const slopes = own_slopes(own, method, ...points_of_a(stage));
       for (const [n, plane] of SLOPES.entries()) {
         const into = plane_at(stage, planes[plane]);
         for (let i = 0; i < stage.count; i++) into[stage.at[i]] = slopes[n][i];
       }
     }
-    draw(own ? "draw_own" : "draw_a", state, method, stage, planes);
+    draw(own ? "draw_own" : "draw_a", state, method, stage, { ...planes, ...rows });
   }
 
   /** @param {Method} method @param {Float64Array} u @param {Float64Array} v */

@@ -36,8 +36,8 @@ function simulator_pictures(root, states, data, module) {
   let shown = null;
   /** @type {Uint8Array[]} */
   let bounds = [];
+  let sides = [0, 0, 0]; // of the boxes, in pixels of the screen: asked for when they change, since to ask takes a layout
   let decorated = "";
-  let held = false; // the key that shows the crease lines
 
   /** @param {HTMLCanvasElement} canvas */
   const context_of = (canvas, alpha = true) =>
@@ -48,9 +48,6 @@ function simulator_pictures(root, states, data, module) {
     canvas.width = side;
     canvas.height = side;
   }
-
-  /** How many of the screen's pixels a side of a box has. @param {Element} box */
-  const screen_side = (box) => Math.round(box.clientWidth * (window.devicePixelRatio || 1));
 
   /** Put what was drawn of a band into its canvases. @param {Drawn} reply @param {boolean} is_pages */
   function paint({ images, band, part, codes }, is_pages) {
@@ -80,15 +77,14 @@ function simulator_pictures(root, states, data, module) {
     seen = now;
     shown = state;
     scale.choose(state.scale, seen.levels);
-    resized();
+    draw();
   }
 
   // The difference in as many pixels as the screen has for it; the others as they are.
   function fit() {
     if (!shown) return;
-    const rooms = boxes.map((box) => screen_side(box) || seen.side); // all before any canvas changes the layout
     for (const [n, canvas] of seen.bases.entries()) {
-      const room = rooms[n];
+      const room = sides[n] || seen.side;
       if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
       canvas.classList.toggle("smooth", canvas.width > room / 2 && room % canvas.width > 0);
     }
@@ -148,11 +144,10 @@ function simulator_pictures(root, states, data, module) {
   function decorate(state = shown) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const whole = view === "loci" || held;
+    const whole = view === "loci";
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
-    const sides = boxes.map(screen_side);
     const key = [size, zoom, left, top, whole, field, ku, kv, ...sides].join();
     if (key === decorated) return;
     decorated = key;
@@ -163,19 +158,13 @@ function simulator_pictures(root, states, data, module) {
     }
   }
 
-  /** Show the crease lines, or no longer. @param {boolean} now */
-  function hold(now) {
-    held = now;
-    decorate();
-  }
-
   // The bounds of either picture's colours over it, in as many pixels as the screen has: one that is open stays seen.
   function fit_bounds() {
     for (const [n, canvas] of covers.entries()) {
       canvas.hidden = !bounds.length;
       if (canvas.hidden) continue;
       const side = bounds[n].length ** 0.5;
-      const image = scale.bounds(bounds[n], side, Math.min(side, screen_side(boxes[n]) || side));
+      const image = scale.bounds(bounds[n], side, Math.min(side, sides[n] || side));
       resize(canvas, image.width);
       context_of(canvas).putImageData(image, 0, 0);
     }
@@ -188,6 +177,11 @@ function simulator_pictures(root, states, data, module) {
   }
 
   function resized() {
+    sides = boxes.map((box) => Math.round(box.clientWidth * (window.devicePixelRatio || 1)));
+    draw();
+  }
+
+  function draw() {
     fit();
     fit_bounds();
     decorate();
@@ -212,7 +206,7 @@ function simulator_pictures(root, states, data, module) {
     return URL.createObjectURL(new Blob([Uint8Array.from(all)], { type: "image/png" }));
   }
 
-  return { boxes, file, paint, show, show_bounds, decorate, hold, resized, canvas: canvas_of, still: scale.still };
+  return { boxes, file, paint, show, show_bounds, decorate, resized, canvas: canvas_of, still: scale.still };
 }
 
 /** A PNG's chunk of text under the renderer's own word. @param {string} text */

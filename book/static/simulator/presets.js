@@ -73,7 +73,7 @@ function simulator_presets(root, states, act) {
       else pause();
     };
     frame = requestAnimationFrame(tick);
-    pause_button.textContent = "❚❚";
+    pause_button.textContent = "‖";
     pause_button.setAttribute("aria-label", "pause");
   }
 

@@ -1,5 +1,5 @@
-// What a worker does, or the page itself: draw and paint a band of rows for a state; when nothing is asked, time both pipelines, count
-// flips, and follow the U-curve of the band. Only what a change touches is computed anew.
+// What a worker does, or the page itself: draw and paint a band of rows for a state, tile by tile; when nothing is asked, time
+// both pipelines, count flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
 
 /**
@@ -10,6 +10,7 @@
 function simulator_worker(post) {
   const ROUNDS = 12;
   const SIDE = 32; // of a still
+  const TILE = 2 ** 17; // pixels: some 4 ms of a desktop; the page draws fewer, and at once
   /** @type {Record<string, { key: string, value: any, version: number, fresh: boolean }>} */
   const kept = {};
   let apart = { largest: 0, squares: 0 };
@@ -17,8 +18,8 @@ function simulator_worker(post) {
   let timer = 0;
   /** @type {SimulatorModule} */
   let module;
-  /** @type {Generator<Reply> | null} */
-  let pending = null; // the idle work that is left
+  /** @type {Generator<Reply | void> | null} */
+  let pending = null; // the work that is left
   let ready = Promise.resolve(); // tasks are taken in their order once the module is there
 
   /**
@@ -51,12 +52,12 @@ function simulator_worker(post) {
   }
 
   /**
-   * Draw A for one picture, if anything that it depends on has changed.
+   * Draw A for one picture, if anything that it depends on has changed: a tile a turn.
    * @param {string} name
    * @param {State} state
    * @param {Stage} stage
    */
-  function draw_anew(name, state, stage) {
+  function* draw_anew(name, state, stage) {
     const method = module.methods_of(state)[name];
     const key = [
       kept.around.version,
@@ -68,7 +69,15 @@ function simulator_worker(post) {
       method.name,
       method.eps ?? 0
     ];
-    keep(name, key, () => module.draw_a(state, method, stage, name));
+    if (kept[name]?.key === key.join()) return;
+    delete kept[name]; // half drawn, it is neither
+    const { wide, high } = stage.raster;
+    const step = Math.ceil(TILE / wide);
+    for (let first_row = 0; first_row < high; first_row += step) {
+      if (first_row) yield;
+      module.draw_a(state, method, stage, name, { first_row, last_row: Math.min(high, first_row + step) });
+    }
+    keep(name, key);
   }
 
   /**
@@ -137,9 +146,10 @@ function simulator_worker(post) {
   }
 
   /** @param {DrawTask} task */
-  function draw({ id, state, band, part }) {
+  function* draw({ id, state, band, part }) {
     const stage = staged(state, band);
-    const codes = kept.stage.fresh ? stage.codes.slice() : null;
+    for (const name of ["numeric", "symbolic"]) yield* draw_anew(name, state, stage);
+    const codes = keep("codes", [kept.stage.version]).fresh ? stage.codes.slice() : null;
     const moved = codes ? [codes.buffer] : [];
     /** @type {Drawn["images"]} */
     const images = {};
@@ -162,7 +172,6 @@ function simulator_worker(post) {
     }
 
     for (const name of ["numeric", "symbolic"]) {
-      draw_anew(name, state, stage);
       const by_step = ["straddle", "terms"].includes(state.view) && [state.eps, state.method].join();
       const around = [kept.around.version, state.view];
       picture(name, around, [kept[name].version, by_step], (whole) => paint_view(name, state, stage, whole));
@@ -192,12 +201,12 @@ function simulator_worker(post) {
   /**
    * One piece of idle work a turn, so that a new state never waits longer than that.
    * @param {IdleTask} task
-   * @returns {Generator<Reply>}
+   * @returns {Generator<Reply | void>}
    */
   function* idle({ id, state, band, steps }) {
     const stage = staged(state, band);
     const { count } = stage;
-    draw_anew("symbolic", state, stage);
+    yield* draw_anew("symbolic", state, stage);
     yield { kind: "counted", id, index: 0, ...count_flips(state, stage), count };
     for (const [index, eps] of (steps ?? []).entries()) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
@@ -217,7 +226,7 @@ function simulator_worker(post) {
   function go_on() {
     const next = pending?.next();
     if (!next || next.done) return;
-    post(next.value, []);
+    if (next.value) post(next.value, []);
     timer = setTimeout(go_on);
   }
 
@@ -228,10 +237,9 @@ function simulator_worker(post) {
         module = made;
       });
     await ready;
-    pending = task.kind === "idle" ? idle(task) : null;
+    pending = task.kind === "idle" ? idle(task) : task.kind === "draw" ? draw(task) : null;
     clearTimeout(timer);
-    if (pending) go_on();
-    else if (task.kind === "draw") draw(task);
+    go_on();
   }
   return take;
 }
