@@ -111,7 +111,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line,
+    """Return the exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line,
     130 after Ctrl-C, 143 after SIGTERM.
 
     What a figure raises is not caught: its author needs the whole traceback.

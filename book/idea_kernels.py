@@ -93,16 +93,16 @@ def slope_parts(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number)
 def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[str]]]:
     """Return a program as a function that returns all of its lines, and its LINES."""
     symbols = tuple(symbol for symbol, _ in program.definitions)
-    whole = Program(name, program.inputs, program.definitions, symbols)
-    return function_of(whole), {"inputs": [s.name for s in program.inputs], "lines": [s.name for s in symbols]}
+    full = Program(name, program.inputs, program.definitions, symbols)
+    return function_of(full), {"inputs": [s.name for s in program.inputs], "lines": [s.name for s in symbols]}
 
 
 def seen_along_a_ray() -> Program:
     """Return the program of a whole pixel of ridges from its image point on: the highlight's power as a product."""
-    whole, shine = pixel(HEIGHT_FIELDS["ridges"]), {shininess: Integer(Scene().shininess)}
-    inputs = (x, y, *(s for s in whole.inputs if s not in (*PLACE, shininess)))
-    lines = tuple((s, e.xreplace(shine)) for s, e in whole.definitions if s not in (x, y, half))
-    return Program("pixel_lines", inputs, lines, whole.outputs)
+    program, shine = pixel(HEIGHT_FIELDS["ridges"]), {shininess: Integer(Scene().shininess)}
+    inputs = (x, y, *(s for s in program.inputs if s not in (*PLACE, shininess)))
+    lines = tuple((s, e.xreplace(shine)) for s, e in program.definitions if s not in (x, y, half))
+    return Program("pixel_lines", inputs, lines, program.outputs)
 
 
 PLACE = (column, row, width, height)
@@ -118,7 +118,7 @@ IDEAS = (bump_at, surfaces, two_slopes, slope_parts, kernels.shadow, pixel_lines
 @cache
 def angles() -> tuple[float, ...]:
     """Return the median angle of each of the five normals to the displaced surface's, in degrees, over A in 256²."""
-    return *(float(np.nanmedian(found)) for found in angle_maps(render(Scene(), 256, 256)).values()), 0.0
+    return *(float(np.nanmedian(degrees)) for degrees in angle_maps(render(Scene(), 256, 256)).values()), 0.0
 
 
 def scene_inputs(scene: Scene) -> dict[str, float]:

@@ -11,13 +11,12 @@ from book.simulator_module import OFF_A, SCENE, WAYS, script
 from proofs.formulas.finite_difference import HEIGHTS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
-from renderer import exact
 from renderer.generate.programs import difference_of, differences
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, maximum, minimum
 from renderer.machines.forms import flat
 from renderer.operations import Number, nan
 from renderer.picture.differences import nearest_and_furthest
-from renderer.shader.numbers import scene_numbers
+from renderer.shader.numbers import Shot
 from renderer.shader.rounded_inputs import bound_of_x, bound_of_y, of_scene
 from renderer.shader.shader import difference
 from verify.accuracy.step_terms import BOUNDS, SLOPE_TERMS
@@ -48,9 +47,9 @@ def samples_of(name: str, method: str) -> Callable:
         at, taken = (u, v, k_u, k_v, epsilon), []
 
         def height(*there):
-            found = FIELDS[name]["height"](*there)
-            taken.extend((*there[:2], found))
-            return found
+            h = FIELDS[name]["height"](*there)
+            taken.extend((*there[:2], h))
+            return h
 
         slopes = difference(FIELDS[name] | {"height": height}, method, *at)
         return *taken, *slopes, *_noise(name, method, *at)
@@ -100,6 +99,6 @@ def pairs() -> dict[str, dict[str, list]]:
 
 def source() -> str:
     """Return the text of the script that the page loads when it is asked to."""
-    data = {"pairs": pairs(), "scene_bounds": flat(of_scene(SCENE, scene_numbers(SCENE, exact())))}
+    data = {"pairs": pairs(), "scene_bounds": flat(of_scene(Shot(SCENE)))}
     words = "what the loupe asks at a pixel, and what bounds the colours"
     return script(words, "Simulator.closer", "Simulator.closer.program", BOUNDED, KERNELS, data, {})

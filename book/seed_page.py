@@ -33,7 +33,7 @@ TIME = re.compile(r"\d+\.\d+(?= ?s$)", re.M)
 
 
 def notebooks() -> dict[str, NotebookNode]:
-    """The eight cells with the one line mended, each after Cells 1 and 3, on which it builds."""
+    """Return the eight cells with the one line mended, each after Cells 1 and 3, on which it builds."""
     cells = dict(enumerate(map(new_code_cell, seed_cells()), 1))
     before = {n: sorted({1, min(n, 3), n}) for n in cells}
     return {f"seed{n}": a_notebook(f"The seed's Cell {n}", [cells[k] for k in before[n]]) for n in cells}
@@ -50,24 +50,24 @@ def printed() -> list[str]:
 
 @directive("seed")
 def seed(here: SphinxDirective) -> Nodes:
-    """The whole of it, in sections."""
+    """Return the whole of it, in sections."""
     book = Entries(here)
     claims = [claim for claim in book.ledger.sorted_by_place() if claim.of_seed]
-    found = [nodes.container(classes=["seed"])]
+    children = [nodes.container(classes=["seed"])]
     for place, text in parts().items():
         stand, name = [claim for claim in claims if claim.where == f"seed:{place}"], f"seed-{place.replace('.', '-')}"
         verdicts = [filled("seed_claims", book=book, claims=stand, id=name)]
         for piece in filter(str.strip, HEADING.split(text)):
             if HEADING.match(piece):
-                found.append(section(piece, f"seed-part-{len(found)}", classes=["seed"]))
+                children.append(section(piece, f"seed-part-{len(children)}", classes=["seed"]))
             else:
-                found[-1] += [_quoted(here, piece, place), *verdicts]
+                children[-1] += [_quoted(here, piece, place), *verdicts]
                 verdicts = []  # they stand under the first of its pieces
-    return found
+    return children
 
 
 def _quoted(here: SphinxDirective, text: str, place: str) -> nodes.block_quote:
-    """A piece of the text, its mathematics typeset; a program, mended, stays folded above what it prints."""
+    """Return a piece of the text, its mathematics typeset; a program, mended, stays folded above what it prints."""
     words, run, _ = text.partition(RUN)
     words = DISPLAYED.sub(r"\n\n$$\n\1\n$$\n\n", LINES.sub("\\\\\n", words + run))
     quote = nodes.block_quote()

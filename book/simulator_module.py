@@ -17,8 +17,8 @@ from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
-from renderer import Light, Scene, exact, kernels
-from renderer.files.record import Drawing, text_of
+from renderer import Light, Scene, kernels
+from renderer.files.record import text_of
 from renderer.files.srgb import tables, thresholds
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
@@ -27,7 +27,7 @@ from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BI
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
 from renderer.scene.raster import Raster
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
@@ -44,8 +44,41 @@ WANTS = {
     "draw_elsewhere": OFF_A._replace(chambers_known=True, surfaces="elsewhere"),
     "draw_chart": OFF_A._replace(chambers_known=True, surfaces="a", colors=False, stored=(*ANGLES, *CHART)),
     "draw_a": OFF_A._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True),
+    "draw_own": OFF_A._replace(ways=((SCENE.field, "stored"),), chambers_known=True, surfaces="a", charted=True),
 }
-"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture."""
+"""The drawings; a picture is all of them, one after another. A's chart is kept for the next picture.
+
+`draw_own` takes the slopes that the page has computed of the reader's own field.
+"""
+
+
+def points_of(method: str) -> Callable:
+    """Return the kernel (u, v, ε) → u and v of each point at which a difference takes the height, in its order."""
+
+    def points(u, v, epsilon):
+        places = []
+
+        def height(*place):
+            places.extend(place[:2])
+            return u
+
+        getattr(kernels, method)(height, u, v, 0.0, 0.0, epsilon)
+        return tuple(places)
+
+    points.__name__ = f"points_of_{method}"
+    return points
+
+
+def slopes_of(method: str) -> Callable:
+    """Return the kernel (u, v, ε, the heights at these points) → h_u and h_v by a difference; at most eight heights."""
+
+    def slopes(u, v, epsilon, h_1, h_2, h_3, h_4, h_5, h_6, h_7, h_8):
+        heights = iter((h_1, h_2, h_3, h_4, h_5, h_6, h_7, h_8))
+        return getattr(kernels, method)(lambda *_: next(heights), u, v, 0.0, 0.0, epsilon)
+
+    slopes.__name__ = f"slopes_of_{method}"
+    return slopes
+
 
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
@@ -54,6 +87,8 @@ OVER_POINTS = (
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
+    *(kernels.sinpi, kernels.cospi, kernels.exp, kernels.log),
+    *(kernel_of(method) for method in HEIGHT_EVALUATIONS for kernel_of in (points_of, slopes_of)),
 )
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
@@ -61,12 +96,12 @@ TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
 def _scenes():
     """Return {B is on, each light is on, as 0 or 1: the scene's and the lights' numbers}: what else varies is set."""
-    found = {}
+    scenes = {}
     for ball, *on in product((False, True), repeat=1 + len(SCENE.lights)):
         lights = tuple(a if lit else Light(a.position, None) for a, lit in zip(SCENE.lights, on, strict=True))
-        numbers, rows = numbers_of(replace(SCENE, ball=ball, lights=lights), exact())
-        found["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
-    return found
+        numbers, rows = numbers_of(Shot(replace(SCENE, ball=ball, lights=lights)))
+        scenes["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
+    return scenes
 
 
 def _level_of_size(size):
@@ -101,12 +136,13 @@ def data() -> dict:
     return {
         "scene": asdict(SCENE),
         "scenes": _scenes(),
-        "record": json.loads(text_of(Drawing(SCENE, exact(), Raster(256, 256)))) | {"machine": "webassembly"},
+        "record": json.loads(text_of(Shot(SCENE, raster=Raster(256, 256)))) | {"machine": "webassembly"},
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
+        "shadows": sum(len(getattr(LIGHT_FORM, name)) for name in SHADOWS),
         "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
         "models": {
-            n: {"index": number, "power": scene_numbers(scene, exact()).power}
+            n: {"index": number, "power": scene_numbers(Shot(scene)).power}
             for number, (n, scene) in enumerate(MODELS.items())
         },
         "max_algebraic": MAX_ALGEBRAIC,
@@ -122,7 +158,7 @@ def data() -> dict:
 
 
 def script(
-    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], known: dict,
+    words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
     painters: Mapping[str, Callable] = PAINTERS,
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
@@ -131,7 +167,7 @@ def script(
     """
     module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
     kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
-    text, holder = json.dumps({"kernels": kernels_in} | known, separators=(",", ":")), place.partition(".")[0]
+    text, holder = json.dumps({"kernels": kernels_in} | beside, separators=(",", ":")), place.partition(".")[0]
     return (
         f"// Printed from proofs/ by `python -m book`: {words}.\n"
         f'"use strict";\nvar {holder} = {holder} || {{}};\n'

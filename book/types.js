@@ -6,15 +6,17 @@
  * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
  *   a part of a picture of width × height pixels
  * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
- * @typedef {{ field: string, ku: number, kv: number, beta: number, model: string, ball: number, lights: boolean[] }}
- *   SceneState
+ * @typedef {{ field: string, h?: string, ku: number, kv: number, beta: number, model: string, ball: number,
+ *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
+ *   the first light is
+ * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
  *   inferno: number[], grey: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
- *   offsets: Record<string, number>, light_size: number, max_algebraic: number, counts: number, lanes: number,
+ *   offsets: Record<string, number>, light_size: number, shadows: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
  *   models: Record<string, { index: number, power: number }>, arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
@@ -34,11 +36,18 @@
 
 // simulator/state.js
 /**
- * @typedef {SceneState & { eps: number, method: string, view: string, scale: string, size: number, zoom: number,
+ * @typedef {Required<SceneState> & { eps: number, method: string, view: string, scale: string, size: number, zoom: number,
  *   left: number, top: number, column: number, row: number, [name: string]: any }} State
  * @typedef {{ start: any, read(text: string): any, write(value: any): string, holds(value: any): boolean,
  *   allowed: string }} Parameter
  * @typedef {ReturnType<typeof simulator_states>} States
+ */
+
+// simulator/formula.js
+/**
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, out?: Float64Array }} FormulaNode
+ *   an operation, its parts, and its number if it has one; out: what it is at some points
+ * @typedef {ReturnType<typeof own_field>} OwnField
  */
 
 // simulator/worker.js

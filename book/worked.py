@@ -76,22 +76,22 @@ TEX = printed_claims.TEX | {
 
 
 def tex_of(symbol: Symbol) -> str:
-    """A symbol of the program as TeX, without the surface or the light to which it belongs."""
+    """Return a symbol of the program as TeX, without the surface or the light to which it belongs."""
     name = symbol.name.removesuffix(A).removesuffix("_0").removesuffix("_1").replace("light_0_", "light_")
     return TEX.get(name) or latex(Symbol(name))
 
 
 def formula(name: str, written_out: tuple[str, ...]) -> str:
-    """A line of the program as TeX: of cases, the first."""
+    """Return a line of the program as TeX: of cases, the first."""
     lines = {symbol.name: symbol for symbol, _ in PIXEL.definitions}
-    found = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
-    found = ordinary(found.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
-    shown = latex(found, symbol_names={symbol: tex_of(symbol) for symbol in found.free_symbols})
+    expression = PIXEL.expand(lines[name], until={s for n, s in lines.items() if n not in (*written_out, name)})
+    expression = ordinary(expression.replace(lambda part: isinstance(part, Piecewise), lambda part: part.args[0].expr))
+    shown = latex(expression, symbol_names={symbol: tex_of(symbol) for symbol in expression.free_symbols})
     return f"{tex_of(lines[name])} = {shown}"
 
 
-def said(number: float) -> str:
-    """A number as the page's script says it."""
+def number_text(number: float) -> str:
+    """Return a number as the page's script says it."""
     if not math.isfinite(number):
         return "—"
     text = f"{number:.4f}" if number % 1 else f"{number:.0f}"
@@ -99,14 +99,14 @@ def said(number: float) -> str:
 
 
 def values(scene: Scene) -> dict[str, float]:
-    """Every line of the pixel that stands on paper."""
+    """Return every line of the pixel that stands on paper."""
     half = kernels.image_extent(scene.eye, scene.radius)
     place = {"x": kernels.image_x(COLUMN, SIZE, SIZE, half), "y": kernels.image_y(ROW, SIZE, half)}
     return place | lines_at(scene, **place)
 
 
 def worked_lines() -> list[dict]:
-    known, rows = values(Scene()), []
+    numbers, rows = values(Scene()), []
     for words, line, written_out in LINES:
         names = line.split()
         rows.append({
@@ -115,14 +115,14 @@ def worked_lines() -> list[dict]:
             "formula": [] if written_out is None else [nodes.math("", formula(names[0], written_out))],
             "names": names,
             "on_a": any(name.endswith(A) or name in ON_A for name in names),
-            "outputs": [(name, said(known[name])) for name in names],
+            "outputs": [(name, number_text(numbers[name])) for name in names],
         })  # fmt: skip
     return rows
 
 
 @directive("worked-pixel", arguments=1, content=True, **OPTIONS)
 def worked_pixel(here: SphinxDirective) -> Nodes:
-    """An {idea} with the lines of a pixel under its picture."""
+    """Return an {idea} with the lines of a pixel under its picture."""
     (figure,) = idea(here)
     figure["classes"].append("idea-worked")
     figure.insert(1, filled("worked", lines=worked_lines()))
@@ -131,7 +131,7 @@ def worked_pixel(here: SphinxDirective) -> Nodes:
 
 @directive("idea", arguments=1, content=True, **OPTIONS)
 def idea(here: SphinxDirective) -> Nodes:
-    """A figure with a script that replaces its picture."""
+    """Return a figure with a script that replaces its picture."""
     (figure,) = chapter_figure(here)
     figure["classes"].append("idea")
     figure["idea"] = here.arguments[0]

@@ -509,7 +509,7 @@ def kink_sine(sin_phi, u, v, k_u, k_v):
     return where(sin_phi <= 0.0, 1.0, 0.0)
 
 
-def straddling_sine(u, v, k_u, k_v, epsilon):
+def straddling_sine(u, v, k_u, k_v, eps):
     return 0.0
 
 
@@ -540,10 +540,10 @@ def kink_ridges(sin_phi, u, v, k_u, k_v):
     return kink
 
 
-def straddling_ridges(u, v, k_u, k_v, epsilon):
+def straddling_ridges(u, v, k_u, k_v, eps):
     crease_distance_0 = abs(k_u * u - rint(k_u * u))
     crease_distance_1 = abs(abs(k_v * v) - maximum(1.0, rint(abs(k_v * v))))
-    straddles = where((crease_distance_0 < epsilon * abs(k_u)) | (crease_distance_1 < epsilon * abs(k_v)), 1.0, 0.0)
+    straddles = where((crease_distance_0 < eps * abs(k_u)) | (crease_distance_1 < eps * abs(k_v)), 1.0, 0.0)
     return straddles
 
 
@@ -572,7 +572,7 @@ def kink_rings(sin_phi, u, v, k_u, k_v):
     return where(sin_phi <= 0.0, 1.0, 0.0)
 
 
-def straddling_rings(u, v, k_u, k_v, epsilon):
+def straddling_rings(u, v, k_u, k_v, eps):
     return 0.0
 
 
@@ -584,60 +584,60 @@ def wave_numbers_rings(k_u, k_v):
     return 0.0, 2.0 * k_v
 
 
-def forward(height, u, v, k_u, k_v, epsilon):
-    u_plus = epsilon + u - floor(epsilon + u)
-    stepped = where(epsilon + v <= 1.0, epsilon + v, v - epsilon)
+def forward(height, u, v, k_u, k_v, eps):
+    u_plus = eps + u - floor(eps + u)
+    stepped = where(eps + v <= 1.0, eps + v, v - eps)
     h_here = height(u, v, k_u, k_v)
     h_u_plus = height(u_plus, v, k_u, k_v)
     h_v_plus = height(u, stepped, k_u, k_v)
-    h_u = (h_u_plus - h_here) / epsilon
-    h_v = where(epsilon + v <= 1.0, (h_v_plus - h_here) / epsilon, (h_here - h_v_plus) / epsilon)
+    h_u = (h_u_plus - h_here) / eps
+    h_v = where(eps + v <= 1.0, (h_v_plus - h_here) / eps, (h_here - h_v_plus) / eps)
     return h_u, h_v
 
 
-def forward_in_v(height, u, v, k_u, k_v, epsilon):
-    stepped = where(epsilon + v <= 1.0, epsilon + v, v - epsilon)
+def forward_in_v(height, u, v, k_u, k_v, eps):
+    stepped = where(eps + v <= 1.0, eps + v, v - eps)
     h_here = height(u, v, k_u, k_v)
     h_v_plus = height(u, stepped, k_u, k_v)
-    h_v = where(epsilon + v <= 1.0, (h_v_plus - h_here) / epsilon, (h_here - h_v_plus) / epsilon)
+    h_v = where(eps + v <= 1.0, (h_v_plus - h_here) / eps, (h_here - h_v_plus) / eps)
     return h_v
 
 
-def central(height, u, v, k_u, k_v, epsilon):
-    u_plus = epsilon + u - floor(epsilon + u)
-    u_minus = u - epsilon - floor(u - epsilon)
-    v_plus = minimum(1.0, epsilon + v)
-    v_minus = maximum(0.0, v - epsilon)
-    span_v = where((epsilon + v <= 1.0) & (epsilon - v <= 0.0), 2.0 * epsilon, v_plus - v_minus)
+def central(height, u, v, k_u, k_v, eps):
+    u_plus = eps + u - floor(eps + u)
+    u_minus = u - eps - floor(u - eps)
+    v_plus = minimum(1.0, eps + v)
+    v_minus = maximum(0.0, v - eps)
+    span_v = where((eps + v <= 1.0) & (eps - v <= 0.0), 2.0 * eps, v_plus - v_minus)
     h_u_plus = height(u_plus, v, k_u, k_v)
     h_u_minus = height(u_minus, v, k_u, k_v)
     h_v_plus = height(u, v_plus, k_u, k_v)
     h_v_minus = height(u, v_minus, k_u, k_v)
-    h_u = 0.5 * (h_u_plus - h_u_minus) / epsilon
+    h_u = 0.5 * (h_u_plus - h_u_minus) / eps
     h_v = (h_v_plus - h_v_minus) / span_v
     return h_u, h_v
 
 
-def central_in_v(height, u, v, k_u, k_v, epsilon):
-    v_plus = minimum(1.0, epsilon + v)
-    v_minus = maximum(0.0, v - epsilon)
-    span_v = where((epsilon + v <= 1.0) & (epsilon - v <= 0.0), 2.0 * epsilon, v_plus - v_minus)
+def central_in_v(height, u, v, k_u, k_v, eps):
+    v_plus = minimum(1.0, eps + v)
+    v_minus = maximum(0.0, v - eps)
+    span_v = where((eps + v <= 1.0) & (eps - v <= 0.0), 2.0 * eps, v_plus - v_minus)
     h_v_plus = height(u, v_plus, k_u, k_v)
     h_v_minus = height(u, v_minus, k_u, k_v)
     h_v = (h_v_plus - h_v_minus) / span_v
     return h_v
 
 
-def central4(height, u, v, k_u, k_v, epsilon):
-    u_plus = epsilon + u - floor(epsilon + u)
-    u_minus = u - epsilon - floor(u - epsilon)
-    v_plus = minimum(1.0, epsilon + v)
-    v_minus = maximum(0.0, v - epsilon)
-    span_v = where((epsilon + v <= 1.0) & (epsilon - v <= 0.0), 2.0 * epsilon, v_plus - v_minus)
-    u_plus_2 = 2.0 * epsilon + u - floor(2.0 * epsilon + u)
-    u_minus_2 = u - 2.0 * epsilon - floor(u - 2.0 * epsilon)
-    v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
-    v_minus_2 = maximum(0.0, v - 2.0 * epsilon)
+def central4(height, u, v, k_u, k_v, eps):
+    u_plus = eps + u - floor(eps + u)
+    u_minus = u - eps - floor(u - eps)
+    v_plus = minimum(1.0, eps + v)
+    v_minus = maximum(0.0, v - eps)
+    span_v = where((eps + v <= 1.0) & (eps - v <= 0.0), 2.0 * eps, v_plus - v_minus)
+    u_plus_2 = 2.0 * eps + u - floor(2.0 * eps + u)
+    u_minus_2 = u - 2.0 * eps - floor(u - 2.0 * eps)
+    v_plus_2 = minimum(1.0, 2.0 * eps + v)
+    v_minus_2 = maximum(0.0, v - 2.0 * eps)
     h_u_plus = height(u_plus, v, k_u, k_v)
     h_u_minus = height(u_minus, v, k_u, k_v)
     h_v_plus = height(u, v_plus, k_u, k_v)
@@ -647,24 +647,24 @@ def central4(height, u, v, k_u, k_v, epsilon):
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_u = h_u_plus - h_u_minus
-    h_u = Constant(0.08333333333333333) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / epsilon
+    h_u = Constant(0.08333333333333333) * (h_u_minus_2 - h_u_plus_2 + 8.0 * near_difference_u) / eps
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * eps + v <= 1.0) & (2.0 * eps - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / eps, near_difference_v / span_v)
     return h_u, h_v
 
 
-def central4_in_v(height, u, v, k_u, k_v, epsilon):
-    v_plus = minimum(1.0, epsilon + v)
-    v_minus = maximum(0.0, v - epsilon)
-    span_v = where((epsilon + v <= 1.0) & (epsilon - v <= 0.0), 2.0 * epsilon, v_plus - v_minus)
-    v_plus_2 = minimum(1.0, 2.0 * epsilon + v)
-    v_minus_2 = maximum(0.0, v - 2.0 * epsilon)
+def central4_in_v(height, u, v, k_u, k_v, eps):
+    v_plus = minimum(1.0, eps + v)
+    v_minus = maximum(0.0, v - eps)
+    span_v = where((eps + v <= 1.0) & (eps - v <= 0.0), 2.0 * eps, v_plus - v_minus)
+    v_plus_2 = minimum(1.0, 2.0 * eps + v)
+    v_minus_2 = maximum(0.0, v - 2.0 * eps)
     h_v_plus = height(u, v_plus, k_u, k_v)
     h_v_minus = height(u, v_minus, k_u, k_v)
     h_v_plus_2 = height(u, v_plus_2, k_u, k_v)
     h_v_minus_2 = height(u, v_minus_2, k_u, k_v)
     near_difference_v = h_v_plus - h_v_minus
-    h_v = where((2.0 * epsilon + v <= 1.0) & (2.0 * epsilon - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / epsilon, near_difference_v / span_v)
+    h_v = where((2.0 * eps + v <= 1.0) & (2.0 * eps - v <= 0.0), Constant(0.08333333333333333) * (h_v_minus_2 - h_v_plus_2 + 8.0 * near_difference_v) / eps, near_difference_v / span_v)
     return h_v
 
 

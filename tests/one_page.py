@@ -35,7 +35,7 @@ def refused(folder, mistakes, more=""):
     """
     text = "\n\n".join([*mistakes, more])
     html, warnings = build(folder, text)
-    for written, said in mistakes.items():
+    for written, words in mistakes.items():
         line = 3 + text[: text.index(written)].count("\n")
-        assert re.search(rf"index\.md:{line}:.*{said}", warnings), warnings
+        assert re.search(rf"index\.md:{line}:.*{words}", warnings), warnings
     return html

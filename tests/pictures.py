@@ -9,8 +9,8 @@ from renderer.picture import views
 def shows(path, frame):
     """Return whether a file shows a frame: its float64 numbers, or its bytes for the eye."""
     if path.suffix.lower() in (".npy", ".npz"):
-        kept, expected = np.load(path), frame.rgb
+        pixels, expected = np.load(path), frame.rgb
     else:
-        kept, expected = np.asarray(Image.open(path)), views.image_view(frame)
-    kept = kept["rgb"] if path.suffix == ".npz" else kept
-    return kept.dtype == expected.dtype and np.array_equal(kept, expected)
+        pixels, expected = np.asarray(Image.open(path)), views.image_view(frame)
+    pixels = pixels["rgb"] if path.suffix == ".npz" else pixels
+    return pixels.dtype == expected.dtype and np.array_equal(pixels, expected)

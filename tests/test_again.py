@@ -19,14 +19,14 @@ from tests.test_command_line import run
 HILL = HeightField("hill_drawn_again", exp(-2 * (2 * v - 1) ** 2) * (u * (1 - u)) ** 2 * k_u)
 SCENE = Scene(field=HILL, ku=3.0, beta=0.1, lights=())
 FRAME = render(SCENE, 30, 20, central(1e-3), (2, 3, 21, 15))
-TOLD = json.loads(record.text_of(record.Drawing(FRAME.scene, FRAME.method, FRAME.raster)))
+TOLD = json.loads(record.text_of(FRAME.shot))
 TEXT = json.dumps(TOLD)
 
 
 @pytest.mark.parametrize("name", ["A.PNG", "a.npz"])
 def test_a_picture_is_drawn_again(name, tmp_path, capsys):
     FRAME.save(tmp_path / name)
-    assert record.read(tmp_path / name)[:3] == (SCENE, FRAME.method, FRAME.raster)
+    assert record.read(tmp_path / name)[0] == FRAME.shot
     assert run("image", "--again", tmp_path / name, "--out", tmp_path / "b.npy") == 0
     assert shows(tmp_path / "b.npy", FRAME)
     assert capsys.readouterr().err == ""
@@ -79,21 +79,21 @@ def test_a_damaged_file_is_refused(name, tmp_path):
     """Cut anywhere, doubled, without a text, damaged, of another length than it says."""
     path = tmp_path / name
     with_text(path, TEXT)
-    assert record.read(path).scene == SCENE
-    whole = path.read_bytes()
-    for cut in range(0, len(whole), 7):
-        path.write_bytes(whole[:cut])
+    assert record.read(path)[0].scene == SCENE
+    content = path.read_bytes()
+    for cut in range(0, len(content), 7):
+        path.write_bytes(content[:cut])
         rejection(record.read, path)
     for copies in (0, 2):
         with_text(path, TEXT, copies)
         rejection(record.read, path)
     os.mkfifo(tmp_path / f"pipe-{name}")
     rejection(record.read, tmp_path / f"pipe-{name}")
-    lies = [(0, b"GIF"), (whole.index(b"0.1"), b"9")]
+    lies = [(0, b"GIF"), (content.index(b"0.1"), b"9")]
     if name == "a.png":
-        lies += [(whole.index(b"tEXt") - 4, length) for length in (b"\xff\xff\xff\xff", b"\0\0\0\x14")]
+        lies += [(content.index(b"tEXt") - 4, length) for length in (b"\xff\xff\xff\xff", b"\0\0\0\x14")]
     for place, lie in lies:
-        path.write_bytes(whole[:place] + lie + whole[place + len(lie) :])
+        path.write_bytes(content[:place] + lie + content[place + len(lie) :])
         rejection(record.read, path)
 
 
@@ -128,5 +128,5 @@ WRONG_SCENES = {
 def test_a_wrong_scene_is_refused(text, tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(text)
-    said = rejection(Scene.from_file, path)
-    assert said.startswith(f"scene = {str(path)!r} is not allowed: ") and WRONG_SCENES[text] in said
+    error = rejection(Scene.from_file, path)
+    assert error.startswith(f"scene = {str(path)!r} is not allowed: ") and WRONG_SCENES[text] in error

@@ -55,9 +55,9 @@ def test_a_watched_page_is_built_alone_as_often_as_it_is_saved(tmp_path, monkeyp
         before = (html / "api.html").stat().st_mtime_ns
         for words, wrong in {"{no-such-role}`a`": "no-such-role", "$\\no$": "\\no", "Two zebras": ""}.items():
             (tmp_path / "s1.md").write_text(f"(s1)=\n# Bumps\n\n{words}.\n")
-            assert wrong in (said := build()) and bool(said) == bool(wrong)
+            assert wrong in (output := build()) and bool(output) == bool(wrong)
             (tmp_path / "index.md").write_text(f"# Page\n\n{words and 'Another'} edit.\n\n```{{bibliography}}\n```\n")
-            assert build() == said  # of a page that is as wrong as it was
+            assert build() == output  # of a page that is as wrong as it was
     assert "Two zebras" in (html / "s1.html").read_text("utf-8")
     assert before == (html / "api.html").stat().st_mtime_ns
 
@@ -94,13 +94,13 @@ def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_buil
     assert stamps.read("site") is None
     page = website.SITE / "s2.html"
 
-    def whole(folder, cache):
+    def complete(folder, cache):
         made = folder / "_build" / "html"
         made.mkdir(parents=True)
         for name in (".buildinfo", website.INDEX.name, page.name):
             (made / name).write_text("whole")
 
-    monkeypatch.setattr(website, "build_into", whole)
+    monkeypatch.setattr(website, "build_into", complete)
     for spoil in (website.build, page.unlink, lambda: page.write_text("who")):
         spoil()
         website.build()
@@ -133,7 +133,7 @@ def make(tmp_path):
         (tmp_path / lock).write_text(lock)
     shutil.copy(ROOT / "Makefile", tmp_path)
     environment = {"PATH": f"{tmp_path}:/usr/bin:/bin"}
-    return lambda *given, status=0: "".join(run("make", *given, cwd=tmp_path, env=environment, status=status))
+    return lambda *arguments, status=0: "".join(run("make", *arguments, cwd=tmp_path, env=environment, status=status))
 
 
 def test_an_environment_is_of_the_python_that_is_named(make, tmp_path):

@@ -59,8 +59,8 @@ def test_a_page_shows_figures_and_numbers_and_says_which_are_stale(book):
         assert f'<span class="number">16.2{stale}</span> ms (16 to 19), no.' in html
     for stale in ("", mark.format(STALE["simulator"], "††")):
         assert f'The RMS is <span class="number">0.012{stale}</span>.' in html
-    said = {name: f"{text[0].upper()}{text[1:]}." for name, text in STALE.items()}
-    notes = [said["simulator"], f"† {said['frames']}", f"†† {said['simulator']}"]
+    sentences = {name: f"{text[0].upper()}{text[1:]}." for name, text in STALE.items()}
+    notes = [sentences["simulator"], f"† {sentences['frames']}", f"†† {sentences['simulator']}"]
     assert re.findall(r'<p class="stale">(.*?)</p>', html) == notes
     assert 'id="fig-sweep"' in html and 'href="#fig-sweep"><span class="std std-numref">Fig. 1</span>' in html
     assert html.count('alt="a falling curve"') == 4

@@ -140,10 +140,10 @@ def test_a_key_has_what_python_imports_and_the_record_that_is_read(hashes_of_fig
     printed, _ = python("-c", TRACE, stamps.ROOT, *modules)
     imported = dict(map(json.loads, printed.splitlines()))
     for id, entry in draw.all_figures().items():
-        own = draw.source_file(entry)
-        names = [Path(file).relative_to(stamps.ROOT).as_posix() for file in imported[own.stem]]
+        source = draw.source_file(entry)
+        names = [Path(file).relative_to(stamps.ROOT).as_posix() for file in imported[source.stem]]
         ours = {name for name in names if name.startswith(stamps.PACKAGES)}
-        assert own.relative_to(stamps.ROOT).as_posix() in ours and len(ours) > 3
+        assert source.relative_to(stamps.ROOT).as_posix() in ours and len(ours) > 3
         ours |= {"requirements.lock", "book/drawing/matplotlibrc", "python", *entry.reads}
         assert ours <= hashes_of_figures[id].keys(), id
 

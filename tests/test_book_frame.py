@@ -29,8 +29,8 @@ SET = {
 
 
 def test_formulas_have_the_spaces_of_print_and_carry_their_tex():
-    for tex, said in SET.items():
-        assert typeset(tex) == f'<math data-tex="{escape(tex)}">{said}</math>'
+    for tex, mathml in SET.items():
+        assert typeset(tex) == f'<math data-tex="{escape(tex)}">{mathml}</math>'
     for wrong in (r"\foo", "{x", r"\frac{1}", "x^1^2"):
         with pytest.raises(LatexError):
             typeset(wrong)

@@ -36,7 +36,7 @@ def proofs(site):
 def cards(html_of):
     """Theorem → its card, in the order of the pages."""
     pages = map(html_of, page_files(ROOT / "book"))
-    return {found[1]: parsed(found[0]) for page in pages for found in CARD.finditer(page)}
+    return {match[1]: parsed(match[0]) for page in pages for match in CARD.finditer(page)}
 
 
 # The cards of the site
@@ -51,10 +51,10 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert title.strong.get_text() == f"{'Claim' if theorem.refuted_at else proofs.label(id).split()[0]} {number}"
         for formula in card.select("math"):
             formula.replace_with(f"${formula['data-tex']}$")
-        whole = proofs.entries[id]["shown"] == "formal"
+        is_formal = proofs.entries[id]["shown"] == "formal"
         words = [word.extract().get_text() for word in card.select(".grade-word")]
-        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * whole
-        assert not (whole and theorem.expected == "argued")
+        assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * is_formal
+        assert not (is_formal and theorem.expected == "argued")
         (statement,) = card.select(".statement")
         shown = statement.get_text().strip().replace("’", "'")
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
@@ -112,8 +112,8 @@ def lacking(theorem, cut):
     names = [claim.name.partition("_")[0] for claim in theorem.rounded]
     missing = {name for name in (*names, "overflows") if name not in " ".join(texts)}
     for name, claim in zip(names, theorem.rounded, strict=True):
-        given = [text for text in hypotheses if name in text or not any(map(text.count, names))]
-        missing |= numbers(*map(tex, claim.given)) - numbers(words, *given) - {0, 1}
+        stated = [text for text in hypotheses if name in text or not any(map(text.count, names))]
+        missing |= numbers(*map(tex, claim.given)) - numbers(words, *stated) - {0, 1}
     return missing
 
 
@@ -177,9 +177,9 @@ def test_a_printed_claim_is_the_object_as_written():
     x, cos_theta = symbols("x cos_theta", real=True)
     with evaluate(False):
         claim = Claim("c", equation(pi * 2 * sinpi(x) * cos_theta**2, 0 + x), greater(x, 1))
-    said, given = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
-    assert rows(claim) == [given, ("shows", said)]
-    assert rows(claim, by_definition=(str(claim.shows[0]),)) == [given, ("by definition", said)]
+    line, hypothesis = r"\pi \cdot 2 \sin(\pi x) (\cos\theta)^{2} = 0 + x", ("given", "x > 1")
+    assert rows(claim) == [hypothesis, ("shows", line)]
+    assert rows(claim, by_definition=(str(claim.shows[0]),)) == [hypothesis, ("by definition", line)]
     assert rows(claim, refuted=True)[-1].role == "false"
 
 

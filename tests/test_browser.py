@@ -94,13 +94,13 @@ def violations(tab, mode="light", place="html"):
 
 def look(tab, page, mode):
     """Hold the page to what its reader has to see."""
-    seen = tab.evaluate(SEEN)
-    assert seen["unloaded"] == seen["blurred"] == [] and seen["unset"] == 0 and seen["fonts"]
-    assert all(source.endswith(".dark.svg") == (mode == "dark") for source in seen["plots"])
+    state = tab.evaluate(SEEN)
+    assert state["unloaded"] == state["blurred"] == [] and state["unset"] == 0 and state["fonts"]
+    assert all(source.endswith(".dark.svg") == (mode == "dark") for source in state["plots"])
     if mode == "phone":  # what is too wide stands in something that scrolls
-        assert seen["wide"] <= PHONE["viewport"]["width"] and (page in OTHERS or seen["cut"] == [])
+        assert state["wide"] <= PHONE["viewport"]["width"] and (page in OTHERS or state["cut"] == [])
     else:  # a pixel is so many of the screen's
-        assert seen["scaled"] == []
+        assert state["scaled"] == []
 
 
 def change_colours(tab, mode):
@@ -116,12 +116,12 @@ def too_narrow(tab, widths=WIDTHS, patience=15000):
 
     patience: for how many milliseconds it may take to follow: the simulator is drawn anew, the sidebar slides.
     """
-    found = []
+    widths_cut = []
     for width in widths:
         tab.set_viewport_size({"width": width, "height": 900})
         next_frame(tab)
-        found += [width] if tab.evaluate(OVERFLOWS, patience) else []
-    return found
+        widths_cut += [width] if tab.evaluate(OVERFLOWS, patience) else []
+    return widths_cut
 
 
 def unseen_focus(tab):
@@ -224,8 +224,8 @@ def test_back_leads_where_one_was(visit):
     tab.evaluate("scrollTo(0, 3000)")
     next_frame(tab)
     tops = "[...document.querySelectorAll('figure[id]')].map(figure => [figure.id, figure.getBoundingClientRect().top])"
-    seen = f"{tops}.find(([, top]) => top > 0)"
-    id, top = tab.locator(link).first.evaluate(f"link => {{ const figure = {seen}; link.click(); return figure; }}")
+    first = f"{tops}.find(([, top]) => top > 0)"
+    id, top = tab.locator(link).first.evaluate(f"link => {{ const figure = {first}; link.click(); return figure; }}")
     tab.wait_for_url(lambda url: "s3.html" not in url)
     tab.go_back()
     place = f"document.getElementById('{id}').getBoundingClientRect().top"

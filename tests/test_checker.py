@@ -57,8 +57,8 @@ def test_a_card_checks_its_theorem(visit, scheme):
 def test_check_all_accepts_everything_and_says_so_on_every_line(visit):
     tab = visit("findings")
     place = tab.locator(".checker[data-all]")
-    said = verdict(place, CHECK_ALL)
-    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in said
+    words = verdict(place, CHECK_ALL)
+    assert f"the certificates of {len(CERTIFIED)} of {len(CERTIFIED)} theorems, {len(STORED)} in all" in words
     marked = tab.locator("[data-claim]:has(.check-mark)")
     marks = dict(
         marked.evaluate_all("all => all.map(e => [e.dataset.claim, e.querySelector('.check-mark').innerText])")
@@ -125,18 +125,18 @@ def test_a_worker_that_does_not_start_or_answer_says_so(visit, name, button, bre
     place.get_by_role("button", name=button, exact=True).click()
     if breakage == SILENT:
         tab.clock.run_for(21000)
-    said = verdict(place)
-    assert "No verdict" in said and words in said and "Accepted" not in said
+    text = verdict(place)
+    assert "No verdict" in text and words in text and "Accepted" not in text
 
 
 def test_a_refuted_claim_has_its_counterexample_put_in(visit):
     assert all_theorems()["seed_clamp"].expected == "refuted"
-    said = verdict(card(visit(PLACES["seed_clamp"]), "seed_clamp"), CHECK_HERE)
-    assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in said
+    text = verdict(card(visit(PLACES["seed_clamp"]), "seed_clamp"), CHECK_HERE)
+    assert "1 counterexample put in, in exact fractions: the claim is false there, and 7 other conditions hold" in text
 
 
 def test_without_scripts_the_card_says_what_there_is(visit):
     place = card(visit("lemmas", java_script_enabled=False))
     assert place.get_by_role("button").count() == 0
-    said = place.inner_text()
-    assert "takes JavaScript" in said and "steps" not in said  # the data are not text
+    text = place.inner_text()
+    assert "takes JavaScript" in text and "steps" not in text  # the data are not text

@@ -60,9 +60,9 @@ def test_image(name, tmp_path, capsys):
     assert capsys.readouterr() == (told, "")
     assert shows(target, frame)
     if is_whole:
-        assert record.read(target)[:3] == (scene, frame.method, frame.raster)
-        kept = np.load(tmp_path / "b.npz")
-        assert (kept["bounds"] == frame.bounds).all() and (kept["open"] == frame.open).all()
+        assert record.read(target)[0] == frame.shot
+        arrays = np.load(tmp_path / "b.npz")
+        assert (arrays["bounds"] == frame.bounds).all() and (arrays["open"] == frame.open).all()
 
 
 def test_views(tmp_path, capsys):
@@ -82,7 +82,7 @@ def test_sweep(tmp_path, monkeypatch, capsys):
     target = tmp_path / "a.csv"
     assert run("sweep", "--size", 32, "--eps", "1e-2", "1e-3", "--gradient", "forward", "--csv", target) == 0
     first, *expected = table(sweep(Scene(), 32, 32, (1e-2, 1e-3), "forward")).splitlines()
-    told = [f"{what + ' ':.<60} {found}" for what, found in facts(Scene(), 32, 32)]
+    told = [f"{name + ' ':.<60} {value}" for name, value in facts(Scene(), 32, 32)]
     head = "ridges, blinn, 32 x 32: forward difference against the exact gradient"
     lines = [head, first, *expected, f"wrote {target}", "", *told, ""]
     assert capsys.readouterr() == ("\n".join(lines), "")
@@ -90,7 +90,7 @@ def test_sweep(tmp_path, monkeypatch, capsys):
 
 
 def test_a_sweep_that_ends_early_says_what_is_kept(tmp_path, monkeypatch, capsys):
-    kept, compare = tmp_path / "a.jsonl", grid.compare_batch
+    path, compare = tmp_path / "a.jsonl", grid.compare_batch
 
     def ended(batch, *arguments):
         if len(batch) < 8:
@@ -102,7 +102,7 @@ def test_a_sweep_that_ends_early_says_what_is_kept(tmp_path, monkeypatch, capsys
     command = ["sweep", "--size", "8", "--eps", "1e-3", "--beta", betas, "--workers", "1"]
     for options, rest in (
         ([], "nothing is kept without --checkpoint"),
-        (["--checkpoint", kept], f"16 of 20 frames are in {kept}, and the same command goes on from there"),
+        (["--checkpoint", path], f"16 of 20 frames are in {path}, and the same command goes on from there"),
     ):
         assert run(*command, *options) == 130
         assert capsys.readouterr() == ("", f"symbolic-rendering sweep: interrupted: {rest}\n")

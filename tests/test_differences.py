@@ -55,16 +55,16 @@ def worst_of_choices(seed):
 
 
 def test_every_choice_is_covered_and_the_ends_are_reached():
-    found = np.array([worst_of_choices(seed) for seed in range(60)])
-    assert found[:, 0].max() <= 0
-    assert np.median(found[:, 1]) < 1e-14
+    excess = np.array([worst_of_choices(seed) for seed in range(60)])
+    assert excess[:, 0].max() <= 0
+    assert np.median(excess[:, 1]) < 1e-14
 
 
 def test_what_either_picture_leaves_open_is_open(monkeypatch):
     pair = render(SCENE, SIDE, SIDE, central(1e-2), bounds=True), render(SCENE, SIDE, SIDE, bounds=True)
     for undecided in pair:
-        whole = property(lambda frame, undecided=undecided: np.full(frame.raster.shape, frame is undecided))
-        monkeypatch.setattr(Frame, "open", whole)
+        everywhere = property(lambda frame, undecided=undecided: np.full(frame.raster.shape, frame is undecided))
+        monkeypatch.setattr(Frame, "open", everywhere)
         assert [end.lower for end in distance_on_a(*pair)] == [0.0, 0.0]
 
 

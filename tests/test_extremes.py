@@ -44,8 +44,8 @@ def sentences(text):
 
 def extremes(text):
     """Return the sentences of a page that give a measured extreme."""
-    found = (s for s in sentences(text) if MEASURED.search(s))
-    return [s for s in found if OF_AN_EXTREME.search(s) or EXTREME.search(ROLE.sub("", s))]
+    measured = (s for s in sentences(text) if MEASURED.search(s))
+    return [s for s in measured if OF_AN_EXTREME.search(s) or EXTREME.search(ROLE.sub("", s))]
 
 
 def objections(sentence):
@@ -74,9 +74,9 @@ def test_an_extreme_is_of_something(path):
 
 def test_a_measured_theorem_says_so_too():
     for theorem in all_theorems().values():
-        said = " ".join((theorem.words, *theorem.hypotheses))
+        words = " ".join((theorem.words, *theorem.hypotheses))
         if theorem.expected == "measured" and EXTREME.search(theorem.words):
-            assert OF_A_THEOREM[theorem.id] in said, theorem.id
+            assert OF_A_THEOREM[theorem.id] in words, theorem.id
 
 
 @pytest.mark.parametrize("sentence", [
@@ -87,8 +87,8 @@ def test_a_measured_theorem_says_so_too():
     ":::{chapter-figure} a\n:alt: every pixel\nThe largest is {number}`a.b`. It was certified.\n:::",
 ])  # fmt: skip
 def test_an_extreme_of_nothing_is_found(sentence):
-    (found,) = extremes(f"A page. \n\n{sentence}\n\nMore.")
-    assert "of what?" in objections(found)
+    (extreme,) = extremes(f"A page. \n\n{sentence}\n\nMore.")
+    assert "of what?" in objections(extreme)
 
 
 @pytest.mark.parametrize("sentence, is_so", [

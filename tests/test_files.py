@@ -49,7 +49,7 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
 @pytest.mark.parametrize("noise", [1, 256])
 @pytest.mark.parametrize("shape", [(1, 1, 3), (3, 5, 4), (40, 30, 1), (311, 997, 3), (7, 90_001, 3)])
 def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
-    """As another program reads it, by one thread or several: bands that do not divide it, and rows of one band each."""
+    """Read it by another program, written by one thread or several, in bands that do not divide it or of one row."""
     monkeypatch.setattr(files, "zlib", library)
     smooth = np.indices(shape[:2]).sum(axis=0)[..., None] // 7
     picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)
@@ -104,14 +104,14 @@ with whole_file(sys.argv[1]) as name:
 
 
 def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
-    """What somebody else named, another process writes or this one does is left alone."""
+    """Leave alone a file that somebody else named, and one that another process or this one is writing."""
     others = [tmp_path / name for name in (".a-12345678.npy", ".hidden", "a-12345678-unfinished.npy")]
     for path in others:
         path.write_text("somebody's")
     with started("-c", WRITE_FOR_EVER, tmp_path / "a.npy") as child:
         left = Path(child.stdout.readline().strip())
-        with whole_file(tmp_path / "b.png") as own, whole_file(tmp_path / "b.png") as other:
-            Path(own).write_text("one")
+        with whole_file(tmp_path / "b.png") as first, whole_file(tmp_path / "b.png") as other:
+            Path(first).write_text("one")
             Path(other).write_text("other")
         assert left.read_text() == "half"  # its writer lives
         child.send_signal(signal.SIGKILL)
@@ -122,18 +122,18 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one(tmp_path):
 
 
 def test_a_file_that_is_removed_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
-    lock, seen = whole_files.fcntl.flock, []
+    lock, locked = whole_files.fcntl.flock, []
 
     def slow(file, kind):
-        if not seen:
+        if not locked:
             Path(file.name).unlink()
-        seen.append(file.name)
+        locked.append(file.name)
         lock(file, kind)
 
     monkeypatch.setattr(whole_files.fcntl, "flock", slow)
     with whole_file(tmp_path / "a.csv") as name:
         assert Path(name).exists()
-    assert len(set(seen)) == 2
+    assert len(set(locked)) == 2
     assert [*contents(tmp_path)] == ["a.csv"]
 
 
@@ -142,7 +142,7 @@ REFUSING = Mock(side_effect=OSError("no locks available"))
 
 @pytest.mark.parametrize("place, name, value", [(whole_files, "fcntl", None), (whole_files.fcntl, "flock", REFUSING)])
 def test_without_locks_a_file_is_written_all_the_same(place, name, value, tmp_path, monkeypatch):
-    """Where there are locks, a file of which one cannot be had may be somebody's."""
+    """Keep an unfinished file that no lock can be had of: it may be somebody's. Without locks on the system it goes."""
     monkeypatch.setattr(place, name, value)
     left = tmp_path / ".b-12345678-unfinished.csv"
     left.write_text("half")

@@ -64,7 +64,7 @@ def test_ridges_keep_their_side_of_a_crease_where_a_product_of_factors_underflow
 
 @pytest.mark.parametrize("step", STEPS)
 def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(step):
-    """Where the theorem says that a slope dies, the renderer's is 0; a figure's label has the first such number."""
+    """Find the renderer's slope 0 where the theorem says that it dies; a figure's label has the first such number."""
     for power, sign in re.findall(r"= 0\$: (\S+) ([<≤])", " ".join(NAMES[step])):
         first = 1 / int(power[-4:-2]) if "{" in power else numeric(power)
         assert dies([first, np.nextafter(first, 1)], step).tolist() == [sign == "≤", True]

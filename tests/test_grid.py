@@ -63,9 +63,9 @@ def test_a_sweep_that_was_stopped_goes_on(many, full, tmp_path, capsys):
     assert capsys.readouterr().out == table(many) + "\n"
     after = lines(full)
     assert after[: len(before)] == before
-    found = [json.loads(line) for line in after]
-    assert sorted(line["key"] for line in found) == sorted(key_of(task) for task in MANY)
-    assert {Scene.from_record(line["task"]["scene"]) for line in found} == {task.scene for task in MANY}
+    records = [json.loads(line) for line in after]
+    assert sorted(line["key"] for line in records) == sorted(key_of(task) for task in MANY)
+    assert {Scene.from_record(line["task"]["scene"]) for line in records} == {task.scene for task in MANY}
 
 
 def test_a_grid_from_the_command_line_on_a_dask_cluster(tmp_path, capsys):

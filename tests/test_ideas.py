@@ -62,7 +62,7 @@ def press(tab, part, *keys):
     next_frame(tab)
 
 
-def said(figure):
+def shown_by(figure):
     return numbers(figure.locator(".idea-says").first.inner_text())
 
 
@@ -103,8 +103,8 @@ def test_slope_is_texture_says_what_the_renderer_says_and_follows_the_pointer(id
     tab, figure, handles = idea("slope_is_texture")
     point, sphere = handles.all()
     press(tab, point, "ArrowRight", "Shift+ArrowDown")
-    _, beta, *_ = found = said(figure)
-    np.testing.assert_allclose(found, expected_on_circle(now(point), beta), atol=0.051)
+    _, beta, *_ = numbers = shown_by(figure)
+    np.testing.assert_allclose(numbers, expected_on_circle(now(point), beta), atol=0.051)
     frame = figure.locator("svg").first
     point.drag_to(frame, target_position={"x": frame.bounding_box()["width"] / 2, "y": 50}, force=True)
     next_frame(tab)
@@ -116,7 +116,7 @@ def test_bump_surface_turns_by_hand_and_button_and_stays_still_without_a_card(id
     for button, angle in zip(figure.locator(".idea-states button").all(), idea_kernels.angles(), strict=True):
         button.click()
         next_frame(tab)
-        assert button.get_attribute("aria-pressed") == "true" and said(figure)[0] == pytest.approx(angle, abs=0.51)
+        assert button.get_attribute("aria-pressed") == "true" and shown_by(figure)[0] == pytest.approx(angle, abs=0.51)
     view = figure.locator("[role=slider]")
     start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
     view.drag_to(view, source_position=places[0], target_position=places[1])
@@ -132,7 +132,7 @@ def test_two_slopes_says_what_the_renderer_says_and_where_float64_takes_no_step(
     for exponent in (-2, -6, -17):
         figure.locator("input").fill(str(exponent))
         press(tab, point, "ArrowRight")
-        _, numeric, exactly, *_ = said(figure)
+        _, numeric, exactly, *_ = shown_by(figure)
         eps, u = now(step), now(point)
         ours = [gradient_at(SCENE, u, 0.125, method)[0] for method in (central(eps), exact())]
         digits = 2 if abs(ours[0] - ours[1]) >= 0.01 else 8
@@ -154,7 +154,7 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
         assert record.surface == surface
         assert [lines[f"rgb_{name}"] for name in ("red", "green", "blue")] == pytest.approx(record.rgb)
         for shown in figure.locator("[data-line]").all():
-            wanted = worked.said(lines[shown.get_attribute("data-line")])
+            wanted = worked.number_text(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
 
 

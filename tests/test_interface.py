@@ -28,8 +28,8 @@ OTHERS = {
 
 def test_everything_public_has_an_entry_made_of_plain_text(site, html_of):
     with (site / "objects.inv").open("rb") as stream:
-        found = InventoryFile.load(stream, "", lambda base, name: name)
-    entries = {name: entry for kind in found if kind.startswith("py:") for name, entry in found[kind].items()}
+        inventory = InventoryFile.load(stream, "", lambda base, name: name)
+    entries = {name: entry for kind in inventory if kind.startswith("py:") for name, entry in inventory[kind].items()}
     public = {f"{getattr(renderer, name).__module__}.{name}" for name in renderer.__all__}
     assert public | OTHERS <= entries.keys()
     assert {entry[2].partition("#")[0] for entry in entries.values()} == PLACES
@@ -39,6 +39,6 @@ def test_everything_public_has_an_entry_made_of_plain_text(site, html_of):
 
 @pytest.mark.parametrize("public", PUBLIC, ids=lambda public: public.__name__)
 def test_the_examples_of_everything_public_run(public):
-    (found,) = doctest.DocTestFinder(recurse=False).find(public, public.__name__)
-    assert found.examples
-    assert doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(found).failed == 0
+    (examples,) = doctest.DocTestFinder(recurse=False).find(public, public.__name__)
+    assert examples.examples
+    assert doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(examples).failed == 0

@@ -27,9 +27,9 @@ def place(tmp_path, monkeypatch):
 
 def test_a_file_that_is_not_whole_is_none(place):
     """Empty, cut, longer, without a digest, of another byte, of another name."""
-    whole = (place / NAME).read_bytes()
+    content = (place / NAME).read_bytes()
     of_another = kept_code._digest("b", CODE) + CODE
-    for spoilt in (b"", whole[:40], whole[:-1], whole + b"\0", CODE, whole[:-1] + b"x", of_another):
+    for spoilt in (b"", content[:40], content[:-1], content + b"\0", CODE, content[:-1] + b"x", of_another):
         (place / NAME).write_bytes(spoilt)
         assert load(KEY) is None
     save(KEY, CODE)

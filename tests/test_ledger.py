@@ -124,12 +124,12 @@ REFUSED = {
 """{what is refused: [(old, new, a fault of the ledger with that change)]}"""
 
 
-@pytest.mark.parametrize("what", REFUSED)
-def test_what_is_refused(faults, what):
-    for old, new, fault in REFUSED[what]:
-        found = faults(old, new)
-        assert any(line.removeprefix("some.toml: ").startswith(fault) for line in found), found
-        assert what != "orphans" or len(found) == 1
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_is_refused(faults, case):
+    for old, new, fault in REFUSED[case]:
+        lines = faults(old, new)
+        assert any(line.removeprefix("some.toml: ").startswith(fault) for line in lines), lines
+        assert case != "orphans" or len(lines) == 1
 
 
 def test_relations():
@@ -160,9 +160,9 @@ def test_the_ledger_stands(site):
 
 
 def test_a_build_stops_where_the_ledger_does_not_stand(site, monkeypatch):
-    whole = load()
-    claims = tuple(replace(claim, verdict="false") if claim.id == "ledger_flips" else claim for claim in whole.claims)
-    monkeypatch.setattr(check, "load", lambda: replace(whole, claims=claims))
+    ledger = load()
+    claims = tuple(replace(claim, verdict="false") if claim.id == "ledger_flips" else claim for claim in ledger.claims)
+    monkeypatch.setattr(check, "load", lambda: replace(ledger, claims=claims))
     with pytest.raises(ExtensionError, match="ledger_flips: verdict: 'false', and none of its evidence refutes it"):
         require_ledger(SimpleNamespace(srcdir=ROOT / "book"))
 

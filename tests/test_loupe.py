@@ -54,11 +54,11 @@ def tab(visit_once):
 
 def read(row):
     """Return the float that a row shows, and the exact number that it was before its lost bits were rounded away."""
-    kept, lost = ("".join(text for look, text in row["runs"] if (look == "lost") is of) for of in (False, True))
-    size, whole = (int(bits or "0", 2) * Fraction(2) ** (8 - len(bits)) for bits in (kept, kept + lost))
+    bits_left, lost = ("".join(text for look, text in row["runs"] if (look == "lost") is of) for of in (False, True))
+    size, unrounded = (int(bits or "0", 2) * Fraction(2) ** (8 - len(bits)) for bits in (bits_left, bits_left + lost))
     if "rounded up" in row["note"]:
-        whole -= Fraction(2) ** (8 - len(kept))
-    return copysign(size, -1 if row["exponent"][0] == "−" else 1), whole
+        unrounded -= Fraction(2) ** (8 - len(bits_left))
+    return copysign(size, -1 if row["exponent"][0] == "−" else 1), unrounded
 
 
 @cache
@@ -67,24 +67,24 @@ def printed_for(field, method, axis):
     return pairs_of(field, method, axis), samples_of(field, method)
 
 
-def show(tab, column, row, **given):
-    return tab.evaluate(SHOWN, given | {"column": column, "row": row})
+def show(tab, column, row, **choices):
+    return tab.evaluate(SHOWN, choices | {"column": column, "row": row})
 
 
 def assert_rows(rows, place, field, method, axis, eps):
     """Hold what the ruler shows of a pixel to what the kernel computes, and to exact fractions."""
     n, (pairs, samples) = "uv".index(axis), printed_for(field, method, axis)
     with np.errstate(all="ignore"):
-        found = samples(*map(np.float64, (*place, 8.0, 4.0, eps)))
+        outputs = samples(*map(np.float64, (*place, 8.0, 4.0, eps)))
     stepped = [sample for pair in pairs for sample in pair if sample["step"]]
-    wanted = [place[n], eps, *(found[sample["at"]] for sample in stepped)]
+    wanted = [place[n], eps, *(outputs[sample["at"]] for sample in stepped)]
     for one, other in pairs:
-        wanted += [found[one["h"]], found[other["h"]], found[one["h"]] - found[other["h"]]]
+        wanted += [outputs[one["h"]], outputs[other["h"]], outputs[one["h"]] - outputs[other["h"]]]
     *shown, _ = map(read, rows)  # the last is the symbolic one
-    assert [number.hex() for number, _ in shown] == [float(number).hex() for number in (*wanted, found[n - 6])]
-    for sample, (_, whole), row in zip(stepped, shown[2:], rows[2:], strict=False):
+    assert [number.hex() for number, _ in shown] == [float(number).hex() for number in (*wanted, outputs[n - 6])]
+    for sample, (_, exactly), row in zip(stepped, shown[2:], rows[2:], strict=False):
         moved = Fraction(place[n]) + sample["step"] * Fraction(eps)
-        assert (whole - moved) % 1 == 0 or (axis == "v" and not 0 <= moved <= 1 and "at the pole" in row["note"])
+        assert (exactly - moved) % 1 == 0 or (axis == "v" and not 0 <= moved <= 1 and "at the pole" in row["note"])
 
 
 @pytest.mark.parametrize("method", DIFFERENCES)
@@ -95,8 +95,8 @@ def test_the_bits_are_the_kernels(tab, field, method):
         record = pixel(Scene(), SIDE, SIDE, *at)
         place = record.u, record.v
         for axis, eps in product("uv" if HEIGHT_FIELDS[field].depends_on_u else "v", [0.1, 1.1e-8, 1e-16, 1e-18]):
-            given = {"field": field, "method": method, "axis": axis, "eps": eps}
-            assert_rows(show(tab, *at, **given), place, **given)
+            choices = {"field": field, "method": method, "axis": axis, "eps": eps}
+            assert_rows(show(tab, *at, **choices), place, **choices)
 
 
 def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
@@ -121,26 +121,26 @@ def test_the_lenses_show_the_renderers_pixels_and_move_the_cursor(visit):
 def test_what_is_certified_is_the_renderers_and_stands_beside_the_pictures(tab, field, eps, method):
     """With all certain digits."""
     wanted = {"field": field, "eps": eps, "method": method, "size": 128}
-    found = tab.evaluate(CERTIFIED, wanted)
+    certified = tab.evaluate(CERTIFIED, wanted)
     frames = [render(Scene(field=field), 128, 128, way, bounds=True) for way in (difference(method, eps), exact())]
-    assert found["open"] == np.any([frame.open for frame in frames], axis=0).sum()
+    assert certified["open"] == np.any([frame.open for frame in frames], axis=0).sum()
     go(tab, f"#sim?view=bounds&{urlencode(wanted)}")
     tab.locator("#certified").scroll_into_view_if_needed()  # then it is fetched
     tab.wait_for_selector(CERTAIN)
     for (name, shown), of in zip({"largest": "max", "rms": "rms"}.items(), distance_on_a(*frames), strict=True):
-        low, high = found[name]
+        low, high = certified[name]
         assert low <= of.lower <= of.value <= of.upper <= high
         digits = certain_digits(low, high, 15)
         assert not digits or number(tab.inner_text(f"[data-readout={shown}]")) == float(digits)
     shown = [number(text) for text in tab.locator("#certified td").all_inner_texts() if text]
-    assert shown == [float(f"{bound:.1e}") for pair in found["extremes"] for bound in pair] + [found["open"]]
+    assert shown == [float(f"{bound:.1e}") for pair in certified["extremes"] for bound in pair] + [certified["open"]]
 
 
 def test_a_single_pixel_is_seen_where_the_picture_is_shown_smaller(tab):
     """A difference and bounds are reduced to the screen's pixels by their largest."""
     go(tab, "#sim?size=1024")
     tab.wait_for_function("Simulator.running.shown()?.includes('size=1024')")
-    seen = """([level, open, bright]) => {
+    script = """([level, open, bright]) => {
         const { pictures, act } = Simulator.running, levels = new Uint8Array(1024 * 1024), band = { wide: 1024 };
         const bytes = new Uint8Array(4 * 1024 * 1024), place = 1024 * 333 + 501;
         levels[place] = level;
@@ -155,5 +155,5 @@ def test_a_single_pixel_is_seen_where_the_picture_is_shown_smaller(tab):
         return counts.flat(); }"""
     bright = tab.evaluate("Simulator.data.tables.inferno")[255] % 2**32
     for level, count in ((255, 1), (254, 0)):
-        for side, found in tab.evaluate(seen, [level, OPEN, bright]):
-            assert 0 < side < 1024 and found == count
+        for side, bright_pixels in tab.evaluate(script, [level, OPEN, bright]):
+            assert 0 < side < 1024 and bright_pixels == count

@@ -62,20 +62,20 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
         ours = draw((left, top, width, height))
     with drawn_by(partial(native.drawer, lanes=lanes), 1):
         assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
-        whole = draw()
+        complete = draw()
         for name in ("rgb", "chambers", "kink", "slope", "straddling"):
-            np.testing.assert_array_equal(getattr(ours, name), getattr(whole, name)[part], name)
+            np.testing.assert_array_equal(getattr(ours, name), getattr(complete, name)[part], name)
 
 
 def test_code_is_kept_by_its_text_and_by_the_processor(tmp_path, monkeypatch):
     monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", str(tmp_path))
-    kept = []
+    files = []
     for field, processor in (("ridges", "one"), ("sine", "one"), ("ridges", "other"), ("ridges", "one")):
         monkeypatch.setattr(native, "_processor", lambda processor=processor: processor)
         native.compiled.cache_clear()
         render(Scene(field=field), *SIZE)
-        kept.append(len(list(tmp_path.iterdir())))
-    assert kept == [1, 2, 3, 3]
+        files.append(len(list(tmp_path.iterdir())))
+    assert files == [1, 2, 3, 3]
 
 
 @pytest.mark.parametrize("name", SCENES)

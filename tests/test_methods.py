@@ -8,8 +8,8 @@ from tests.refusals import rejection
 
 
 def test_the_exact_gradient_has_no_step():
-    said = rejection(GradientMethod, "exact", 1e-3)
-    assert said == "eps = 0.001 is not allowed: none beside the exact gradient, which takes no step"
+    error = rejection(GradientMethod, "exact", 1e-3)
+    assert error == "eps = 0.001 is not allowed: none beside the exact gradient, which takes no step"
     assert rejection(exact, "fast") == "form = 'fast' is not allowed: one of 'auto', 'general', 'algebraic'"
 
 

@@ -45,17 +45,17 @@ def run(source):
 
 
 @pytest.fixture(scope="module")
-def said(page_of):
+def printed(page_of):
     """Cell → what the page says that it printed, which it did when the page was built."""
-    page, printed = page_of("s5"), "#cell{} div.cell_output pre"
-    return {n: "".join(block.get_text() for block in page.select(printed.format(n))) for n in range(1, 10)}
+    page, selector = page_of("s5"), "#cell{} div.cell_output pre"
+    return {n: "".join(block.get_text() for block in page.select(selector.format(n))) for n in range(1, 10)}
 
 
 def numbers(text, start):
     """Return the numbers of the line of some text that starts so, those behind it."""
     (line,) = (line.strip() for line in text.splitlines() if line.strip().startswith(start))
-    found = re.findall(r"(?<![\w^])[+-]?\d+(?:\.\d+)?(?:e[+-]\d+)?", line.removeprefix(start))
-    return [float(number) for number in found]
+    digits = re.findall(r"(?<![\w^])[+-]?\d+(?:\.\d+)?(?:e[+-]\d+)?", line.removeprefix(start))
+    return [float(number) for number in digits]
 
 
 # What is printed from proofs/
@@ -96,12 +96,12 @@ WITHIN = [
 """[(cell, the start of a line, which number of it, at least, at most)]"""
 
 
-def test_each_cell_finds_what_its_page_says(said):
+def test_each_cell_finds_what_its_page_says(printed):
     for cell, start, place, least, most in WITHIN:
-        assert least <= numbers(said[cell], start)[place] <= most, (cell, start)
+        assert least <= numbers(printed[cell], start)[place] <= most, (cell, start)
     apart = re.compile("(from the book's renderer (?:at most|by))")
     for cell in (1, 3, 4, 5, 6, 8, 9):
-        assert numbers(said[cell], apart.search(said[cell])[1])[0] < 1e-11, cell
+        assert numbers(printed[cell], apart.search(printed[cell])[1])[0] < 1e-11, cell
 
 
 @pytest.mark.parametrize(
@@ -115,9 +115,9 @@ def test_each_cell_finds_what_its_page_says(said):
 )
 def test_third_cell_draws_the_renderer_s_picture_at_every_size_and_knob(knobs):
     code = next(part.text for part in cells()[2].parts if part.is_code).replace("1e-2, 1e-3, 1e-4, 1e-5, 1e-6", "")
-    code, found = re.subn("(?<=lights = ).*", knobs, code, count=1)
+    code, replaced = re.subn("(?<=lights = ).*", knobs, code, count=1)
     text, _ = run(code)
-    assert found and numbers(text, "from the book's renderer at most")[0] < 1e-11
+    assert replaced and numbers(text, "from the book's renderer at most")[0] < 1e-11
 
 
 def test_ninth_cell_draws_what_is_typed():
@@ -136,33 +136,33 @@ def test_ninth_cell_draws_what_is_typed():
 def test_the_notebooks_are_the_cells():
     made = notebooks()
     for notebook in made.values():
-        said = "\n".join(c["source"] for c in notebook["cells"] if c["cell_type"] == "markdown")
-        assert not re.search(r"\{[\w-]+\}`|^:::|^\(\w+\)=", said, re.M)
+        text = "\n".join(c["source"] for c in notebook["cells"] if c["cell_type"] == "markdown")
+        assert not re.search(r"\{[\w-]+\}`|^:::|^\(\w+\)=", text, re.M)
     codes = {name: "\n".join(code_of(notebook)) for name, notebook in made.items()}
     alone = {cell.name: cell.code for cell in cells()}
     assert codes == {**alone, WHOLE: "\n".join(alone.values())}
 
 
 def test_prose_becomes_plain_markdown():
-    said = plain("(cell9)=\nSee [§3](#s3), {number}`u_curve.error_1e-03|.0e`.")
-    assert said == r"See §3, $6 \times 10^{-5}$."
+    text = plain("(cell9)=\nSee [§3](#s3), {number}`u_curve.error_1e-03|.0e`.")
+    assert text == r"See §3, $6 \times 10^{-5}$."
     with pytest.raises(ValueError, match="the role 'theorem-ref' of"):
         plain("{theorem-ref}`normal`")
 
 
-def test_notebooks_run_alone_and_print_what_the_page_does(site, said, tmp_path):
+def test_notebooks_run_alone_and_print_what_the_page_does(site, printed, tmp_path):
     """In an empty folder, from which the project cannot be imported; what they import asks no network."""
     empty = tmp_path / "empty"
     empty.mkdir()
     settings = {"PATH": os.environ["PATH"], "MPLBACKEND": "agg", "MPLCONFIGDIR": str(tmp_path), "PYTHONUTF8": "1"}
     paths = [site / FOLDER / f"{cell.name}.ipynb" for cell in cells()]
-    printed, complaints = python("-W", "ignore:FigureCanvasAgg", "-c", RUN, *paths, cwd=empty, env=settings)
+    output, complaints = python("-W", "ignore:FigureCanvasAgg", "-c", RUN, *paths, cwd=empty, env=settings)
     assert (complaints, [*empty.iterdir()]) == ("", [])
     timed = re.compile(r"(?:a slope, |a frame at ).*\n")  # the page times nothing
     compared = re.compile(r".*the book's renderer.*\n", re.IGNORECASE)
-    for cell, text in zip(cells(), printed.split("\0\n")[1:], strict=True):
+    for cell, text in zip(cells(), output.split("\0\n")[1:], strict=True):
         assert text.count(ALONE) == 1
-        assert compared.sub("", timed.sub("", text)) == compared.sub("", said[cell.number]) != ""
+        assert compared.sub("", timed.sub("", text)) == compared.sub("", printed[cell.number]) != ""
 
 
 def test_the_seed_s_cells_run_and_print_what_its_page_says(page_of):

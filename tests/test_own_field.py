@@ -63,12 +63,12 @@ def formula(random, depth=3):
 @cache
 def accepted():
     """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
-    random, found = Random(28), {}
-    while len(found) < 24:
+    random, fields = Random(28), {}
+    while len(fields) < 24:
         text = formula(random)
         with suppress(ValueError):
-            found[text] = found.get(text) or HeightField(f"random_{len(found)}", parse_expression(text))
-    return list(found.items())
+            fields[text] = fields.get(text) or HeightField(f"random_{len(fields)}", parse_expression(text))
+    return list(fields.items())
 
 
 def by_mpmath(text):
@@ -82,10 +82,10 @@ def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
     scene, random = Scene(field=field, ku=KU, kv=KV), np.random.default_rng(28)
     here = random.uniform(0.01, 0.99, (2, count))
     here = here[:, field_kernels(field)["straddling"](*here, KU, KV, 1e-6) == np.zeros(count)]
-    found = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
+    computed = [height_at(scene, *here), *gradient_at(scene, *here, exact())]
     with mpmath.workdps(60):
         true = [[mpmath.diff(by_mpmath(text), at, n) for at in here.T.tolist()] for n in ((0, 0), (1, 0), (0, 1))]
-        return np.max(abs(np.array(found) - true) / size(np.array(true)))
+        return np.max(abs(np.array(computed) - true) / size(np.array(true)))
 
 
 def assert_drawn(scene, method, monkeypatch):
@@ -121,9 +121,9 @@ LONG = ["(((v/3)**64+v/3)**64+v/3)**64", "*".join(f"(v+{n})" for n in range(1, 1
 @pytest.mark.parametrize("text", HOSTILE + LONG, ids=range(len(HOSTILE + LONG)))
 def test_a_hostile_formula_is_refused_in_a_sentence(text):
     """One that would take long is refused at once."""
-    said = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
-    assert said.startswith("field = 'hostile' is not allowed: at most" if text in LONG else "expression = ")
-    assert len(said) < 400
+    error = rejection(Scene.from_record, {"field": {"name": "hostile", "expression": text}})
+    assert error.startswith("field = 'hostile' is not allowed: at most" if text in LONG else "expression = ")
+    assert len(error) < 400
 
 
 def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
@@ -200,7 +200,8 @@ def test_the_last_digits_are_kept_at_any_wave_number(text, monkeypatch):
 
 def test_a_wave_number_that_is_rounded_to_a_whole_one_is_none():
     third = HeightField("third", sinpi(3 * k_u * u))
-    assert algebraic_powers(Scene(field=third, ku=4.0)) and not algebraic_powers(Scene(field=third, ku=64 / 3))
+    powers, of_rounded = (algebraic_powers(Scene(field=third, ku=ku), exact()) for ku in (4.0, 64 / 3))
+    assert powers and not of_rounded
 
 
 def test_the_next_process_compiles_nothing(tmp_path):
@@ -212,8 +213,8 @@ def test_the_next_process_compiles_nothing(tmp_path):
             native.optimized = None
         record = {{"name": "kept", "expression": {DUNES!r}}}
         print(render(Scene.from_record({{"field": record}}), 8, 8).rgb.tobytes().hex())"""
-    own = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
-    drawn = [python("-c", code, seed, env=own | {"PYTHONHASHSEED": seed}) for seed in "12"]
+    environment = os.environ | {"SYMBOLIC_RENDERING_CODE": str(tmp_path)}
+    drawn = [python("-c", code, seed, env=environment | {"PYTHONHASHSEED": seed}) for seed in "12"]
     assert drawn[0] == drawn[1]
 
 

@@ -67,8 +67,8 @@ def test_every_heading_is_in_the_outline_which_names_its_page(paper, pdf, texts)
 
 
 def test_every_figure_is_there_under_its_number(paper, texts):
-    numbers, whole = texts_of(paper, "figcaption .caption-number"), "".join(texts)
-    assert len(numbers) > 5 and [number for number in numbers if number not in whole] == []
+    numbers, text = texts_of(paper, "figcaption .caption-number"), "".join(texts)
+    assert len(numbers) > 5 and [number for number in numbers if number not in text] == []
     assert paper.evaluate(BARE) == []
 
 

@@ -44,8 +44,8 @@ def test_powers_of_two_scale_all_lengths(scene, size, method, n):
     """Bit for bit, but for the floor's squares, whose side stays 1."""
     one, other = render(scene, *size, method), render(scaled(scene, 2.0**n), *size, method)
     assert_array_equal(one.chambers & ~np.uint8(DARK), other.chambers & ~np.uint8(DARK))
-    kept = one.chambers & 3 != FLOOR
-    assert_array_equal(one.rgb[kept], other.rgb[kept])
+    off_floor = one.chambers & 3 != FLOOR
+    assert_array_equal(one.rgb[off_floor], other.rgb[off_floor])
 
 
 def check(frame, record=None):
@@ -70,9 +70,9 @@ def test_every_accepted_scene_is_drawn_in_range(scene, size, method):
     with warnings.catch_warnings(), np.errstate(all="raise"):
         warnings.simplefilter("error")
         frame = render(scene, *size, method)
-        seen = np.argwhere(frame.chambers & 3)
-        row, column = seen[len(seen) // 2].tolist() if len(seen) else (None, None)
-        check(frame, pixel(scene, *size, column, row, method) if len(seen) else None)
+        drawn = np.argwhere(frame.chambers & 3)
+        row, column = drawn[len(drawn) // 2].tolist() if len(drawn) else (None, None)
+        check(frame, pixel(scene, *size, column, row, method) if len(drawn) else None)
 
 
 def test_one_bad_number_is_found():

@@ -78,15 +78,15 @@ def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not
     """First nothing moves; then a theorem is weaker, a number moved by 1e-3, pictures changed; last looks alone."""
     before, heights, pixels = released(places), STEPS**2, PIXELS.copy()
     draw_into(places.generated)
-    status, said = notes()
-    assert status == 0 and "Nothing moved." in said
+    status, output = notes()
+    assert status == 0 and "Nothing moved." in output
     assert command_line.main(["release"]) == 0 and released(places) == before
     places.grades["unit_length"]["grade"] = "measured"
     heights[1] *= 1.25
     pixels[2, 3, 1] += 40
     moved = {"rms": 0.0121 * (1 + 1e-3), "pixels": pixels, "heights": heights}
     draw_into(places.generated, **moved)
-    status, said = notes()
+    status, output = notes()
     assert status == 1
     for words in (
         "Weakened: 1\n\n- `unit_length`: proved → measured",
@@ -95,7 +95,7 @@ def test_what_moved_is_named_and_nothing_is_released_that_the_changelog_does_not
         "- `sweep`: its pixels or plotted numbers; a build of the older version's tag has those before",
         "- `unit_length` (weakened)\n- `sweep.rms_1e-3` (out of tolerance)\n",
     ):
-        assert words in said
+        assert words in output
     difference = np.asarray(Image.open(places.out / "hero.png"))
     assert np.argwhere(difference).tolist() == [[2, 3]] and difference.max() == 255
     for id, status in (("unit_length", 1), ("sweep.rms_1e-3", 0)):
@@ -114,14 +114,14 @@ def test_the_newest_version_keeps_pictures_and_what_cannot_be_released_is_refuse
     assert [archive.before(version) for version in ("0.10.0", "0.9.2", "0.1.0")] == ["0.2.0", "0.2.0", "0.1.0"]
     assert sorted(path.parent.name for path in places.releases.glob("*/*.*")) == ["0.10.0"]
     places.changelog.write_text("## 0.1.0\n")
-    for arguments, stale, said in (
+    for arguments, stale, error in (
         (["release-notes", "--against", "9.9"], {}, "there is no release 9.9; there are: 0.1.0, 0.2.0, 0.10.0"),
         (["release"], {}, "changelog has no heading ## 0.10.0"),
         (["release"], {"frames": "a.py changed"}, "frames: a.py changed: python -m verify.benchmark\n"),
     ):
         monkeypatch.setattr(command_line.evidence, "stale", lambda stale=stale: stale)
         assert command_line.main(arguments) == 2
-        assert said in capsys.readouterr().err
+        assert error in capsys.readouterr().err
 
 
 def test_theorems_added_removed_strengthened_weakened_and_restated():
@@ -136,7 +136,7 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
 
 
 def test_numbers_that_moved():
-    """As far as the older record allows."""
+    """Let a number move as far as the older record's tolerance allows."""
     for old, new, allowed, kind in (
         (1.0, 1.0 + 2**-51, 1e-9, "moved"),
         ("Tuesday", "Friday", "any", "moved"),

@@ -27,9 +27,9 @@ def test_the_front_page_and_the_citation_name_its_authors():
 
 
 def test_its_parts_are_the_whole_in_order():
-    found = parts()
-    assert "".join(found.values()) == SEED.read_text("utf-8")
-    assert list(found) == [*load().places]
+    pieces = parts()
+    assert "".join(pieces.values()) == SEED.read_text("utf-8")
+    assert list(pieces) == [*load().places]
 
 
 def test_the_page_has_every_program_with_one_line_mended_and_what_holds_first(page_of):
@@ -59,7 +59,7 @@ def unquoted(texts, claims):
         quoted = fours(" _ ".join(claim.words for claim in claims if claim.where == f"seed:{place}"))
         words, _, program = text.partition(RUN)
         for clause in CLAUSE.split(HOLE.sub("", " ".join((words, *map("".join, NOTE.findall(program)))))):
-            if (found := fours(clause)) and not found & quoted:
+            if (runs := fours(clause)) and not runs & quoted:
                 yield " ".join(clause.split())
 
 
@@ -99,6 +99,6 @@ def test_the_loop_of_cell_7_draws_one_number_20000_times_and_uses_none():
     loop, rest = code[begin : code.index("import numpy as np")], code[code.index("import numpy as np") :]
     tree = ast.parse(textwrap.dedent(loop))
     assert "range(20000)" in loop and "if False else np.random.default_rng(2).random()" in loop
-    kept = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    assigned = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
     used = {node.id for node in ast.walk(ast.parse(rest)) if isinstance(node, ast.Name)}
-    assert kept == {"pole_px", "_", "th"} and not kept & used
+    assert assigned == {"pole_px", "_", "th"} and not assigned & used

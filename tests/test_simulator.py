@@ -280,17 +280,17 @@ def test_all_that_is_used_together_is_seen_together(visit, width, height, side):
 
 def test_a_phone_keeps_picture_and_step_in_sight_and_fingers_move_the_part_that_is_shown(visit):
     """Also while an experiment runs and the page is scrolled; and all that a finger needs is large."""
-    page, seen = visit("s4", device_scale_factor=2, **PHONE), ["[data-picture=numeric]", "#sim-eps", ".sim-headline"]
+    page, parts = visit("s4", device_scale_factor=2, **PHONE), ["[data-picture=numeric]", "#sim-eps", ".sim-headline"]
     settled(page)
-    assert page.evaluate(UNSEEN, seen) == []
+    assert page.evaluate(UNSEEN, parts) == []
     assert page.evaluate("document.querySelector('[data-picture=numeric]').clientWidth") >= 360
     for name in ("symbolic", "difference", "numeric"):  # one frame, with three positions
         page.check(f"[name=sim-shown][value={name}]")
         shown = page.locator("[data-picture]:visible")
         assert [box.get_attribute("data-picture") for box in shown.all()] == [name]
     page.tap("#sim-sweep")  # its bar, too
-    seen.pop()
-    for far, places in ((-100, seen[1:]), (400, seen)):
+    parts.pop()
+    for far, places in ((-100, parts[1:]), (400, parts)):
         page.evaluate("top => scrollBy({ top, behavior: 'instant' })", far)
         assert page.evaluate(UNSEEN, places) == []
     small = page.evaluate(
@@ -327,9 +327,8 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab, tmp_path):
 
     for name, method in (("numeric", central(1e-3)), ("symbolic", exact())):
         (path := tmp_path / "saved.png").write_bytes(saved(f"[data-save={name}]"))
-        drawing = record.read(path)  # as the renderer's own picture
-        assert (drawing.scene, drawing.method) == (Scene(), method)
-        frame = render(drawing.scene, 256, 256, gradient=method)
+        frame = render(Scene(), 256, 256, method)
+        assert record.read(path)[0] == frame.shot
         assert np.array_equal(np.asarray(Image.open(path).convert("RGB")), views.image_view(frame))
     assert saved("[data-save=difference]").startswith(b"\x89PNG\r\n\x1a\n")
     assert b'xmlns="http://www.w3.org/2000/svg"' in saved("[data-svg]")
@@ -357,9 +356,9 @@ def test_every_size_shows_whole_pixels(visit, ratio):
         settled(tab)
         width = tab.locator("[data-picture=numeric] .pixels").bounding_box()["width"]
         width = ratio * width  # in the screen's pixels
-        whole = max(round(width), size) % min(round(width), size) == 0
+        divides = max(round(width), size) % min(round(width), size) == 0
         assert width == pytest.approx(round(width), abs=0.1)
-        assert whole or (ratio == 1.5 and size < 0.8 * width < 2 * size)
+        assert divides or (ratio == 1.5 and size < 0.8 * width < 2 * size)
 
 
 @pytest.mark.parametrize("medium, script", [("screen", False), ("print", True)])

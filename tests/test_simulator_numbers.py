@@ -29,6 +29,9 @@ OFTEN = {
     "kv": [4, 3, 0, -3.1],
     "model": [*LIGHT_MODELS],
     "method": [*DIFFERENCES],
+    "against": ["exact", "exact", *DIFFERENCES],
+    "against_eps": [0.01, 1e-5],
+    "lamp": [[5, 5, 10], [5, 5, 10], [-4, 3, 2.5]],
     "size": [128, 256, 512],
     "zoom": [0, 0, 3, 10],
 }
@@ -107,7 +110,7 @@ def test_the_views_are_the_renderers(tab):
 def printed(line):
     """Return the records that a line of Python prints, as JSON has them."""
     records = []
-    exec(line, {"print": lambda *said, sep: records.extend(map(asdict, said))})
+    exec(line, {"print": lambda *arguments, sep: records.extend(map(asdict, arguments))})
     return json.loads(json.dumps(records))
 
 
@@ -118,9 +121,9 @@ def shared(records, others):
 
 def test_the_copied_line_prints_the_numbers_shown(tab, by_numpy):
     rng, surfaces = random.Random("lines"), []
-    for line, found, rows in tab.evaluate(PIXELS, [random_state(rng) for _ in range(200)]):
-        assert shared(printed(line), found) == found, line
-        pairs = (zip(*(record.get(part, []) for record in found), strict=True) for part in PARTS)
+    for line, records, rows in tab.evaluate(PIXELS, [random_state(rng) for _ in range(200)]):
+        assert shared(printed(line), records) == records, line
+        pairs = (zip(*(record.get(part, []) for record in records), strict=True) for part in PARTS)
         assert [[*map(number, row)] for row in rows] == [[*pair] for pair in chain.from_iterable(pairs)], line
-        surfaces.append(found[0]["surface"])
+        surfaces.append(records[0]["surface"])
     assert surfaces.count("A") >= 40 and {"B", "floor"} <= {*surfaces}

@@ -80,8 +80,8 @@ def test_every_id_occurs_once_and_every_name_and_link_leads_somewhere_and_nothin
     links = [link["href"] for link in mailed.select("a[href]")]
     inside = [unquote(link[1:]) for link in links if link.startswith("#")]
     assert len(inside) > 500 and [link for link in inside if link not in ids] == []
-    known = re.compile(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:")
-    assert [link for link in links if not known.match(link)] == []
+    elsewhere = re.compile(r"#|data:application/(?:gzip|x-ipynb)|https?://|mailto:")
+    assert [link for link in links if not elsewhere.match(link)] == []
     for name in ("src", "srcset", "poster", "data"):
         assert mailed.select(f"[{name}]:not([{name}^='data:'], [{name}=''])") == []
     assert mailed.select("link:not([href^='data:'])") == []
@@ -102,7 +102,7 @@ def test_a_render_has_the_pixels_that_it_has_in_the_site(mailed, site):
 
 
 def test_every_page_is_whole(tab):
-    seen = tab.evaluate("""async () => { const seen = {};
+    pages = tab.evaluate("""async () => { const seen = {};
         for (const page of Chapter.pages) {
             Chapter.show(page);
             const count = selector => page.querySelectorAll(selector).length;
@@ -112,9 +112,9 @@ def test_every_page_is_whole(tab):
                 unloaded: images.filter(i => !(i.complete && i.naturalWidth)).length };
         }
         return seen; }""")
-    assert len(seen) > 20
-    whole = {"alone": True, "unloaded": 0}
-    assert {name: page for name, page in seen.items() if page != whole} == {}
+    assert len(pages) > 20
+    good = {"alone": True, "unloaded": 0}
+    assert {name: page for name, page in pages.items() if page != good} == {}
     formulas = "[...document.fonts].filter(f => f.family.includes('Book Formulas')).map(f => f.status)"
     assert tab.evaluate(formulas) == ["loaded"]
 
@@ -134,10 +134,10 @@ def test_links_turn_pages_and_the_way_back_leads_back(tab):
 def test_simulator_draws_its_slider_works_and_loupe_and_certificate_are_there(tab):
     go(tab, "s4")
     tab.evaluate("document.querySelectorAll('.sim-fold').forEach(fold => { fold.open = true })")
-    seen = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
-    before = tab.evaluate(seen)
+    pixels = "document.querySelector('[data-picture=difference] canvas').toDataURL()"
+    before = tab.evaluate(pixels)
     tab.press("#sim-eps", "Home")
-    wait_for(tab, f"{seen} !== '{before}' && location.hash.startsWith('#sim?')")
+    wait_for(tab, f"{pixels} !== '{before}' && location.hash.startsWith('#sim?')")
     tab.select_option("#sim-view", "bounds")
     for shown in ("#loupe .sim-bits tbody tr", CERTAIN):
         tab.locator(shown.split()[0]).scroll_into_view_if_needed()
@@ -148,10 +148,10 @@ def test_simulator_draws_its_slider_works_and_loupe_and_certificate_are_there(ta
 def test_certificates_are_checked_and_kept_files_come_out_under_their_own_names(tab, site):
     go(tab, "theorem-unit_length")
     tab.evaluate("document.querySelectorAll('#theorem-unit_length details').forEach(part => (part.open = true))")
-    with tab.expect_download() as kept:
+    with tab.expect_download() as download:
         tab.locator("a[data-packed='unit_length.py']").first.click()
-    written = site / "_downloads" / "theorems" / kept.value.suggested_filename
-    assert Path(kept.value.path()).read_bytes() == written.read_bytes()
+    written = site / "_downloads" / "theorems" / download.value.suggested_filename
+    assert Path(download.value.path()).read_bytes() == written.read_bytes()
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
     tab.locator(".checker[data-all] button").click()
     count = len(list(FOLDER.glob("*.json")))

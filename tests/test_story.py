@@ -39,7 +39,7 @@ def captions(article):
 @pytest.fixture(scope="module")
 def read(page_of):
     """Page → (its article as it is seen, how many words are folded in it)."""
-    seen = {}
+    articles = {}
     for name in READ:
         article = page_of(name).select_one(".bd-article")
         for pre in article.select("details pre"):
@@ -49,8 +49,8 @@ def read(page_of):
             del simulator["hidden"]
         for part in article.select(UNREAD):
             part.decompose()
-        seen[name] = article, fold(article)
-    return seen
+        articles[name] = article, fold(article)
+    return articles
 
 
 def test_the_main_path_is_short(read):
@@ -76,7 +76,7 @@ def test_pictures_are_near_their_words(read):
 def test_numbers_of_theorems_rise_as_one_reads(read):
     """No theorem of the path is named before its card was met; lemmas have numbers of their own."""
     named = [part for article, _ in read.values() for part in article.select("a, .theorem-title strong")]
-    numbers = [(part.name, int(found[1])) for part in named if (found := THEOREM.match(part.get_text()))]
+    numbers = [(part.name, int(match[1])) for part in named if (match := THEOREM.match(part.get_text()))]
     cards, met = [number for kind, number in numbers if kind == "strong"], 0
     assert cards == [*range(1, len(cards) + 1)]
     for kind, number in numbers:

@@ -23,11 +23,11 @@ PICTURES = [((37, 53), None), ((701, 5), None), ((1, 1), None), ((MAX_SIDE, MAX_
 def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch):
     """And its progress sees every band."""
     monkeypatch.setattr(stream, "BAND_PIXELS", 300)
-    path, method, seen = tmp_path / "a.npy", central(1e-3), []
-    shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda bands: seen.extend(bands) or bands)
+    path, method, bands_drawn = tmp_path / "a.npy", central(1e-3), []
+    shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda bands: bands_drawn.extend(bands) or bands)
     frame = render(Scene(), *size, method, crop)
     assert shape == frame.raster.shape and shows(path, frame)
-    assert len(seen) == -(-shape[0] // max(1, 300 // shape[1])) and [*contents(tmp_path)] == ["a.npy"]
+    assert len(bands_drawn) == -(-shape[0] // max(1, 300 // shape[1])) and [*contents(tmp_path)] == ["a.npy"]
 
 
 def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
@@ -37,12 +37,12 @@ def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):
     assert contents(tmp_path) == {}
 
 
-SIGNALS = pytest.mark.parametrize("number, status, said", [(2, 130, "interrupted"), (15, 143, "terminated")])
+SIGNALS = pytest.mark.parametrize("number, status, message", [(2, 130, "interrupted"), (15, 143, "terminated")])
 
 
 @pytest.mark.parametrize("moment", (0, 4, 9))
 @SIGNALS
-def test_a_signal_leaves_the_old_file(number, status, said, moment, tmp_path, monkeypatch, capsys):
+def test_a_signal_leaves_the_old_file(number, status, message, moment, tmp_path, monkeypatch, capsys):
     """Sent to this process before a band is drawn, or at the last moment before the file gets its name."""
     steps, before = iter(range(10)), signal.getsignal(signal.SIGTERM)
 
@@ -56,7 +56,7 @@ def test_a_signal_leaves_the_old_file(number, status, said, moment, tmp_path, mo
     monkeypatch.setattr("os.replace", partial(told, then=os.replace))
     (tmp_path / "a.npy").write_bytes(b"old")
     assert main(["image", "--width", "200", "--height", "9", "--out", str(tmp_path / "a.npy")]) == status
-    assert capsys.readouterr() == ("", f"symbolic-rendering image: {said}\n")
+    assert capsys.readouterr() == ("", f"symbolic-rendering image: {message}\n")
     assert contents(tmp_path) == {"a.npy": b"old"}
     assert signal.getsignal(signal.SIGTERM) == before
 
@@ -79,8 +79,8 @@ sys.exit(main())
 
 
 @SIGNALS
-def test_the_first_signal_stops_the_imports_too_and_no_other_the_end(number, status, said):
-    assert python("-c", STOPPED, number, 17 - number, status=status) == ("", f"symbolic-rendering: {said}\n")
+def test_the_first_signal_stops_the_imports_too_and_no_other_the_end(number, status, message):
+    assert python("-c", STOPPED, number, 17 - number, status=status) == ("", f"symbolic-rendering: {message}\n")
 
 
 MEMORY = """
@@ -104,6 +104,6 @@ print(peak() - before)
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the peak of the resident memory is read from /proc")
 def test_memory_does_not_grow_with_the_picture(tmp_path):
     """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
-    streamed, whole = map(float, python("-c", MEMORY, tmp_path / "a.npy")[0].split())
+    streamed, in_memory = map(float, python("-c", MEMORY, tmp_path / "a.npy")[0].split())
     assert streamed < 32
-    assert whole > 64  # what it has given back may be used again
+    assert in_memory > 64  # what it has given back may be used again

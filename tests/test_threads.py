@@ -130,13 +130,13 @@ def test_an_error_of_a_band_is_raised_and_the_next_picture_drawn(count):
 def test_a_helper_that_comes_late_is_not_waited_for_and_keeps_nothing(monkeypatch):
     """Its only thread is busy until this picture is drawn, and what it was to write is gone."""
     drawn, written = threading.Event(), np.zeros(7)
-    kept = weakref.ref(written)
+    memory = weakref.ref(written)
     with ThreadPoolExecutor(1) as pool:
         pool.submit(drawn.wait, 60)
         monkeypatch.setattr(threads, "_pool", lambda: pool)
         assert run_bands(lambda band, into=written: into[band].size, 7, 2, 4) == [2, 2, 2, 1]
         del written
-        assert kept() is None
+        assert memory() is None
         drawn.set()
 
 

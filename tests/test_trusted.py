@@ -19,10 +19,10 @@ TOLD_BESIDE |= {f"proofs/printers/{name}.py" for name in ("coq", "coq_statements
 
 def test_the_page_names_every_module_that_a_grade_passes_through():
     """The engine's and the checkers' modules; packages are left out, and printers, of which the page tells beside."""
-    found = {path for path in grade_path.modules() if path.startswith(("proofs/", "verify/"))} - TOLD_BESIDE
+    modules = {path for path in grade_path.modules() if path.startswith(("proofs/", "verify/"))} - TOLD_BESIDE
     rows = re.findall(r"^\| \{source-link\}`([^`]+)` \|", PAGE.read_text("utf-8"), re.MULTILINE)
     assert len(rows) == len(set(rows))
-    assert set(rows) == {path for path in found if not path.endswith("__init__.py")} | BESIDE
+    assert set(rows) == {path for path in modules if not path.endswith("__init__.py")} | BESIDE
 
 
 def test_every_committed_record_is_known_and_reaches_what_it_measures():

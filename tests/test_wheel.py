@@ -132,16 +132,16 @@ def test_what_is_in_the_wheel_and_in_the_archive(built):
 
 def needed(requirements):
     """Return the names of the distributions that requirements bring along, themselves included."""
-    waiting, found = [Requirement(text) for text in requirements], set()
+    waiting, names = [Requirement(text) for text in requirements], set()
     while waiting:
         one = waiting.pop()
         name = canonicalize_name(one.name)
         if name == PROJECT["name"]:
             waiting += [Requirement(text) for extra in one.extras for text in PROJECT["optional-dependencies"][extra]]
-        elif name not in found and (one.marker is None or one.marker.evaluate({"extra": ""})):
-            found.add(name)
+        elif name not in names and (one.marker is None or one.marker.evaluate({"extra": ""})):
+            names.add(name)
             waiting += [Requirement(text) for text in requires(name) or ()]
-    return found
+    return names
 
 
 def test_the_book_s_lock_is_a_part_of_the_other_and_has_all_that_the_book_needs():

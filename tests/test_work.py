@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 from types import SimpleNamespace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
 from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer.scene import scene
 
 DEFAULT = Scene()
 SIZE = (64, 64)
@@ -28,6 +30,13 @@ def test_height_evaluations(method, heights, of_rings):
     assert work_of(method, field="rings").height_evaluations == of_rings * work.pixels_a
     flat = work_of(method, beta=0.0)
     assert (flat.gradient_evaluations, flat.height_evaluations, flat.algebraic_gradients) == (0, 0, 0)
+
+
+def test_a_picture_makes_its_geometry_once(monkeypatch):
+    made = Mock(side_effect=scene.Geometry)
+    monkeypatch.setattr(scene, "Geometry", made)
+    work_of(options={"bounds": True}, eye=4.5)
+    made.assert_called_once()
 
 
 def test_what_is_counted_in_a_picture():
@@ -74,10 +83,10 @@ def test_a_body_that_clears_the_cone_of_light():
 
 def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     """The colours off A are drawn once for a shading."""
-    own = {"stage": stage_of(DEFAULT, *SIZE)}
-    whole, first = work_of().light_terms, work_of(options=own)
-    assert (first.shadow_tests, first.light_terms) == (0, whole)
+    staged = {"stage": stage_of(DEFAULT, *SIZE)}
+    terms, first = work_of().light_terms, work_of(options=staged)
+    assert (first.shadow_tests, first.light_terms) == (0, terms)
     on_a = sum(n for code, n in first.pixels.items() for bit in (4, 8) if code & 3 == 1 and not code & bit)
-    assert work_of(central(1e-3), own).light_terms == on_a
-    assert work_of(options=own, beta=2.0, field="sine", ku=3.0).light_terms == on_a
-    assert work_of(options=own, ka=0.2).light_terms == whole
+    assert work_of(central(1e-3), staged).light_terms == on_a
+    assert work_of(options=staged, beta=2.0, field="sine", ku=3.0).light_terms == on_a
+    assert work_of(options=staged, ka=0.2).light_terms == terms

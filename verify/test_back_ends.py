@@ -16,7 +16,7 @@ POINTS = 8
 RANGES = {
     "eye": (3, 5), "radius": (0.5, 1), "ball_radius": (0.3, 0.5), "height": (64, 65), "width": (96, 97),
     "column": (0, 95), "row": (0, 63), "ball_on": (1, 1), "floor_on": (1, 1), "apex_height": (6, 9),
-    "k_u": (-9, 9), "k_v": (-9, 9), "u": (0, 1), "v": (0, 1), "epsilon": (0.01, 0.05), "shininess": (0.5, 40),
+    "k_u": (-9, 9), "k_v": (-9, 9), "u": (0, 1), "v": (0, 1), "eps": (0.01, 0.05), "shininess": (0.5, 40),
     "specular_base": (0, 1), "product_error": (-1e-17, 1e-17), "number": (0, 2), "exponent": (0.001, 40),
 }  # fmt: skip
 EDGES = {"u": (0.0, 1 - 2.0**-53, 2.0**-10), "v": (0.3, 0.0, 1.0, 2.0**-10)}  # the seam and the poles
@@ -24,11 +24,11 @@ EDGES = {"u": (0.0, 1 - 2.0**-53, 2.0**-10), "v": (0.3, 0.0, 1.0, 2.0**-10)}  # 
 
 def difference_kernel(field, method):
     """Return a difference as a function of the chart point, the wave numbers and ε."""
-    return lambda u, v, k_u, k_v, epsilon: difference(field, method, u, v, k_u, k_v, epsilon)
+    return lambda u, v, k_u, k_v, eps: difference(field, method, u, v, k_u, k_v, eps)
 
 
 PRINTED = {name: (program, getattr(kernels, name)) for name, program in programs.named().items()} | {
-    f"{method}_{name}": (program_of(HEIGHT_FIELDS[name]), difference_kernel(field, method))
+    f"{method}_{name}": (program_of(HEIGHT_FIELDS[name]).at(programs.STEP), difference_kernel(field, method))
     for (name, field), (method, program_of) in product(kernels.FIELDS.items(), METHODS.items())
 }
 """{name: (program, kernel)} of everything in renderer/kernels.py, a field's differences of its height"""

@@ -20,6 +20,7 @@ from renderer.machines.enclosing import Enclosed, Mask
 from renderer.picture import stage
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
+from renderer.shader.numbers import Shot
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
@@ -193,7 +194,7 @@ def image_points():
         raster, numbers = Raster(width, height), np.arange(max(width, height))
         sizes = {"width": width, "height": height, "eye": scene.eye, "radius": scene.radius}
         true = in_balls(POINT, sizes | {"column": numbers, "row": numbers}).values()
-        bounds = rounded_inputs.of_image_points(scene, raster)
+        bounds = rounded_inputs.of_image_points(Shot(scene, raster=raster))
         for points, balls, bound in zip(raster.image_points(scene), true, bounds, strict=True):
             yield distance(points, balls[: len(points)]), bound
 
@@ -208,7 +209,7 @@ def test_an_image_point_is_exact_where_it_is_0(monkeypatch):
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3)])
 def test_on_an_axis_nothing_is_open(method):
-    """Of 61 × 60 pixels column 30 is x = 0, row 25 is y = 0; nor at the edge of a square, nor on the seam."""
+    """Leave no pixel of column 30, x = 0, or row 25, y = 0, open: neither at the edge of a square nor on the seam."""
     for place in ((40, 25), (2, 25), (20, 25), (30, 20)):
         frame = render(Scene(), 61, 60, method, (*place, 1, 1), bounds=True)
         assert not frame.open.any() and frame.bounds.max() < 1e-8

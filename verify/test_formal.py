@@ -55,7 +55,7 @@ def test_coq_is_not_asked_about_statements_that_nobody_printed(written):
 
 @needs_coq
 def test_coq_accepts_what_the_record_says(request, record_property):
-    """Where these files were accepted here before, Coq is not asked again; with --long it is, theorem by theorem."""
+    """Ask Coq only about files that it has not accepted here before; with --long always, theorem by theorem."""
     alone = request.config.getoption("long")
     if alone or not formal.accepted_here():
         accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]

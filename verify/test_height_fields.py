@@ -197,7 +197,7 @@ def test_a_hump_of_ridges_that_ends_inside_the_step_has_no_smooth_bound():
 
 
 def test_the_bounds_are_sharp():
-    """Where the slope is steepest, the error of a small step is the bound, up to the next term of its series."""
+    """Reach the bound, up to the next term of its series, by a small step where the slope is steepest."""
     for k in (1.0, 8.0, 64.0):
         error = np.pi * k * (1 - np.sinc(1e-2))
         assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1

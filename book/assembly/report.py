@@ -18,7 +18,7 @@ class NoReport(ValueError):
 
 
 def packages() -> list[Path]:
-    """Every file of the packages: a proof may read what it does not import."""
+    """Return every file of the packages: a proof may read what it does not import."""
     folders = [*map(PROJECT.folder, PROJECT.packages), *map(stamps.HOME.joinpath, ("proofs", "renderer", "verify"))]
     return [path for folder in folders for path in stamps.files_in(folder)]
 
@@ -55,7 +55,7 @@ def make() -> None:
 
 
 def load() -> dict[str, dict]:
-    """The report's entries, {id: entry}; raises NoReport if it is missing or stale."""
+    """Return the report's entries, {id: entry}; raises NoReport if it is missing or stale."""
     if not is_fresh():
         raise NoReport("there is no report of the proofs, or it is stale: python -m book makes it")
     return {entry["id"]: entry for entry in stamps.table_in(REPORT)["theorems"]}

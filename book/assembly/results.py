@@ -17,17 +17,17 @@ class UnknownResult(ValueError):
 
 
 def result_file(book: Path, id: str) -> Path:
-    """The JSON file behind an id; ids with the prefix `bench:` are committed benchmarks."""
+    """Return the JSON file behind an id; ids with the prefix `bench:` are committed benchmarks."""
     name = id.removeprefix(BENCHMARK_PREFIX)
     if id.startswith(BENCHMARK_PREFIX):
         record = records.RECORDS.get(name)
-        folder, what = book.parent / (record.folder if record else records.BENCHMARKS), "benchmark"
+        folder, kind = book.parent / (record.folder if record else records.BENCHMARKS), "benchmark"
     else:
-        folder, what = book / "_generated", "figure"
+        folder, kind = book / "_generated", "figure"
     path = folder / f"{name}.json"
     if "/" in name or not path.is_file():
-        known = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"
-        raise UnknownResult(f"unknown {what} {name!r}; there are: {known}")
+        names = ", ".join(sorted(other.stem for other in folder.glob("*.json"))) or "none"
+        raise UnknownResult(f"unknown {kind} {name!r}; there are: {names}")
     return path
 
 
@@ -36,7 +36,7 @@ def load_result(book: Path, id: str) -> dict:
 
 
 def records_of(book: Path, id: str) -> list[str]:
-    """The names of the records that an id's numbers come from: none for a figure that is computed in the build."""
+    """Return the names of the records that an id's numbers come from: none for a figure that the build computes."""
     read = {result_file(book, id).relative_to(book.parent).as_posix(), *load_result(book, id).get("reads", ())}
     return [name for name, record in records.RECORDS.items() if record.path in read]
 
@@ -47,7 +47,7 @@ def remark(book: Path, id: str) -> str | None:
 
 
 def look_up(book: Path, id: str, key: str) -> int | float | str | Interval:
-    """One number, an Interval where its ends are kept; an unknown key's error lists the known ones."""
+    """Return one number, an Interval where its ends are kept; an unknown key's error lists the known ones."""
     numbers = load_result(book, id).get("numbers", {})
     if key not in numbers:
         raise UnknownResult(f"{id!r} has no number {key!r}; it has: {', '.join(sorted(numbers)) or 'none'}")
@@ -57,7 +57,7 @@ def look_up(book: Path, id: str, key: str) -> int | float | str | Interval:
 
 
 def parse(text: str) -> tuple[str, str, str | None]:
-    """The id, the key and the format (None if there is none) that a role's text asks for."""
+    """Return the id, the key and the format (None if there is none) that a role's text asks for."""
     match = SYNTAX.fullmatch(text.strip())
     if match is None:
         raise UnknownResult(f"{text!r} is not of the form id.key or id.key|format")
@@ -65,7 +65,7 @@ def parse(text: str) -> tuple[str, str, str | None]:
 
 
 def formatted(value: int | float | str | Interval, spec: str | None = None) -> str:
-    """The value as text, by default with four significant digits for a float, as many as are certain for an Interval.
+    """Return the value as text, by default with four significant digits for a float, all certain ones for an Interval.
 
     Raises ValueError where the format asks for digits of an Interval that are not certain.
     """
@@ -75,7 +75,7 @@ def formatted(value: int | float | str | Interval, spec: str | None = None) -> s
 
 
 def measured(book: Path, name: str) -> str:
-    """Where, when and at which commit a benchmark was measured, as a sentence."""
+    """Return the sentence that says where, when and at which commit a benchmark was measured."""
     id = f"{BENCHMARK_PREFIX}{name}"
     label, since = load_result(book, id)["label"], "; the code has changed since" if remark(book, id) else ""
     return f"Measured on {label['machine']}, {label['date']}, at commit {label['commit']}{since}."

@@ -29,7 +29,7 @@ def table_in(path: Path) -> dict:
 
 
 def read(name: str) -> dict | None:
-    """A stamp's content, or None where there is no readable stamp."""
+    """Return a stamp's content, or None where there is no readable stamp."""
     try:
         return table_in(STAMPS / f"{name}.json")
     except (OSError, ValueError):

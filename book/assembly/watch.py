@@ -109,10 +109,10 @@ def watch(port: int) -> None:
     pages = page_files(website.BOOK).values()
     with builder(website.BOOK, FOLDER) as build, suppress(KeyboardInterrupt):
         site = Site(FOLDER / "html", port)
-        seen: dict[Path, int] = {}
+        times: dict[Path, int] = {}
         print(f"The book is at http://localhost:{port}; Ctrl-C ends this", flush=True)
         while True:
-            if seen != (seen := {page: page.stat().st_mtime_ns for page in pages if page.exists()}):
+            if times != (times := {page: page.stat().st_mtime_ns for page in pages if page.exists()}):
                 site.wrong = build()
                 site.built += 1
             time.sleep(0.2)

@@ -18,7 +18,7 @@ EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two bu
 
 
 def site_hashes() -> dict[str, str]:
-    """The hashes of everything that the site is made from, drawn figures included."""
+    """Return the hashes of everything that the site is made from, drawn figures included."""
     files = [path for folder in {BOOK, BOOK / "_generated", TOOLS} for path in stamps.files_in(folder)]
     tests = [*(stamps.ROOT / "tests").glob("*.py"), *stamps.files_in(stamps.ROOT / "tests" / "examples")]  # pages show
     return stamps.hashes([*report.packages(), *files, *tests, stamps.LOCK_FILE, stamps.ROOT / "pyproject.toml"])
@@ -35,21 +35,21 @@ def execution_cache() -> Path:
 
 
 def environment(cache: Path) -> dict[str, str]:
-    """The environment of the build: no clock, random hash, time zone, or backend that drops figures."""
-    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
-    return kept | {
+    """Return the environment of the build: no clock, random hash, time zone, or backend that drops figures."""
+    inherited = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
+    return inherited | {
         "SOURCE_DATE_EPOCH": EPOCH,
         "PYTHONHASHSEED": "0",
         "TZ": "UTC",
         "MATPLOTLIBRC": str(TOOLS / "drawing" / "matplotlibrc"),
         "PYTHONPATH": f"{stamps.ROOT}{os.pathsep}{stamps.HOME}",
-        "PATH": os.pathsep.join([str(Path(sys.executable).parent), kept.get("PATH", os.defpath)]),
+        "PATH": os.pathsep.join([str(Path(sys.executable).parent), inherited.get("PATH", os.defpath)]),
         "BOOK_EXECUTION_CACHE": str(cache),
     }
 
 
 def built() -> dict[str, str]:
-    """One hash of all the site's files."""
+    """Return one hash of all the site's files."""
     return {"site": stamps.key(stamps.file_hashes(SITE.rglob("*"), root=SITE))}
 
 

@@ -27,7 +27,7 @@ Waiting = tuple[Registered, dict[str, str], str]
 
 
 def all_figures() -> dict[str, Registered]:
-    """Every figure by its id, in alphabetical order: every module of the project's package of figures is imported."""
+    """Return every figure by its id, in alphabetical order; import every module of the project's figures for it."""
     for module in pkgutil.iter_modules([str(PROJECT.folder(PROJECT.figures))]):
         importlib.import_module(f"{PROJECT.figures}.{module.name}")
     return dict(sorted(FIGURES.items()))
@@ -86,7 +86,7 @@ def _draw_family(family: list[Waiting], folder: Path) -> list[tuple[list[str], f
 
 
 def _remove_unclaimed(figures) -> None:
-    """A figure that is no longer registered must not live on in a page."""
+    """Remove the files of figures that are no longer registered, lest a page still shows them."""
     for path in GENERATED.glob("*.*"):
         if path != report.REPORT and path.name.split(".")[0] not in figures:
             print(f"  removed {path.name}: no figure of that id is registered")
@@ -98,18 +98,18 @@ def source_file(entry: Registered) -> Path:
 
 
 def figure_hashes(entry: Registered) -> dict[str, str]:
-    """The hashes of everything that a figure's pixels and numbers can depend on."""
+    """Return the hashes of everything that a figure's pixels and numbers can depend on."""
     code = stamps.reachable(source_file(entry)) | stamps.reachable(Path(save.__file__))
     return stamps.hashes([*code, *map(stamps.ROOT.joinpath, entry.reads), stamps.LOCK_FILE])
 
 
 def files_of(names: Iterable[str]) -> dict[str, str]:
-    """The hash of each of a figure's files, by its name; nothing of one that is missing."""
+    """Return the hash of each of a figure's files, by its name; nothing of one that is missing."""
     return stamps.file_hashes(map(GENERATED.joinpath, names), root=GENERATED)
 
 
 def why_redraw(entry: Registered, now: dict[str, str]) -> str | None:
-    """The reason to draw the figure again, in a few words; None when it is up to date."""
+    """Return the reason to draw the figure again, in a few words; None when it is up to date."""
     stamp = stamps.read(f"figures/{entry.id}")
     if not stamp:
         return "new" if stamp is None else "interrupted"

@@ -32,19 +32,19 @@ MODES = {  # the light page's black is not Matplotlib's own, which a drawing has
 
 
 def colour_of(role: str, mode: str = "light") -> str:
-    """The palette's colour for a role; any other colour is itself."""
+    """Return the palette's colour for a role; any other colour is itself."""
     return MODES[mode].get(role, role)
 
 
 def readable(role: str, mode: str = "light", on: str = "paper") -> str:
-    """A role's colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
+    """Return a role's colour, moved towards the ink just as far as text of that colour needs to be read on the page."""
     colour, ink, below = (colour_of(each, mode) for each in (role, "ink", on))
     mixed = map(to_hex, LinearSegmentedColormap.from_list("", [colour, ink], 101)(range(101)))  # in sRGB
     return next((each for each in mixed if contrast(each, below) >= LEAST_CONTRAST), ink)
 
 
 def for_dark(svg: str) -> str:
-    """A drawing in the light page's colours, in those of the dark one; text so that it can be read there."""
+    """Return a drawing in the light page's colours, in those of the dark one; text so that it can be read there."""
     text = {readable(role): readable(role, "dark") for role in MODES["light"]}
     rest = {colour.lower(): colour_of(role, "dark").lower() for role, colour in MODES["light"].items()}
     svg = re.sub('(?<=<g style="fill: )#[0-9a-f]{6}', lambda match: text.get(match[0], match[0]), svg)
@@ -58,7 +58,7 @@ def _luminance(colour: str) -> float:
 
 
 def contrast(one: str, other: str) -> float:
-    """The contrast of two colours, from 1 to 21, as the same guidelines define it."""
+    """Return the contrast of two colours, from 1 to 21, as the same guidelines define it."""
     brighter, darker = sorted((_luminance(one), _luminance(other)), reverse=True)
     return (brighter + 0.05) / (darker + 0.05)
 
@@ -71,7 +71,7 @@ def _declarations(mode: str) -> str:
 
 
 def css() -> str:
-    """The palette as CSS custom properties, light and dark; paper is always printed light."""
+    """Return the palette as CSS custom properties, light and dark; paper is always printed light."""
     widths = {"text-width": TEXT_WIDTH, "page-width": PAGE_WIDTH}
     sizes = "\n".join(f"  --{name}: {inches * CSS_PIXELS_PER_INCH:.0f}px;" for name, inches in widths.items())
     sizes += f"\n  --paper-light: {MODES['light']['paper']};"

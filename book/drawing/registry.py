@@ -90,7 +90,7 @@ def flat(values: Mapping[str, Any], front: str = "") -> Iterator[tuple[str, Any]
 
 
 def plain_numbers(id: str, numbers: Mapping[str, Any]) -> dict[str, int | float | str]:
-    """The numbers as plain Python values; an error names the figure and the key."""
+    """Return the numbers as plain Python values; an error names the figure and the key."""
     plain = {key: value.tolist() if hasattr(value, "tolist") else value for key, value in flat(numbers)}
     for key, value in plain.items():
         is_number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

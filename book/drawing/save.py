@@ -69,7 +69,7 @@ def _svg(fig: Figure) -> str:
 
 
 def data_file(id: str, drawing: Drawing) -> dict[str, bytes]:
-    """The file's content by its suffix, the same bytes each time; nothing where there is no picture and no data.
+    """Return the file's content by its suffix, the same bytes each time; nothing where there is no picture and no data.
 
     Raises ValueError naming the figure where two curves have one name, an array is of another kind, missing, too large.
     """
@@ -99,20 +99,20 @@ def _checked(id: str, name: str, values) -> np.ndarray:
 
 
 def _curves(id: str, axes: Sequence[Axes]) -> dict[str, np.ndarray]:
-    """The points (2, n) of every curve, by its label, behind that of its axes where there are several."""
-    found: dict[str, np.ndarray] = {}
+    """Return the points (2, n) of every curve, by its label, behind that of its axes where there are several."""
+    curves: dict[str, np.ndarray] = {}
     for number, ax in enumerate(axes, 1):
         front = f"{ax.get_title('left') or number}: " if len(axes) > 1 else ""
         for place, line in enumerate(ax.lines, 1):
             label, points = line.get_label(), np.array(line.get_data(), dtype=float)
             is_mark = label.startswith("_")
             name = front + (f"curve {place}" if is_mark else " ".join(label.split()))
-            if points.shape[1] < FEWEST_POINTS and (is_mark or name in found):
+            if points.shape[1] < FEWEST_POINTS and (is_mark or name in curves):
                 continue
-            if name in found:
+            if name in curves:
                 raise ValueError(f"figure {id!r}: two curves are called {name!r}")
-            found[name] = points
-    return found
+            curves[name] = points
+    return curves
 
 
 def _csv(curves: Mapping[str, np.ndarray]) -> bytes:

@@ -62,7 +62,7 @@ def styled() -> Iterator[None]:
 
 
 def plot(width: str = "text", height: float = 3.9, **subplots: Any) -> tuple[Figure, Any]:
-    """A figure as wide as the text column ("text") or the page ("page"), and its axes, without a box.
+    """Return a figure as wide as the text column ("text") or the page ("page"), and its axes, without a box.
 
     `height` is in inches; other arguments go to `Figure.subplots` (nrows, ncols, sharey, width_ratios …).
     """
@@ -141,14 +141,14 @@ def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None
 
 
 def canvas(wide: float, high: float) -> Figure:
-    """A figure of so many CSS pixels, which the page shows at that size."""
+    """Return a figure of so many CSS pixels, which the page shows at that size."""
     fig = Figure(figsize=(wide / CSS_PIXELS_PER_INCH, high / CSS_PIXELS_PER_INCH), layout="none")
     fig.pixel_exact = True
     return fig
 
 
 def _box(fig, left, top, wide, high):
-    """A box, in CSS pixels from the figure's upper left corner, as Matplotlib takes it: from below, as shares."""
+    """Return a box, in CSS pixels from the figure's upper left corner, as Matplotlib's: from below, as shares."""
     width, height = fig.get_size_inches() * CSS_PIXELS_PER_INCH
     return left / width, (height - top - high) / height, wide / width, high / height
 

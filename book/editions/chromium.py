@@ -1,4 +1,4 @@
-"""Print the one file with the installed Chromium, with the outline and the tags that it writes itself."""
+"""PDF of the one-file edition, printed by the installed Chromium with its own outline and tags."""
 
 import re
 import shutil
@@ -39,15 +39,15 @@ class NoBrowser(Refused):
 
 
 def installed() -> str:
-    """The path of the installed Chromium, if it can be the one without a window; NoBrowser if there is none."""
+    """Return the path of the installed Chromium, if it can be the one without a window; NoBrowser if there is none."""
     for name in ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"):
-        if found := shutil.which(name):
-            return found
+        if path := shutil.which(name):
+            return path
     raise NoBrowser("no Chromium is installed, and the chapter is printed by one (Debian: apt install chromium)")
 
 
 def on_paper(browser: Browser, single: str, pages: Sequence[str] = ()) -> Page:
-    """A tab with the one file made ready for paper: all of it, or some of its pages. Nothing moves in it."""
+    """Return a tab with the one file made ready for paper: all of it, or some of its pages. Nothing moves in it."""
     tab = browser.new_page(viewport=PAGE, color_scheme="light", offline=True)
     tab.set_default_timeout(PATIENCE)
     tab.emulate_media(media="print")
@@ -59,9 +59,9 @@ def on_paper(browser: Browser, single: str, pages: Sequence[str] = ()) -> Page:
 
 
 def reproducible(pdf: bytes) -> bytes:
-    """The file, of the same length, without what Chromium says of this run: its date, and the nodes it has counted."""
+    """Return the file, of the same length, without what Chromium says of this run: its date and its count of nodes."""
     names = {name: b"node%08d" % number for number, name in enumerate(sorted(set(NODE.findall(pdf))))}
-    return NODE.sub(lambda found: names[found[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
+    return NODE.sub(lambda node: names[node[0]], re.sub(rb"D:\d{14}\+00'00'", DATE, pdf))
 
 
 BEGIN_A_PAGE = """numbers => {
@@ -91,24 +91,24 @@ def printed(tab: Page) -> bytes:
                 outline=True,
             )
         )
-        found = titles(pdf)
-        twice = [number for number, heading in enumerate(headings) if 2 * "".join(heading.split()) in found]
+        outline = titles(pdf)
+        twice = [number for number, heading in enumerate(headings) if 2 * "".join(heading.split()) in outline]
         if not twice:
             return pdf
 
 
 def titles(pdf: bytes) -> set[str]:
-    """The titles in the outline of a file that Chromium wrote, without blanks."""
-    found = TITLE.findall(pdf)
+    """Return the titles in the outline of a file that Chromium wrote, without blanks."""
+    pieces = TITLE.findall(pdf)
     ascii_or_wide = [
         re.sub(rb"\\(.)", rb"\1", text).decode("ascii") or bytes.fromhex(wide.decode()).decode("utf-16-be")
-        for wide, text in found
+        for wide, text in pieces
     ]
     return {"".join(title.split()) for title in ascii_or_wide}
 
 
 def print_chapter(single: str) -> bytes:
-    """The one file's chapter as PDF; raises NoBrowser."""
+    """Return the one file's chapter as PDF; raises NoBrowser."""
     path = installed()
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)

@@ -31,7 +31,7 @@ class Addresses(HTMLFormatter):
     """Write as bs4 does, but that a drawing's < and > stay what they are in its address: they would be four letters."""
 
     def attribute_value(self, value: str) -> str:
-        """The value between its quotation marks."""
+        """Return the value between its quotation marks."""
         return value.replace("&", "&amp;")
 
 
@@ -84,8 +84,8 @@ class Chapter:
         Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """
         pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
-        found = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
-        for path, tag in found.items():
+        tags = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
+        for path, tag in tags.items():
             if Path(path).name not in LEFT_OUT:
                 yield self.site / path, tag
 
@@ -110,7 +110,7 @@ def strip_shell(shell: BeautifulSoup) -> None:
 
 
 def wrapped(chapter: Chapter, page: Page) -> Tag:
-    """A page as it stands in the file: its article, and the links to its neighbours."""
+    """Return a page as it stands in the file: its article, and the links to its neighbours."""
     attributes = {"class": "chapter-page", "data-page": page.name, "data-title": page.title}
     box = chapter.shell.new_tag("div", attrs=attributes)
     if not page.article.find("section", id=True):

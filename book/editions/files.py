@@ -18,7 +18,7 @@ class TooLarge(stamps.Refused):
 
 
 def single_file(site: Path = website.SITE) -> bytes:
-    """The one file's bytes, from the built site; TooLarge if they are too many."""
+    """Return the one file's bytes, from the built site; TooLarge if they are too many."""
     from book.editions.document import document
 
     made = document(site).encode()
@@ -28,7 +28,7 @@ def single_file(site: Path = website.SITE) -> bytes:
 
 
 def printed(site: Path = website.SITE) -> bytes:
-    """The chapter as PDF, from the built site; raises NoBrowser."""
+    """Return the chapter as PDF, from the built site; raises NoBrowser."""
     from book.editions.chromium import print_chapter
 
     print("  Chromium lays out every page", flush=True)

@@ -29,7 +29,7 @@ def data_address(path: Path) -> str:
 
 @cache
 def as_webp(png: bytes) -> bytes:
-    """The same pixels as WebP, without loss; those of no colour at all too."""
+    """Return the same pixels as WebP, without loss; those of no colour at all too."""
     out = io.BytesIO()
     Image.open(io.BytesIO(png)).save(out, "WEBP", lossless=True, exact=True, method=6)
     return out.getvalue()
@@ -45,7 +45,7 @@ def packed_address(content: bytes) -> str:
 
 
 def svg_parts(path: Path) -> list[str]:
-    """A drawing as it stands in a data: address with single quotes, cut before each of its tags."""
+    """Return a drawing as it stands in a data: address with single quotes, cut before each of its tags."""
     text = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
     text = re.sub(r"\s*\n\s*", " ", text).replace("> <", "><").strip()
     text = EMBEDDED.sub(lambda match: base64_address("image/webp", as_webp(base64.b64decode(match[1]))), text)
@@ -62,7 +62,7 @@ def svg_address(parts: list[str]) -> str:
 
 
 def inlined_styles(path: Path) -> str:
-    """A style sheet with what it loads as data: of a font offered twice, the WOFF2."""
+    """Return a style sheet with what it loads as data: of a font offered twice, the WOFF2."""
 
     def inlined(match: re.Match) -> str:
         name = unquote(match[1].strip("'\"").split("?")[0].split("#")[0])
@@ -78,6 +78,6 @@ def inlined_styles(path: Path) -> str:
 
 
 def inlined_script(path: Path) -> str:
-    """A script that may stand between <script> and </script>."""
+    """Return a script that may stand between <script> and </script>."""
     text = re.sub(r"^//# sourceMappingURL=.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
     return re.sub(r"<(?=/script|!--)", r"<\\", text, flags=re.IGNORECASE)

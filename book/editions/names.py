@@ -20,17 +20,17 @@ class Names:
     def __init__(self, pages: Iterable[Page], reserved: Iterable[str]):
         """pages: every page of the file; reserved: ids of what stands around them, which keep their names."""
         self.pages = {page.name: page for page in pages}
-        own = {name: ids_of(page.article) for name, page in self.pages.items()}
-        count = Counter(id for ids in own.values() for id in set(ids)) + Counter(set(reserved))
-        self.table = {n: {id: id if count[id] == 1 else f"{n}:{id}" for id in ids} for n, ids in own.items()}
+        by_page = {name: ids_of(page.article) for name, page in self.pages.items()}
+        count = Counter(id for ids in by_page.values() for id in set(ids)) + Counter(set(reserved))
+        self.table = {n: {id: id if count[id] == 1 else f"{n}:{id}" for id in ids} for n, ids in by_page.items()}
 
     def top(self, name: str) -> str:
-        """The id of a page: that of its first section, or its address where it has none."""
+        """Return the id of a page: that of its first section, or its address where it has none."""
         section = self.pages[name].article.find("section", id=True)
         return self.table[name].get(section["id"], section["id"]) if section else name
 
     def place(self, path: str, id: str) -> str | None:
-        """The `#id` for a file of the site and a fragment; None if it is no page of the file."""
+        """Return the `#id` for a file of the site and a fragment; None if it is no page of the file."""
         name = path.removesuffix(".html")
         if name not in self.pages:
             return None

@@ -44,7 +44,7 @@ def parsed(text: str) -> BeautifulSoup:
 
 
 def target(page: str, address: str) -> tuple[str, str] | None:
-    """The file of the site, and the fragment, that an address on a page means; None if it leads elsewhere."""
+    """Return the file of the site, and the fragment, that an address on a page means; None if it leads elsewhere."""
     parts = urlsplit(address)
     if parts.scheme or parts.netloc:
         return None
@@ -75,7 +75,7 @@ def linked(part: Tag, page: str) -> Iterator[str]:
 
 
 def read_pages(site: Path, shell: BeautifulSoup) -> list[Page]:
-    """Every page in the order of the sidebar, then those that these lead to, in the order in which they are met."""
+    """Return every page in the order of the sidebar, then those that these lead to, as they are met."""
     waiting = [*linked(shell.select_one("nav.bd-docs-nav"), SHELL)]
     pages: dict[str, Page] = {}
     for name in waiting:  # it grows while it is read

@@ -1,4 +1,4 @@
-"""Pictures in the file: as data: addresses, and of a pair for light and dark the dark one as what differs."""
+"""Pictures inside the one-file edition: data: addresses; of a light and a dark drawing, the dark one's differences."""
 
 from os.path import commonprefix  # of any text, letter by letter
 from pathlib import Path
@@ -8,7 +8,7 @@ from book.editions.pages import Page, target
 
 
 def difference(light: list[str], dark: list[str]) -> list[str] | None:
-    """The parts of the dark drawing that are not those of the light one; None if the drawings are not alike.
+    """Return the parts of the dark drawing that are not those of the light one; None if the drawings are not alike.
 
     Each is "number start end text": of the part with this number, `start` characters stay at its beginning and
     `end` at its end, with the text between them.
@@ -20,7 +20,7 @@ def difference(light: list[str], dark: list[str]) -> list[str] | None:
 
 
 def change(old: str, new: str) -> str:
-    """Return the function that makes the new part of the old one."""
+    """Return "start end text": how many characters of the old part stay at either end, and the text between."""
     start = len(commonprefix([old, new]))  # noqa: RUF071
     end = len(commonprefix([old[start:][::-1], new[start:][::-1]]))  # noqa: RUF071
     return f"{start} {end} {new[start : len(new) - end]}"

@@ -38,6 +38,6 @@ def setup(app: Sphinx) -> dict[str, str | bool]:
     app.add_node(elements.Filled, html=(lambda translator, node: None, lambda translator, node: None))
     app.add_node(elements.Formula, html=(mathematics.write, None))
     app.add_html_math_renderer("mathml", (mathematics.write, None), (mathematics.write, None))
-    for method, *given in elements.REGISTERED:
-        getattr(app, method)(*given)
+    for method, *arguments in elements.REGISTERED:
+        getattr(app, method)(*arguments)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

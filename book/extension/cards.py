@@ -61,7 +61,7 @@ def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
 
 
 def coq(name: str, statement: str) -> Markup:
-    """A statement of Coq's, its keywords coloured."""
+    """Return a statement of Coq's, its keywords coloured."""
     words = str(escape(f"Theorem {name} :\n{indent(statement, '  ')}."))  # put into a Markup, a tag would be escaped
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
 
@@ -107,8 +107,8 @@ def check_all_here(here: SphinxDirective) -> Nodes:
 @directive("argued-clauses")
 def argued_clauses(here: SphinxDirective) -> Nodes:
     book = Here(here.env)
-    found = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
-    return [filled("argued_clauses", book=book, found=found)]
+    clauses = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
+    return [filled("argued_clauses", book=book, clauses=clauses)]
 
 
 @directive("dependencies")

@@ -22,7 +22,7 @@ NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 def check_here(book: Here, id: str) -> Filled | str:
-    """The place of a card's buttons, with the data; or why there is nothing to check."""
+    """Return the place of a card's buttons, with the data; or why there is nothing to check."""
     path, grade = certificate(id), kind(book.proofs.entries[id]["grade"])
     if path is None:
         return filled("unchecked", why=WITHOUT[grade]) if grade in WITHOUT else ""
@@ -34,7 +34,7 @@ def check_here(book: Here, id: str) -> Filled | str:
 
 
 def check_all(proofs: Proofs) -> Filled:
-    """The place of the button that checks everything, with all certificates."""
+    """Return the place of the button that checks everything, with all certificates."""
     paths = [(id, certificate(id)) for id in proofs.places]
     return filled(
         "checker", theorem="", data=packed([{"theorem": id, "claims": stored(path)} for id, path in paths if path])
@@ -42,7 +42,7 @@ def check_all(proofs: Proofs) -> Filled:
 
 
 def stored(path: Path) -> list[dict]:
-    """The claims of a file of certificates, with what the kernel in the page reads of each."""
+    """Return the claims of a file of certificates, with what the kernel in the page reads of each."""
     claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
     for claim in claims:
         claim["statements"] = [{key: case[key] for key in ("statement", "certificate")} for case in claim["statements"]]
@@ -60,8 +60,8 @@ def given(book: Here, id: str) -> list[str]:
     claims = book.proofs.theorems[id].claims
     borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
-    own = [f"{book.name(other)}, which has its own card" for other in borrowed]
-    return own + [f"a lemma from {source}" for source in cited]
+    cards = [f"{book.name(other)}, which has its own card" for other in borrowed]
+    return cards + [f"a lemma from {source}" for source in cited]
 
 
 def statements_of(claims: list[dict]) -> list[dict]:
@@ -70,7 +70,7 @@ def statements_of(claims: list[dict]) -> list[dict]:
 
 
 def names_of(claims: list[dict]) -> set[str]:
-    """The names that the polynomials of the claims use."""
+    """Return the names that the polynomials of the claims use."""
     names = set()
     for statement in statements_of(claims):
         names.update(statement.get("variables", ()), statement.get("state", ()))
@@ -81,7 +81,7 @@ def names_of(claims: list[dict]) -> set[str]:
 
 
 def spelling(name: str) -> str:
-    """A name as MathML, sin(pi*k_u*u) as k_u."""
+    """Return a name as MathML, sin(pi*k_u*u) as k_u."""
     tex = NAME.sub(lambda part: rf"\{part[0]}" if part[0] in ("sin", "cos") else PRINTER.name(part[0]), name)
     return typeset(tex.replace("*", r"\,"))
 

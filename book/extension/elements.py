@@ -52,11 +52,11 @@ class Formula(nodes.General, nodes.Inline, nodes.Element):
 
 def _hold(value):
     """Return the text that Jinja prints for a value: for nodes, a place that is theirs."""
-    found = [value] if isinstance(value, nodes.Node) else value
-    if not isinstance(found, list):
+    parts = [value] if isinstance(value, nodes.Node) else value
+    if not isinstance(parts, list):
         return value
     place = f"\0{next(_numbers)}\0"
-    _waiting[place] = found
+    _waiting[place] = parts
     return Markup(place)
 
 
@@ -70,7 +70,7 @@ TEMPLATES = Environment(
 
 
 def filled(template: str, **values: Any) -> Filled:
-    """A template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
+    """Return a template's HTML; nodes, and lists of nodes, may be among the values that it prints."""
     parts = PLACE.split(TEMPLATES.get_template(f"{template}.html").render(values))
     # A piece ends with its tag: the search would take words for one that have nothing else between them.
     pieces = [_waiting.pop(part) if part in _waiting else map(raw, re.findall("[^>]+>?|>", part)) for part in parts]
@@ -82,26 +82,26 @@ def raw(text: str) -> nodes.raw:
 
 
 def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] = ()) -> nodes.section:
-    """A section of a page, in its contents too."""
+    """Return a section of a page, in its contents too."""
     return nodes.section("", nodes.title("", title), *children, ids=[id], names=[], classes=list(classes))
 
 
 def typeset(text: str) -> Nodes:
-    """A theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
+    """Return a theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
 
     Raises ValueError for a formula that does not end, or is empty.
     """
     pieces = re.split(r"(?<!\\)\$", text)
     if len(pieces) % 2 == 0 or "" in pieces[1::2]:
         raise ValueError(f"a formula does not end: {text}")
-    found = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
-    return [*chain.from_iterable(found)]
+    parts = [[nodes.math(piece, piece)] if odd % 2 else _plain(piece) for odd, piece in enumerate(pieces)]
+    return [*chain.from_iterable(parts)]
 
 
 def _plain(text: str) -> Nodes:
     pieces = SUBSCRIPT.split(text)  # words, a letter's index, words, …
-    found = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
-    return [node for node in found if node.astext()]
+    parts = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
+    return [node for node in parts if node.astext()]
 
 
 def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
@@ -114,8 +114,8 @@ def directive(name: str, arguments: int = 0, content: bool = False, **options: C
             except ValueError as error:
                 raise self.error(f"{name}: {error}") from error
 
-        said = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
-        REGISTERED.append(("add_directive", name, type(name, (SphinxDirective,), said)))
+        members = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
+        REGISTERED.append(("add_directive", name, type(name, (SphinxDirective,), members)))
         return nodes_of
 
     return register

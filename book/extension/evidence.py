@@ -19,20 +19,20 @@ def findings(entry: dict) -> list[str]:
     """Return the results of the last run, part by part."""
     refuted, parts = kind(entry["grade"]) == "refuted", []
     if entry.get("statements"):
-        what = count(entry["statements"], "exact counterexample" if refuted else "certificate")
-        parts.append(f"{what}, checked by two kernels")
+        proofs = count(entry["statements"], "exact counterexample" if refuted else "certificate")
+        parts.append(f"{proofs}, checked by two kernels")
     measured = entry.get("measurements", ())
-    if enclosed := sum(seen["certified"] for seen in measured):
+    if enclosed := sum(each["certified"] for each in measured):
         parts.append(f"{count(enclosed, 'error')} enclosed in every case")
-    if cases := sum(seen["samples"] for seen in measured if not seen["certified"]):
+    if cases := sum(each["samples"] for each in measured if not each["certified"]):
         parts.append(count(cases, "measured case"))
     mutants = entry.get("mutants", ())
-    rejected = [variant for seen in measured for variant in seen["false_variants"]]
+    rejected = [variant for each in measured for variant in each["false_variants"]]
     if total := len(mutants) + len(rejected):
         good = sum(map(killed, mutants)) + sum(variant["rejected"] for variant in rejected)
         parts.append(f"{good} of {total} {'true variants proved' if refuted else 'false variants refuted'}")
-    sampled = [seen for seen in entry.get("witness", ()) if seen.get("digits")]
-    if points := sum(seen["points"] for seen in sampled):
+    sampled = [each for each in entry.get("witness", ()) if each.get("digits")]
+    if points := sum(each["points"] for each in sampled):
         parts.append(f"{count(points, 'sample')} at {sampled[0]['digits']} digits")
     if edges := sum(len(condition["edges"]) for condition in entry.get("side_conditions", ())):
         parts.append(count(edges, "edge test"))
@@ -40,10 +40,10 @@ def findings(entry: dict) -> list[str]:
 
 
 def evidence_line(entry: dict) -> str:
-    """One line: the grade, and what it follows from."""
+    """Return one line: the grade, and what it follows from."""
     grade = entry.get("grade_line", entry["grade"])
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
-        said = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
-        line = f"formal: {count(said, 'statement')} in Coq, {entry['formal']['when']}; {line}"
+        statements = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
+        line = f"formal: {count(statements, 'statement')} in Coq, {entry['formal']['when']}; {line}"
     return line[0].upper() + line[1:]

@@ -42,7 +42,7 @@ OPTIONS = {
 
 @directive("chapter-figure", arguments=1, content=True, **OPTIONS)
 def chapter_figure(here: SphinxDirective) -> Nodes:
-    """A drawn figure with its caption, its label and where it comes from."""
+    """Return a drawn figure with its caption, its label and where it comes from."""
     id, options, book = here.arguments[0], here.options, Path(here.env.srcdir)
     if not options.get("alt"):
         raise ValueError(f"{id!r}: the option alt is required: say what the picture shows")
@@ -64,8 +64,8 @@ def chapter_figure(here: SphinxDirective) -> Nodes:
         figure += nodes.legend("", raw(FOLD), *rest, origin, raw("</details>"))
     elif rest:
         figure += nodes.legend("", *rest)
-    if said := remark(book, id):
-        figure += nodes.legend("", nodes.paragraph("", f"{said[0].upper()}{said[1:]}.", classes=["stale"]))
+    if age := remark(book, id):
+        figure += nodes.legend("", nodes.paragraph("", f"{age[0].upper()}{age[1:]}.", classes=["stale"]))
     return [figure]
 
 
@@ -102,7 +102,7 @@ def _add_caption(here: SphinxDirective, figure: nodes.figure, id: str) -> Nodes:
 
 
 def file_link(text: str, target: str, title: str) -> addnodes.download_reference:
-    """A link to a file of the book, which the site then has."""
+    """Return a link to a file of the book, which the site then has."""
     link = addnodes.download_reference("", "", reftarget=target, refdoc="", refwarn=True, reftitle=title)
     link += nodes.inline("", text)
     return link

@@ -20,18 +20,18 @@ def _escaped(text: str) -> str:
 
 
 def restructured(lines: list[str]) -> list[str]:
-    found = []
+    result = []
     for paragraph in re.split(r"\n\s*\n", "\n".join(lines)):
         rows = [row for row in paragraph.splitlines() if row.strip()]
         if rows and all(row.startswith(INDENT) for row in rows):
-            found += ["::", "", *rows, ""]
+            result += ["::", "", *rows, ""]
         elif rows and rows[0].startswith(">>>"):
-            found += [*rows, ""]
+            result += [*rows, ""]
         elif rows:
-            found += [_escaped(" ".join(row.strip() for row in rows)), ""]
-    return found
+            result += [_escaped(" ".join(row.strip() for row in rows)), ""]
+    return result
 
 
 @on("autodoc-process-docstring")
-def read_docstring(app: Sphinx, what: str, name: str, thing: object, options: object, lines: list[str]) -> None:
+def read_docstring(app: Sphinx, kind: str, name: str, thing: object, options: object, lines: list[str]) -> None:
     lines[:] = restructured(lines)

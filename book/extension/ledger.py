@@ -56,7 +56,7 @@ LOOKS = dict(zip(VERDICTS, _LOOKS, strict=True))
 
 
 def ledger_of(app: Sphinx) -> Ledger:
-    """The build's ledger, held against the last run when first asked for; raises BadLedger or NoReport."""
+    """Return the build's ledger, held against the last run when first asked for; raises BadLedger or NoReport."""
     if not hasattr(app, "chapter_ledger"):
         app.chapter_ledger, app.chapter_run = standing()
     return app.chapter_ledger
@@ -81,26 +81,26 @@ class Entries(Here):
         self.run, self._directive = self.env.app.chapter_run, directive
 
     def inline(self, text: str) -> Nodes:
-        """A text of an entry, MyST, as nodes."""
-        found, messages = self._directive.state.inline_text(text, self._directive.lineno)
-        return [*found, *messages]
+        """Return a text of an entry, MyST, as nodes."""
+        parsed, messages = self._directive.state.inline_text(text, self._directive.lineno)
+        return [*parsed, *messages]
 
     def entry(self, claim: LedgerClaim) -> str:
-        """The address of a claim's entry on the page of all."""
+        """Return the address of a claim's entry on the page of all."""
         return f"{self.page(CLAIMS_PAGE)}#claim-{claim.id}"
 
     def title(self, page: str) -> str:
         return page_title(PROJECT.pages, page)
 
     def value(self, name: str) -> Nodes:
-        """A number as it is set in type."""
+        """Return a number as it is set in type."""
         value = self.run.number(name)
         large = not isinstance(value, Interval) and abs(value) >= 1000
         spec = (",.0f" if isinstance(value, float) else ",") if large else None
         return [*typeset(value, spec), *mark(Path(self.env.srcdir), name.partition(".")[0])]
 
     def place(self, name: str) -> nodes.Node:
-        """A link to the figure that a number belongs to, to the benchmark's page, or to the file of the numbers."""
+        """Return a link to the figure that a number belongs to, to the benchmark's page, or to the numbers' file."""
         figure, _, key = name.partition(".")
         text = WORDS.get(name) or re.sub("_+", " ", key)
         if figure.startswith(BENCHMARK_PREFIX):
@@ -116,7 +116,7 @@ class Entries(Here):
 
 
 def in_signs(text: str) -> Nodes:
-    """A relation as it is set in type: = 0, ≥ 2, 0.45 to 0.65."""
+    """Return a relation as it is set in type: = 0, ≥ 2, 0.45 to 0.65."""
     asked = relation(text)
     first, *second = (
         typeset(int(n) if n.is_integer() and abs(n) < 1e6 else n, None if n.is_integer() else ".4g")
@@ -129,12 +129,12 @@ def in_signs(text: str) -> Nodes:
 
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
-    """The page on which each figure is placed."""
+    """Return the page on which each figure is placed."""
     return dict(placed(book, "chapter-figure|idea|worked-pixel"))
 
 
 def test_address(node: str) -> str:
-    """The address of a test, "file.py::name", on the page of its file."""
+    """Return the address of a test, "file.py::name", on the page of its file."""
     file, _, name = node.partition("::")
     path = stamps.ROOT / file
     return f"{listing_address(path)}#L-{tests_in(path)[name.partition('[')[0]]}"
@@ -166,8 +166,8 @@ def merit(here: SphinxRole) -> Nodes:
     claim = ledger_of(here.env.app).get(here.text)
     if not claim.merit:
         raise BadLedger([f"{claim.id}: merit: missing, and a page asks for it"])
-    found, messages = here.inliner.parse(claim.merit, here.lineno, None, nodes.Element())
-    return [nodes.inline("", "", *found, classes=["merit"]), *messages]
+    parsed, messages = here.inliner.parse(claim.merit, here.lineno, None, nodes.Element())
+    return [nodes.inline("", "", *parsed, classes=["merit"]), *messages]
 
 
 @role("claim")

@@ -34,12 +34,12 @@ LINKED = re.compile(r"\{source-link\}`([^`]+)`")
 
 
 def listing_address(path: Path) -> str:
-    """The address of a source's page, from the site's root, where all pages of the book stand."""
+    """Return the address of a source's page, from the site's root, where all pages of the book stand."""
     return f"source/{path.relative_to(stamps.ROOT).as_posix()}.html"
 
 
 def listed(app: Sphinx) -> set[Path]:
-    """The files that pages link to: by the role, as a theorem's source, as a test that the ledger cites."""
+    """Return the files that pages link to: by the role, as a theorem's source, as a test that the ledger cites."""
     texts = (path.read_text(encoding="utf-8") for path in page_files(Path(app.srcdir)).values())
     names = {name for text in texts for name in LINKED.findall(text)}
     claims = app.chapter_ledger.claims if hasattr(app, "chapter_ledger") else ()
@@ -88,7 +88,7 @@ def write_downloads(app: Sphinx) -> None:
 
 
 def source_file(name: str) -> Path:
-    """A file of the repository; ValueError if there is none."""
+    """Return a file of the repository; ValueError if there is none."""
     path = stamps.ROOT / name
     if not path.is_file():
         raise ValueError(f"there is no file {name}")

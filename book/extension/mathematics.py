@@ -19,7 +19,7 @@ LOGGER = logging.getLogger(__name__)
 
 
 def typeset(tex: str, displayed: bool = False) -> str:
-    """A formula as MathML, its TeX beside it for who copies it; raises LatexError for what is no TeX."""
+    """Return a formula as MathML, its TeX beside it for who copies it; raises LatexError for what is no TeX."""
     text = NAME.sub(r"\1", CONVERTER.convert_with_local_state(tex, displaystyle=displayed))
     text = text.replace("&ApplyFunction;", "\N{FUNCTION APPLICATION}")
     return text.replace("<math", f'<math data-tex="{html.escape(tex)}"', 1)

@@ -34,7 +34,7 @@ TIMES = "\N{NO-BREAK SPACE}×\N{NO-BREAK SPACE}"
 
 
 def typeset(value: int | float | str | Interval, spec: str | None = None) -> Nodes:
-    """The value as it is set in type: a true minus, and powers of ten in place of e-notation."""
+    """Return the value as it is set in type: a true minus, and powers of ten in place of e-notation."""
     text = formatted(value, spec)
     if isinstance(value, str):
         return [nodes.Text(text)]
@@ -47,26 +47,26 @@ def typeset(value: int | float | str | Interval, spec: str | None = None) -> Nod
 
 
 def mark(book: Path, id: str) -> Nodes:
-    """The mark behind a number that was measured before the code changed; nothing behind others."""
-    said = remark(book, id)
-    return [nodes.abbreviation("", "†", explanation=said, classes=["stale"])] if said else []
+    """Return the mark behind a number that was measured before the code changed; nothing behind others."""
+    age = remark(book, id)
+    return [nodes.abbreviation("", "†", explanation=age, classes=["stale"])] if age else []
 
 
 @on("doctree-read")
 def explain_marks(app: Sphinx, document: nodes.document) -> None:
-    """At the end of a page, say what its marks mean: one †, two or more, for each commit that was measured."""
+    """Say at the end of a page what its marks mean: †, †† and so on, one for each commit that was measured."""
     marks: dict[str, str] = {}
     for node in document.findall(nodes.abbreviation):
         if "stale" in node["classes"]:
-            said = node["explanation"]
-            node[:] = [nodes.Text(marks.setdefault(said, "†" * (len(marks) + 1)))]
-    for said, sign in marks.items():
-        document.children[-1].append(nodes.paragraph("", f"{sign} {said[0].upper()}{said[1:]}.", classes=["stale"]))
+            age = node["explanation"]
+            node[:] = [nodes.Text(marks.setdefault(age, "†" * (len(marks) + 1)))]
+    for age, sign in marks.items():
+        document.children[-1].append(nodes.paragraph("", f"{sign} {age[0].upper()}{age[1:]}.", classes=["stale"]))
 
 
 @role("number")
 def number(here: SphinxRole) -> Nodes:
-    """One number of a result, on one line, or one of its words."""
+    """Return one number of a result, on one line, or one of its words."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     value = look_up(book, id, key)
     words = isinstance(value, str)
@@ -79,7 +79,7 @@ def number(here: SphinxRole) -> Nodes:
 
 @role("spread")
 def spread(here: SphinxRole) -> Nodes:
-    """The quartiles of a measured number."""
+    """Return the quartiles of a measured number."""
     book, (id, key, spec) = Path(here.env.srcdir), parse(here.text)
     look_up(book, id, key)
     if f"{key}_low" not in load_result(book, id)["numbers"]:

@@ -27,7 +27,7 @@ class ByName(Project):
     """Pages are called by their files' names alone: chapter/s1.md is s1, at s1.html, as it always was."""
 
     def path2doc(self, filename: str) -> str | None:
-        """The page's name, or None for what is no page."""
+        """Return the page's name, or None for what is no page."""
         name = super().path2doc(filename)
         return name and PurePosixPath(name).name
 
@@ -94,12 +94,12 @@ def write_simulator(app: Sphinx) -> None:
 
 @on("config-inited", priority=100)
 def use_execution_cache(app: Sphinx, config: Config) -> None:
-    """The build names a cache that changes with the packages; Jupyter's own looks at the cells alone."""
+    """Keep outputs of cells where the build says: a cache of its packages too; MyST-NB's own knows the cells alone."""
     if cache := os.environ.get("BOOK_EXECUTION_CACHE"):
         config.nb_execution_cache_path = cache
 
 
 @on("builder-inited")
 def join_streams(app: Sphinx) -> None:
-    """A cell's printed text is one message; of several, MyST-NB would end each with a line end, wherever it was cut."""
+    """Join a cell's printed text to one message: MyST-NB ends each of several with a line end, wherever it was cut."""
     utils.executenb = partial(nbclient.execute, coalesce_streams=True)

@@ -20,7 +20,7 @@ LONG = 10**9  # numerators and denominators above are given to six digits
 
 
 def tex_value(text: str) -> str:
-    """A rational as it stands, one of many digits to six of them; roots and π typeset."""
+    """Return a rational as it stands, one of many digits to six of them; roots and π typeset."""
     try:
         value = Fraction(text)
     except ValueError:
@@ -52,7 +52,7 @@ def tex_point(at: dict[str, str]) -> list[str]:
 
 
 def point(at: dict) -> Nodes:
-    """A point as mathematics, one equation after the other; of a path, its name. Keys and values may be SymPy's."""
+    """Return a point as mathematics, equation by equation; of a path, its name. Keys and values may be SymPy's."""
     at = {str(name): str(value) for name, value in at.items()}
     if "path" in at:
         return [nodes.literal("", at["path"])]

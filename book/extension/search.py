@@ -46,7 +46,7 @@ def _words(node: nodes.Node) -> Iterator[str]:
 
 
 def in_a_line(part: ElementTree.Element) -> str:
-    """A formula's MathML as plain text: x², sin x, N_x′, 1/(1−x)."""
+    """Return a formula's MathML as plain text: x², sin x, N_x′, 1/(1−x)."""
     pieces = [*map(in_a_line, part)]
     apart = [f"({text})" if len(child) else text for text, child in zip(pieces, part, strict=True)]
     if part.tag == "mfrac":

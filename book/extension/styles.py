@@ -22,22 +22,22 @@ UNUSED = ("vendor/**/*.*", "scripts/*.*", "**/*.map", "*webpack-macros.html", "c
 
 
 def pruned(css: str, names: set[str]) -> str:
-    """A style sheet with the rules alone whose classes and ids are all among the names.
+    """Return a style sheet with the rules alone whose classes and ids are all among the names.
 
     Those of :not() and its like are not asked for. A rule for one colour of the page is also for who has not chosen
     one: then the system has.
     """
 
-    def kept(rule: re.Match) -> str:
+    def schemed(rule: re.Match) -> str:
         asked = {part: NAMED.findall(NESTED.sub("", part).replace("\\", "")) for part in COMMA.split(rule[1].strip())}
         head, body = ",".join(part for part, its in asked.items() if names.issuperset(its)), rule[2]
         if not head or "Font Awesome" in body:
             return ""
-        own = f"{THEME.sub('[data-theme=auto]', head)}{{{body}}}"
+        auto = f"{THEME.sub('[data-theme=auto]', head)}{{{body}}}"
         schemes = sorted({*THEME.findall(head)})
-        return f"{head}{{{body}}}" + "".join(f"@media (prefers-color-scheme:{scheme}){{{own}}}" for scheme in schemes)
+        return f"{head}{{{body}}}" + "".join(f"@media (prefers-color-scheme:{scheme}){{{auto}}}" for scheme in schemes)
 
-    return RULE.sub(kept, COMMENT.sub("", css))
+    return RULE.sub(schemed, COMMENT.sub("", css))
 
 
 @on("build-finished", priority=900)

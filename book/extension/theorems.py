@@ -38,18 +38,18 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 
 
 def kind(grade: str) -> str:
-    """The grade without its conditions, as one word: "proved given cited" is a kind of proved."""
+    """Return the grade without its conditions, as one word: "proved given cited" is a kind of proved."""
     return grade.removeprefix("by ").split()[0]
 
 
 def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
-    """The page of every theorem, in page order; those that no page places follow on the page of findings."""
-    found: dict[str, str] = {}
+    """Return the page of every theorem, in page order; those that no page places follow on the page of findings."""
+    page_of: dict[str, str] = {}
     for id, page in placed(book, "theorem"):
-        if id in found:
-            raise ValueError(f"{id!r} is placed twice, on {found[id]} and on {page}")
-        found[id] = page
-    return found | {id: CLAIMS_PAGE for id in ids if id not in found}
+        if id in page_of:
+            raise ValueError(f"{id!r} is placed twice, on {page_of[id]} and on {page}")
+        page_of[id] = page
+    return page_of | {id: CLAIMS_PAGE for id in ids if id not in page_of}
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Proofs:
             raise ValueError(f"{id!r} is expected to be {expected}; its last run made it {grade}")
 
     def label(self, id: str) -> str:
-        """The name by which pages call it: "Theorem 3", "Lemma A.3", or "Claim 4" if it is not proved.
+        """Return the name by which pages call it: "Theorem 3", "Lemma A.3", or "Claim 4" if it is not proved.
 
         The lemmas are counted by themselves, so that the numbers of the rest rise from page to page.
         """
@@ -85,21 +85,21 @@ class Proofs:
 
 
 def load(book: Path) -> Proofs:
-    """Everything about the theorems; raises NoReport or ValueError."""
+    """Return everything about the theorems; raises NoReport or ValueError."""
     theorems, entries, accepted = all_theorems(), report.load(), formal.record()
     for id, entry in entries.items():
-        entry["formal"] = said = accepted.get(id)
-        if said:
+        entry["formal"] = in_coq = accepted.get(id)
+        if in_coq:
             printed = statements(theorems[id])
-            said |= {"printed": {name: printed[name] for name in said["claims"]}, "when": formal.when()}
-        whole = formal.is_formal(theorems[id], said) and entry["grade"] in ("proved", "measured")
-        entry["shown"] = "formal" if whole else entry["grade"]
-        entry["word"] = f"Coq, {said['when']}" if whole else WORDS.get(kind(entry["shown"]), "")
+            in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
+        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in ("proved", "measured")
+        entry["shown"] = "formal" if formally else entry["grade"]
+        entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
 
 
 def proofs_of(app: Sphinx) -> Proofs:
-    """The build's Proofs, loaded when first asked for."""
+    """Return the build's Proofs, loaded when first asked for."""
     if not hasattr(app, "chapter_proofs"):
         app.chapter_proofs = load(Path(app.srcdir))
     return app.chapter_proofs
@@ -113,14 +113,14 @@ class Here:
         self.label, self.users = self.proofs.label, self.proofs.users
 
     def page(self, name: str) -> str:
-        """The address of a page, all of which stand beside each other."""
+        """Return the address of a page, all of which stand beside each other."""
         return "" if name == self.env.docname else f"{name}.html"
 
     def card(self, id: str) -> str:
         return f"{self.page(self.proofs.places[id])}#theorem-{id}"
 
     def legend(self) -> str:
-        """The address of what the badges mean."""
+        """Return the address of what the badges mean."""
         return f"{self.page(LEGEND[0])}#{LEGEND[1]}"
 
     def name(self, id: str) -> str:
@@ -129,11 +129,11 @@ class Here:
 
 
 def module_and_line(id: str) -> tuple[Path, int]:
-    """The file that declares a theorem, and the line before the one that names it."""
+    """Return the file that declares a theorem, and the line before the one that names it."""
     for path in sorted(THEOREMS.glob("[!_]*.py")):
         text = path.read_text(encoding="utf-8")
-        if found := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
-            return path, text.count("\n", 0, found.start()) + 1
+        if match := re.search(rf"Theorem\(\s+(id=)?[\"']{id}[\"']", text):
+            return path, text.count("\n", 0, match.start()) + 1
     raise ValueError(f"no file of {THEOREMS.name} writes out the id {id!r}")
 
 

@@ -47,7 +47,7 @@ def _edges(frame, step):
 @figure
 def binades() -> Drawing:
     """Sphere A with sine at six steps from 1e-16 to 1e-18, where binade after binade of u and v loses its slope."""
-    side, frames, found = CROP[2], [], {}
+    side, frames, numbers = CROP[2], [], {}
     fig = canvas(len(COLUMNS) * (side + GAP) - GAP, 2 * (TITLE + side) + GAP)
     for step, (left, top) in zip(STEPS, product(range(3), range(2)), strict=True):
         x, y = left * (side + GAP), top * (TITLE + side + GAP)
@@ -61,5 +61,5 @@ def binades() -> Drawing:
             ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
         frames.append(frame)
-        found[name] = lost(step)
-    return Drawing(fig, found, shown=frames)
+        numbers[name] = lost(step)
+    return Drawing(fig, numbers, shown=frames)

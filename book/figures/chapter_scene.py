@@ -48,8 +48,8 @@ def place(frame: Frame, u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndar
 
 def certified_numbers(frame: Frame) -> dict[str, float]:
     """Return the bounds of a frame, to two digits: their median on A, the largest; and how many pixels are open."""
-    found = {"median_on_a": np.median(frame.bounds[frame.stage.on_a]), "bound": frame.bounds.max()}
-    return {name: float(rounded_up(value, 2)) for name, value in found.items()} | {"open": np.count_nonzero(frame.open)}
+    ends = {"median_on_a": np.median(frame.bounds[frame.stage.on_a]), "bound": frame.bounds.max()}
+    return {name: float(rounded_up(value, 2)) for name, value in ends.items()} | {"open": np.count_nonzero(frame.open)}
 
 
 def averaged(picture: np.ndarray, times: int = FINE) -> np.ndarray:

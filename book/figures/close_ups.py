@@ -100,10 +100,10 @@ def pitfall_rim() -> Drawing:
 def pitfall_table() -> Drawing:
     """The slope h_u of ridges on a piece of the chart: by its formula, from a table, and the difference."""
     v, u = np.mgrid[0:192, 0:192] / 192 * 0.25 + 0.06
-    found = wall.slope("ridges", TEXELS, "bilinear", (u.ravel(), v.ravel())).reshape(u.shape)
+    table = wall.slope("ridges", TEXELS, "bilinear", (u.ravel(), v.ravel())).reshape(u.shape)
     right = gradient_at(Scene(), u, v, exact())[0]
-    grey = [np.repeat(np.uint8(np.clip(127 + 5 * each, 0, 255))[..., None], 3, axis=2) for each in (right, found)]
-    pictures = [*grey, difference_logarithmic(found - right, -2, 2)]
+    grey = [np.repeat(np.uint8(np.clip(127 + 5 * each, 0, 255))[..., None], 3, axis=2) for each in (right, table)]
+    pictures = [*grey, difference_logarithmic(table - right, -2, 2)]
     fig = panels(pictures, ("the formula's slope", f"from {TEXELS}² heights", "difference"))
     return Drawing(fig, {"texels": TEXELS})
 

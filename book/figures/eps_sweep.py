@@ -55,8 +55,8 @@ def _allowed(field):
 
     |Δg| ≤ hypot(bound of h_u, bound of h_v), by theorem difference_bounds, at the pixel of A where that is largest.
     """
-    scene, known = Scene(field=field), symbolic(field).data_on_a
-    of_slopes = (BOUNDS[field](known["u"], known["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
+    scene, data = Scene(field=field), symbolic(field).data_on_a
+    of_slopes = (BOUNDS[field](data["u"], data["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
     return steepest(scene).max() * abs(scene.beta) * np.array([np.hypot(*both).max() for both in of_slopes])
 
 
@@ -83,23 +83,23 @@ def image_error() -> Drawing:
     label_curve(axes[1], STEPS, largest, 1e-3, "largest", "difference", "above")
     label_curve(axes[1], STEPS, rms / 6, 3e-3, "RMS", "difference", "below")
     # Between which numbers the least over all steps lies, and the step where it was computed.
-    found = _curves("sine")["largest"]
+    differences = _curves("sine")["largest"]
     lower, upper = Interval(
-        *(min(getattr(each, end) for each in found) for end in ("value", "lower", "upper"))
+        *(min(getattr(each, end) for each in differences) for end in ("value", "lower", "upper"))
     ).outward()
     floor = {"from": lower, "to": upper, "eps": STEPS[drawn["sine"][0].argmin()]}
     return Drawing(fig, {"sine_largest": floor, "slack": slack})
 
 
-def _interval(row, what):
-    return Interval(row[what], row[f"{what}_lower"], row[f"{what}_upper"])
+def _interval(row, name):
+    return Interval(row[name], row[f"{name}_lower"], row[f"{name}_upper"])
 
 
 def slope_lost(eps: float) -> float:
     """Return the median relative error of h_u of sine over A where the difference has this step."""
-    found, right = (frame.surface_data["h_u"] for frame in (numeric("sine", eps=eps), symbolic("sine")))
+    computed, right = (frame.surface_data["h_u"] for frame in (numeric("sine", eps=eps), symbolic("sine")))
     on_a = symbolic("sine").stage.on_a & (right != 0)
-    return np.median(np.abs(found[on_a] / right[on_a] - 1))
+    return np.median(np.abs(computed[on_a] / right[on_a] - 1))
 
 
 @figure
@@ -109,8 +109,8 @@ def eps_table() -> Drawing:
     numbers = {}
     for row in rows:
         eps = f"1e{round(np.log10(row['eps']))}"
-        numbers |= {f"{what}_{eps}": row[what] for what in ("flips", "straddling")}
-        numbers |= {f"{what}_{eps}": _interval(row, what) for what in ("largest", "rms")}
+        numbers |= {f"{name}_{eps}": row[name] for name in ("flips", "straddling")}
+        numbers |= {f"{name}_{eps}": _interval(row, name) for name in ("largest", "rms")}
     frames, flips = flips_everywhere(scene, SIZE, SIZE)
     near, least = pixels_near_the_pole(scene, SIZE, SIZE)
     numbers |= {

@@ -81,7 +81,7 @@ def stability_wave_numbers() -> Drawing:
 def stability_totals() -> Drawing:
     """All sweeps together: points, escapes, the largest error in responses; numbers only."""
     swept = [sweep(name) for name in SWEEPS]
-    totals = {what: sum(getattr(each, what) for each in swept) for what in ("points", "escaped")}
+    totals = {count: sum(getattr(each, count) for each in swept) for count in ("points", "escaped")}
     sharpness = np.median([each.sharpness for each in swept])
     values, largest = sum(len(each.parameter) for each in swept), max(each.in_responses() for each in swept)
     numbers = {"all": totals, "sweeps": len(swept), "sharpness": sharpness, "values": values, "in_responses": largest}

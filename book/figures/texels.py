@@ -26,8 +26,8 @@ def frontier_wall() -> Drawing:
     numbers, at = {"slope": np.pi * wall.KU, "points": wall.POINTS}, wall.TEXELS.index(AT)
     for field, kind in product(FIELDS, ("bilinear", "cubic")):
         largest, rms = wall.errors(field, kind)
-        found = {"order": wall.order(largest), "rms_order": wall.order(rms), AT: largest[at]}
-        numbers |= {f"{field}_{kind}_{name}": number for name, number in found.items()}
+        results = {"order": wall.order(largest), "rms_order": wall.order(rms), AT: largest[at]}
+        numbers |= {f"{field}_{kind}_{name}": number for name, number in results.items()}
     # The central difference's error is ε²/6 of the third derivative.
     numbers["as_step"] = np.sqrt(6 * numbers[f"sine_bilinear_{AT}"] / numbers["slope"] ** 3)
     return Drawing(numbers=numbers)

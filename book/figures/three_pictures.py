@@ -88,7 +88,7 @@ def stacked_pictures() -> Drawing:
     plain, mean = (stacking.stacked(SCENE, many, many, SHOWN) for many in (1, MANY))
     pictures = [to_bytes(plain.picture), to_bytes(mean.picture), difference_logarithmic(mean.difference, LOW, HIGH)]
     titles = ("one point, one sample", "a lamp, many samples", "numeric − symbolic")
-    found = {
+    comparisons = {
         f"{field}_{name}": stacking.stacked(Scene(field=field), **samples)
         for field in ("ridges", "sine")
         for name, samples in WAYS.items()
@@ -101,9 +101,9 @@ def stacked_pictures() -> Drawing:
         "half": stacking.HALF,
         "mirror_apart": apart,
         "mirrored": mirrored,
-        "largest_share": max(both.of_the_bound for both in found.values()),
-        "flips": sum(both.flips for both in found.values()),
+        "largest_share": max(both.of_the_bound for both in comparisons.values()),
+        "flips": sum(both.flips for both in comparisons.values()),
     }
     return Drawing(
-        panels(pictures, titles, (LOW, HIGH)), numbers | {name: {"rms": both.rms} for name, both in found.items()}
+        panels(pictures, titles, (LOW, HIGH)), numbers | {name: {"rms": both.rms} for name, both in comparisons.items()}
     )

@@ -53,10 +53,10 @@ def u_curve() -> Drawing:
 
 def _best(representable):
     """Return (proved, measured), each the steps and the floors of all wave numbers."""
-    proved, seen = (np.array([best(k, representable) for k in WAVE_NUMBERS]).T for best in (predicted, measured))
-    if (seen[1] > proved[1]).any():
+    proved, reached = (np.array([best(k, representable) for k in WAVE_NUMBERS]).T for best in (predicted, measured))
+    if (reached[1] > proved[1]).any():
         raise ValueError("a measured floor is above the proved one")
-    return proved, seen
+    return proved, reached
 
 
 @figure
@@ -64,10 +64,10 @@ def best_step() -> Drawing:
     """The best step of the central difference of sine and the floor it leaves, for k from 1 to 512."""
     fig, axes = plot("page", 3.7, ncols=2)
     for trick, role, marker, text in ((False, "numeric", "o", "ε as given"), (True, "symbolic", "s", "(u + ε) − u")):
-        for ax, proved, seen in zip(axes, *_best(trick), strict=True):
+        for ax, proved, reached in zip(axes, *_best(trick), strict=True):
             curve(ax, WAVE_NUMBERS, proved, "bound", label=f"{text}, proved")
-            dots(ax, WAVE_NUMBERS, seen, role, 4.5, marker, text)
-            label_line_end(ax, WAVE_NUMBERS[-1], seen[-1], text, role)
+            dots(ax, WAVE_NUMBERS, reached, role, 4.5, marker, text)
+            label_line_end(ax, WAVE_NUMBERS[-1], reached[-1], text, role)
     for ax, title in zip(axes, ("best step", "error it leaves"), strict=True):
         decades(ax, xlabel="wave number $k_u$", ylabel=title)
     numbers = {"exact": {512: GENERAL_GRADIENT * UNIT * np.pi * 512}, "gain": {k: gain(k) for k in (8, 512)}}
@@ -83,24 +83,24 @@ ROUNDOFF = 1e-9  # below it rounding rules in every case
 @cache
 def below(case: Case) -> tuple[Curves, Curves]:
     """Return (the parts of a case's errors, their bounds); ValueError if any point is above its bound."""
-    found, limits = parts(case), bounds(case)
-    out = {part: count for part, count in escapes(found, limits).items() if count}
+    errors, limits = parts(case), bounds(case)
+    out = {part: count for part, count in escapes(errors, limits).items() if count}
     if out:
         raise ValueError(f"{case.name}: above the proved bound: {out} of {len(STEPS)} points")
-    return found, limits
+    return errors, limits
 
 
 @figure
 def u_curve_parts() -> Drawing:
     """The three parts of the error of h_u of sine at a steep point, against the step, and their proved bounds."""
-    found, limits = below(STEEP)
+    errors, limits = below(STEEP)
     fig, ax = plot(height=4.6)
     for part, role, marker, text, side, at, times in (
         ("truncation", "reference", ".", "truncation", "right", 1e-10, 1),
         ("argument rounding", "difference", "x", "rounded $u ± ε$", "right", 1e-12, 30),
         ("roundoff", "symbolic", "+", "rounded evaluation", "below", 1e-13, 1e-5),
     ):
-        error, bound = np.abs(found[part][::2]), limits[part]  # half of the points that are tested, but for zeros
+        error, bound = np.abs(errors[part][::2]), limits[part]  # half of the points that are tested, but for zeros
         dots(ax, STEPS[::2][error > 0], error[error > 0], role, 2.4, marker, part)
         curve(ax, STEPS, bound, "bound", label=f"{part}, proved", linewidth=0.9)
         label_curve(ax, STEPS, times * bound, at, text, role, side)
@@ -109,7 +109,7 @@ def u_curve_parts() -> Drawing:
     curve(ax, best.step, best.floor, "ink", marker="v", markersize=6)
     label_line_end(ax, best.step, 20 * best.floor, "floor, proved", "ink", "above")
     branch = (STEPS < 1e-3) & (STEPS > 1e-7)
-    slope, least = fitted_slope(STEPS[branch], np.abs(found["truncation"])[branch]), np.abs(found["total"]).min()
+    slope, least = fitted_slope(STEPS[branch], np.abs(errors["truncation"])[branch]), np.abs(errors["total"]).min()
     numbers = {"slope": slope, "least": least, "floor": best.floor, "best_eps": best.step, "u": STEEP.u, "v": STEEP.v}
     return Drawing(fig, numbers)
 
@@ -117,7 +117,7 @@ def u_curve_parts() -> Drawing:
 @figure
 def u_curve_margins() -> Drawing:
     """The measured error over its proved bound, at every step and in all places; numbers only."""
-    shares = np.array([np.abs(found["total"]) / limits["total"] for found, limits in map(below, CASES)])
+    shares = np.array([np.abs(errors["total"]) / limits["total"] for errors, limits in map(below, CASES)])
     rounding = shares[:, STEPS < ROUNDOFF]
     numbers = {
         "points": shares.size,

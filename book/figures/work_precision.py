@@ -35,9 +35,9 @@ def work_precision_figure(record: dict) -> Drawing:
     rows, measured = record["gradients"], record["label"]
     fig, ax = plot("page", height=5.6)
     drawn = [row for row in rows if row["error"] >= SMALLEST]
-    for name, own in groupby(drawn, lambda row: row["method"]):
-        first, *_ = own = list(own)
-        points, differs = np.array([(row["ns"], row["error"]) for row in own]), name in DIFFERENCES
+    for name, of_method in groupby(drawn, lambda row: row["method"]):
+        first, *_ = of_method = list(of_method)
+        points, differs = np.array([(row["ns"], row["error"]) for row in of_method]), name in DIFFERENCES
         role = "symbolic" if first["ours"] else "numeric" if differs else "ink"
         curve(ax, *points.T, role, label=name, linestyle=DIFFERENCES.get(name, "-"), marker="" if differs else "o")
         if name in LABELS:

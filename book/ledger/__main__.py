@@ -13,7 +13,7 @@ from book.ledger.entries import VERDICTS
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The exit status: 0 when the ledger stands, 1 when it does not."""
+    """Return the exit status: 0 when the ledger stands, 1 when it does not."""
     argparse.ArgumentParser(prog="python -m book.ledger", description=__doc__.splitlines()[0]).parse_args(arguments)
     try:
         ledger, _ = standing()

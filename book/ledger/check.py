@@ -34,7 +34,7 @@ class Run:
 
 
 def last_run() -> Run:
-    """The last run over the sources as they are; raises report.NoReport where there is none."""
+    """Return the last run over the sources as they are; raises report.NoReport where there is none."""
     book = PROJECT.pages
     return Run(
         entries=report.load(),
@@ -52,14 +52,14 @@ def node_exists(node: str) -> bool:
 
 @cache
 def tests_in(path: Path) -> dict[str, int]:
-    """The tests of a file, and the line where each begins."""
+    """Return the tests of a file, and the line where each begins."""
     body = ast.parse(path.read_text(encoding="utf-8")).body if path.is_file() else ()
     functions = (node for node in body if isinstance(node, ast.FunctionDef))
     return {node.name: node.lineno for node in functions if node.name.startswith("test")}
 
 
 def standing() -> tuple[Ledger, Run]:
-    """The ledger, and the last run, which bears it out; raises BadLedger or NoReport."""
+    """Return the ledger, and the last run, which bears it out; raises BadLedger or NoReport."""
     ledger, run = load(), last_run()
     if faults := faults_in(ledger, run):
         raise BadLedger(faults)
@@ -67,7 +67,7 @@ def standing() -> tuple[Ledger, Run]:
 
 
 def faults_in(ledger: Ledger, run: Run) -> list[str]:
-    """Every fault, one line each: the entry, the field, what is wrong."""
+    """Return every fault, one line each: the entry, the field, what is wrong."""
     of_claims = [f"{c.file}: {c.id}: {fault}" for c in ledger.claims for fault in _claim(c, ledger, run)]
     return [*ledger.faults, *of_claims, *(() if ledger.faults else _orphans(ledger, run))]
 
@@ -83,9 +83,9 @@ def refutes(piece: Evidence, run: Run) -> bool:
 
 def _claim(claim: LedgerClaim, ledger: Ledger, run: Run) -> Iterator[str]:
     place = claim.where.removeprefix("seed:")
-    known, what = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
-    if place and place not in known:
-        yield f"where: {place!r} is no {what}; there are: {', '.join(known)}"
+    allowed, kind = (ledger.places, "place of the seed") if claim.of_seed else (sorted(run.pages), "page")
+    if place and place not in allowed:
+        yield f"where: {place!r} is no {kind}; there are: {', '.join(allowed)}"
     broken = [f"evidence {piece.name}: {why}" for piece in claim.evidence if (why := _odd(piece, run))]
     yield from broken or _verdict(claim, run)
 

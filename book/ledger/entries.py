@@ -113,14 +113,14 @@ class Ledger:
     faults: tuple[str, ...] = ()
 
     def get(self, id: str) -> LedgerClaim:
-        """The claim of an id; BadLedger if there is none."""
+        """Return the claim of an id; BadLedger if there is none."""
         for claim in self.claims:
             if claim.id == id:
                 return claim
         raise BadLedger([f"{id!r}: no claim has this id"])
 
     def sorted_by_place(self) -> list[LedgerClaim]:
-        """The seed's claims in the order of its places, then the book's by page."""
+        """Return the seed's claims in the order of its places, then the book's by page."""
         order = {f"seed:{place}": number for number, place in enumerate(self.places)}
         sections = PROJECT.sections  # before the other pages
         return sorted(self.claims, key=lambda c: (order.get(c.where, len(order)), c.where not in sections, c.where))
@@ -143,7 +143,7 @@ def load(folder: Path = FOLDER) -> Ledger:
 
 
 def _read(path: Path, kind: str, faults: list[str]) -> dict:
-    """A file's content; what is wrong with it is added to the faults."""
+    """Return a file's content; what is wrong with it is added to the faults."""
     try:
         content = table_in(path)
     except tomllib.TOMLDecodeError as error:
@@ -164,8 +164,8 @@ def _faults(kind: str, table: dict, name: str) -> Iterator[tuple[str, Any]]:
 
 
 def _claim(table: dict) -> LedgerClaim:
-    known = table.keys() & LedgerClaim.__annotations__
-    texts = {field: " ".join(table[field].split()) for field in known if isinstance(table[field], str)}
+    names = table.keys() & LedgerClaim.__annotations__
+    texts = {field: " ".join(table[field].split()) for field in names if isinstance(table[field], str)}
     return LedgerClaim(
         **texts, findings=tuple(table.get("findings", ())), evidence=tuple(map(_evidence, table.get("evidence", ())))
     )

@@ -13,21 +13,21 @@ RELEASES = stamps.ROOT / "releases"
 
 
 def versions() -> list[str]:
-    """The versions that have a record, the oldest first."""
+    """Return the versions that have a record, the oldest first."""
     return sorted((path.stem for path in RELEASES.glob("*.json")), key=Version)
 
 
 def before(version: str) -> str:
-    """The release to compare with: the newest older one, or the version's own first record. Refused if none is."""
-    known = versions()
-    older = [other for other in known if Version(other) < Version(version)]
-    if not older and version not in known:
+    """Return the release to compare with: the newest older one, or the version's own first record. Raises Refused."""
+    recorded = versions()
+    older = [other for other in recorded if Version(other) < Version(version)]
+    if not older and version not in recorded:
         raise stamps.Refused(f"releases/ has no release up to {version}: make release writes the first")
     return older[-1] if older else version
 
 
 def read(version: str) -> dict:
-    """A release's record. Refused if it is missing."""
+    """Return a release's record. Refused if it is missing."""
     path = RELEASES / f"{version}.json"
     if not path.is_file():
         raise stamps.Refused(f"there is no release {version}; there are: {', '.join(versions()) or 'none'}")

@@ -52,6 +52,6 @@ def release() -> int:
 
 
 def all_numbers(of: dict) -> dict[str, dict]:
-    """The numbers of a record's figures and of its measurements, by their names."""
+    """Return the numbers of a record's figures and of its measurements, by their names."""
     measured = (numbers for result in of["measured"].values() for numbers in result["numbers"].items())
     return of["numbers"] | dict(measured)

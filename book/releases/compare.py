@@ -47,7 +47,7 @@ def standing(theorem: dict) -> tuple[int, int]:
 
 
 def grade_words(theorem: dict) -> str:
-    """The grade as it is read: "proved, given DLMF"."""
+    """Return the grade as it is read: "proved, given DLMF"."""
     return theorem["grade"] + (f", given {', '.join(theorem['given'])}" if theorem["given"] else "")
 
 

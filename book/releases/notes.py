@@ -14,7 +14,7 @@ PICTURES = ("changed", "removed", "added")
 
 
 def section(version: str) -> str:
-    """The text under "## VERSION", to the next heading of that level; Refused if there is no such heading."""
+    """Return the text under "## VERSION", to the next heading of that level; Refused if there is no such heading."""
     text = CHANGELOG.read_text(encoding="utf-8")
     match = re.search(rf"^## {re.escape(version)}(?![\w.]).*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
     if match is None:
@@ -30,14 +30,14 @@ def names(id: str, text: str) -> bool:
 
 
 def unnamed(changes: Sequence[Change], changelog: str) -> list[Change]:
-    """The changes that have to be named in the changelog's section and are not."""
+    """Return the changes that have to be named in the changelog's section and are not."""
     return [change for change in changes if change.must_be_named and not names(change.id, changelog)]
 
 
 def written(
     title: str, mathematics: Sequence[Change], numbers: Sequence[Change], pictures: Sequence[Change], missing: Sequence
 ) -> str:
-    """The notes: the mathematics, the numbers, the pictures; at the end what the changelog has to name."""
+    """Return the notes: the mathematics, the numbers, the pictures; at the end what the changelog has to name."""
     parts = [f"# {title}"]
     changed = {"Theorems": (mathematics, THEOREMS), "Numbers": (numbers, NUMBERS), "Pictures": (pictures, PICTURES)}
     for heading, (changes, kinds) in changed.items():

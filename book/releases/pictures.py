@@ -10,7 +10,7 @@ CANVAS = "picture_0"  # all of a figure's pictures side by side; no data and no 
 
 
 def arrays_of(path: Path) -> dict[str, np.ndarray]:
-    """The arrays of a file of data, drawn or archived: {CANVAS: (height, width, 4) uint8} of pictures, or all."""
+    """Return the arrays of a file of data: {CANVAS: (height, width, 4) uint8} of pictures, or else all."""
     if path.suffix in (".png", ".webp"):
         with Image.open(path) as image:
             return {CANVAS: np.asarray(image.convert("RGBA"))}
@@ -34,7 +34,7 @@ def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
 
 
 def archived(folder: Path, id: str) -> Path:
-    """The file in which a release's folder keeps a picture."""
+    """Return the file in which a release's folder keeps a picture."""
     return folder / f"{id}.webp"
 
 
@@ -45,7 +45,7 @@ def archive(data: Path, target: Path) -> None:
 
 
 def digest(arrays: dict[str, np.ndarray]) -> str:
-    """The SHA-256 of arrays: their names, kinds, shapes and values."""
+    """Return the SHA-256 of arrays: their names, kinds, shapes and values."""
     hashed = hashlib.sha256()
     for name, array in arrays.items():
         hashed.update(f"{name} {array.dtype.str} {array.shape}\n".encode())

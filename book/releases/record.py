@@ -25,7 +25,7 @@ def version() -> str:
 
 
 def make() -> dict:
-    """The record of what is built now. NoReport if the theorems' report is missing or stale."""
+    """Return the record of what is built now. NoReport if the theorems' report is missing or stale."""
     paths = [path for path in sorted(GENERATED.glob("*.json")) if path.name != report.REPORT.name]
     figures = [stamps.table_in(path) for path in paths]
     return {
@@ -60,13 +60,13 @@ def _measured(path: Path) -> dict:
 
 
 def _picture(figure: dict) -> dict[str, str]:
-    """The name of a picture's file of data, and the digest of its pixels or of the curves that it has."""
+    """Return the name of a picture's file of data, and the digest of its pixels or of the curves that it has."""
     return {"data": figure["data"], "content": digest(arrays_of(GENERATED / figure["data"]))}
 
 
 @cache
 def rules(path: Path = RULES) -> dict:
-    """The file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
+    """Return the file of rules; ValueError where a rule lacks its reason or its tolerance is not a number ≥ 0."""
     content = stamps.table_in(path)
     for rule in content["rule"]:
         if not rule.get("why", "").strip():
@@ -77,7 +77,7 @@ def rules(path: Path = RULES) -> dict:
 
 
 def tolerance(name: str, value: int | float | str) -> float | str:
-    """The tolerance of a number: relative, 0 for exact, "any" for a label."""
+    """Return the tolerance of a number: relative, 0 for exact, "any" for a label."""
     for rule in rules()["rule"]:
         if any(fnmatchcase(name, pattern) for pattern in rule["numbers"]):
             if rule["within"] == float("inf"):

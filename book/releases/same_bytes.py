@@ -21,7 +21,7 @@ def files_of(folder: Path) -> dict[str, Path]:
 
 
 def differences(one: Path, other: Path) -> list[str]:
-    """A line for each file that is in one folder alone or differs; ValueError where there is nothing to compare."""
+    """Return a line for each file that is in one folder alone or differs; ValueError where one has no files."""
     here, there = files_of(one), files_of(other)
     if not here or not there:
         raise ValueError(f"{one if not here else other} has no files: nothing was built there")
@@ -30,8 +30,8 @@ def differences(one: Path, other: Path) -> list[str]:
         first, second = here[name].read_bytes(), there[name].read_bytes()
         if first != second:
             at = len(commonprefix([first, second]))  # noqa: RUF071
-            seen = slice(max(0, at - AROUND), at + AROUND)
-            lines.append(f"{name}: differs from byte {at} on: {first[seen]!r} and {second[seen]!r}")
+            window = slice(max(0, at - AROUND), at + AROUND)
+            lines.append(f"{name}: differs from byte {at} on: {first[window]!r} and {second[window]!r}")
     return sorted(lines)
 
 
@@ -46,7 +46,7 @@ def clone(root: Path, target: Path) -> None:
 
 
 def elsewhere(folder: Path) -> Mapping[str, str]:
-    """An environment that differs from ours where a build must not depend on it: home, time zone, hash seed, caches."""
+    """Return an environment with another home, time zone, hash seed and caches, on which no build may depend."""
     home = folder / "another home"
     home.mkdir()
     unwanted = ("XDG_", "MPLCONFIGDIR", "PYTHONPATH", "IPYTHONDIR", "JUPYTER_")

@@ -85,7 +85,7 @@ class Project(NamedTuple):
             raise SystemExit(f"no {FILE} here or above has a table [tool.symbolic-book]: nothing is written")
 
     def folder(self, package: str) -> Path:
-        """Return the folder of one of its packages."""
+        """Return the folder of a package of the project, by its dotted name."""
         return self.root.joinpath(*package.split("."))
 
 

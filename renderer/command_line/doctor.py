@@ -8,9 +8,8 @@ import numpy as np
 
 import renderer
 from renderer.machines import kept_code, machine
-from renderer.scene.methods import exact
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import want_of
+from renderer.shader.numbers import Shot
 from renderer.threads import available_cores
 
 EXTRAS = {"plot": "matplotlib", "tiff": "tifffile", "dask": "distributed", "checker": "python-flint"}
@@ -38,7 +37,7 @@ def _machine():
     from renderer.machines.native import host_lanes
 
     version = ".".join(map(str, llvm.llvm_version_info))
-    lanes = host_lanes(want_of(Scene(), exact()))
+    lanes = host_lanes(Shot(Scene()).want)
     return [
         ("llvmlite", f"{metadata.version('llvmlite')} (LLVM {version})"),
         ("machine", f"llvm: {llvm.get_host_cpu_name()}, {lanes} pixels at a time in the default scene"),

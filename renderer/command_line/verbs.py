@@ -30,6 +30,7 @@ from renderer.picture.stream import stream
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
+from renderer.shader.numbers import Shot
 from renderer.threads import checked_threads
 from renderer.whole_files import checked_target, named
 
@@ -44,12 +45,11 @@ def draw_image(options: Namespace) -> None:
     if bounds and bounds.resolve() == target.resolve():
         raise not_allowed("bounds", options.bounds, "another file than --out")
     if options.again is not None:
-        scene, method, raster = _drawn_again(options)
+        shot = _drawn_again(options)
     else:
-        scene, method = scene_of(options), method_of(options)
-        raster = Raster(*size_of(options, options.size), options.crop)
-    picture, more = (scene, raster.width, raster.height), {"gradient": method, "crop": raster.crop}
-    more["threads"] = options.threads
+        shot = Shot(scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop))
+    picture = shot.scene, shot.raster.width, shot.raster.height
+    more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
     if target.suffix.lower() == ".npy":
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
@@ -70,17 +70,17 @@ def draw_image(options: Namespace) -> None:
 
 
 def _drawn_again(options):
-    """Return the scene, the method and the raster of a picture's file; say where another version or machine drew it."""
+    """Return the Shot of a picture's file; say where another version or machine drew it."""
     of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
     beside = vars(options).keys() & of_scene
     beside |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
     if beside:
         raise not_allowed("again", options.again, f"no --{min(beside).replace('_', '-')} beside it")
-    old = record.read(options.again)
-    for name, then, now in (("version", old.version, renderer.__version__), ("machine", old.machine, machine().NAME)):
+    shot, version, drawn_by = record.read(options.again)
+    for name, then, now in (("version", version, renderer.__version__), ("machine", drawn_by, machine().NAME)):
         if then != now:
             print(f"{options.again} was drawn by {name} {then}; this is {now}", file=sys.stderr)
-    return old[:3]
+    return shot
 
 
 def _checked_out(out):

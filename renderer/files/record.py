@@ -6,7 +6,6 @@ import zlib
 from dataclasses import asdict
 from os import SEEK_END
 from pathlib import Path
-from typing import NamedTuple
 from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile
 
 from renderer.checks import check_kind
@@ -16,35 +15,26 @@ from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.scene.text import LARGEST, distrusted, read_json
+from renderer.shader.numbers import Shot
 
 MEMBER = "record.json"  # of an NPZ, beside its arrays
 NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
 
 
-class Drawing(NamedTuple):
-    """A scene, the gradient method and the raster; read from a file, also the version and the machine that drew it."""
-
-    scene: Scene
-    method: GradientMethod
-    raster: Raster
-    version: str = ""
-    machine: str = ""
-
-
-def text_of(drawing: Drawing) -> str:
+def text_of(shot: Shot) -> str:
     """Return the record, ASCII; nothing where a field or a model of one's own has no text."""
     from renderer.version import __version__  # which takes a while where it is installed
 
     try:
-        scene = drawing.scene.as_record()
+        scene = shot.scene.as_record()
     except ValueError:
         return ""
     made_by = {"version": __version__, "machine": machine().NAME}
-    return json.dumps(made_by | asdict(drawing.raster) | {"gradient": asdict(drawing.method), "scene": scene})
+    return json.dumps(made_by | asdict(shot.raster) | {"gradient": asdict(shot.method), "scene": scene})
 
 
-def read(path: str | Path) -> Drawing:
-    """Return the Drawing of a PNG or an NPZ. Nothing in it is run.
+def read(path: str | Path) -> tuple[Shot, str, str]:
+    """Return the Shot of a PNG or an NPZ, and the version and the machine that drew it. Nothing in it is run.
 
     Raises ValueError of one sentence unless the file carries one whole record.
     """
@@ -68,7 +58,7 @@ def read(path: str | Path) -> Drawing:
         if not all(isinstance(name, str) and len(name) < 100 and name.isprintable() for name in made_by):
             raise ValueError("no version and machine")
         raster = Raster(record["width"], record["height"], record["crop"])
-        return Drawing(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster, *made_by)
+        return Shot(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster), *made_by
 
 
 def _of_png(path):

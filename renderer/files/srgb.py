@@ -31,7 +31,7 @@ def _level(linear):
 
 @cache
 def tables() -> tuple[np.ndarray, np.ndarray]:
-    """Return (where each byte from 1 to 255 begins, float64; the byte of each cell, uint16, or that and BEGINS)."""
+    """Return (the least float64 of each byte from 1 to 255; each cell's byte, uint16, + BEGINS where one begins)."""
     begins = thresholds(_level)
     low, high = (begins.searchsorted((np.arange(CELLS + 1) + end) / CELLS, "right") for end in (-0.5, 0.5))
     return begins, np.where(low == high, low, low + BEGINS).astype(np.uint16)

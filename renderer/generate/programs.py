@@ -19,7 +19,7 @@ from proofs.formulas import (
 )
 from proofs.formulas.chart import chart, chart_radians
 from proofs.formulas.height_fields import HeightField
-from proofs.formulas.symbols import h_v, k_u, k_v, mu, x, y
+from proofs.formulas.symbols import epsilon, h_v, k_u, k_v, mu, x, y
 
 ELEMENTARY = {
     "two_product": elementary.two_product,
@@ -67,13 +67,15 @@ KERNELS = (
     shading.light_term,
     shading.clip,
 )
+STEP = {epsilon: real("eps")}
+"""ε by the name that it has from the command line on; formulas and statements spell it out."""
 
 
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
     by_method: dict[str, Program] = {}
     for method, difference in finite_difference.METHODS.items():
-        program = difference(height_fields.ANY_FIELD)
+        program = difference(height_fields.ANY_FIELD).at(STEP)
         by_method |= {method: program, f"{method}_in_v": program.keep(h_v)}
     return by_method
 
@@ -95,7 +97,7 @@ def field_programs(field: HeightField) -> dict[str, Program]:
         "height": height_fields.height(field),
         "gradient": height_fields.gradient(field),
         "kink": creases.kink_flag(field),
-        "straddling": creases.straddling(field),
+        "straddling": creases.straddling(field).at(STEP),
     }
     if field.wave_numbers:
         waves = real("a b")

@@ -179,7 +179,7 @@ class Enclosed(Bounded):
         return size, self.stays_exact
 
     def inverse(self) -> Any:
-        """Return 1/|b| of the smallest b within the bound, infinite if that may be 0."""
+        """Return a bound of 1/|b| for every b within the bound of this number: infinite where b may be 0."""
         if is_zero(self.error):
             return 1.0 / abs(self.value)
         least = abs(self.value) - self.bound

@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from renderer.checks import check_kind, check_truth, not_allowed
+from renderer.checks import check_truth, not_allowed
 from renderer.picture.frame import Frame
-from renderer.picture.stage import Stage, shading_of
-from renderer.scene.methods import GradientMethod, checked_method, exact
+from renderer.picture.stage import Stage
+from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Crop, Raster
 from renderer.scene.scene import Scene
+from renderer.shader.numbers import EXACT, Shot
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -23,8 +24,9 @@ def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, th
     >>> bool((flat.rgb == bumped.rgb)[~stage.on_a].all()), int(stage.on_a.sum())
     (True, 115)
     """
-    stage = Stage(scene, Raster(width, height, crop))
-    stage.draw(scene, exact(), checked_threads(threads), {}, colors=False)
+    shot = Shot(scene, raster=Raster(width, height, crop))
+    stage = Stage(shot)
+    stage.draw(shot, checked_threads(threads), {}, colors=False)
     return stage
 
 
@@ -55,36 +57,34 @@ def render(
     >>> bool((symbolic.chambers == numeric.chambers).all()), bool((symbolic.rgb == numeric.rgb).all())
     (True, False)
     """
-    method = checked_method("gradient", gradient if gradient is not None else exact())
-    check_kind("scene", scene, Scene)
-    bounds = check_truth("bounds", bounds)
-    raster, threads = Raster(width, height, crop), checked_threads(threads)
-    if stage is not None and not (isinstance(stage, Stage) and stage.serves(scene, raster)):
+    shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
+    bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
+    if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
-    fits = isinstance(into, Frame) and stage is into.stage and shading_of(scene) == shading_of(into.scene)
+    fits = isinstance(into, Frame) and stage is into.stage and shot.shading == into.shot.shading
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
     complete = bounds or stage is None
-    stage = Stage(scene, raster) if stage is None else stage
+    stage = Stage(shot) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
     named, enclosure = dict(zip(COLORS, planes, strict=True)), None
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
     if complete:
-        counts = stage.draw(scene, method, threads, named, bounds=bounds)
+        counts = stage.draw(shot, threads, named, bounds=bounds)
     else:
-        counts = _draw_on(stage, scene, method, threads, named, None if into else planes)
-    return Frame(scene, method, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure)
+        counts = _draw_on(stage, shot, threads, named, None if into else planes)
+    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure)
 
 
-def _draw_on(stage, scene, method, threads, named, fresh):
+def _draw_on(stage, shot, threads, named, fresh):
     """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
     copy, counts = None, 0
     if fresh is not None:
-        rest, counts = stage.elsewhere(scene, method, threads)
+        rest, counts = stage.elsewhere(shot, threads)
 
         def copy(rows):
             fresh[:, rows] = rest[:, rows]
 
-    return counts + stage.draw(scene, method, threads, named, copy, chambers_known=True, surfaces="a")
+    return counts + stage.draw(shot, threads, named, copy, chambers_known=True, surfaces="a")

@@ -9,7 +9,7 @@ import numpy as np
 
 from renderer.checks import check_whole, not_allowed
 from renderer.files import pictures
-from renderer.files.record import Drawing, text_of
+from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import machine
@@ -18,7 +18,7 @@ from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import read_only, way_of
+from renderer.shader.numbers import Shot, read_only
 from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
 
@@ -29,7 +29,7 @@ class Frame:
 
     rgb: (height, width, 3) float64, linear light in [0, 1], row 0 at the top (a view of three planes).
     planes: the same, (3, height, width). chambers: (height, width) uint8, see `renderer.picture.stage.Stage`.
-    scene, raster, method, stage: its origin.
+    scene, raster, method, or all three as the `shot`, and stage: its origin.
 
     >>> from renderer import Scene, render
     >>> frame = render(Scene(), 16, 16, bounds=True)
@@ -39,17 +39,26 @@ class Frame:
     (115, ['h', 'h_u', 'h_v', 'kink', 'slope', 'u', 'v'])
     """
 
-    scene: Scene
-    method: GradientMethod
+    shot: Shot
     stage: Stage
     _planes: np.ndarray | None
     _counts: dict[str, int]
     _enclosure: tuple[np.ndarray, np.ndarray] | None = None
 
     @property
+    def scene(self) -> Scene:
+        """The scene of the picture."""
+        return self.shot.scene
+
+    @property
+    def method(self) -> GradientMethod:
+        """The method of its gradient."""
+        return self.shot.method
+
+    @property
     def raster(self) -> Raster:
-        """The raster of the stage."""
-        return self.stage.raster
+        """The raster that it is drawn on."""
+        return self.shot.raster
 
     @cached_property
     def work(self) -> dict[str, Any]:
@@ -61,7 +70,7 @@ class Frame:
         """
         codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
         _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
-        field, way = way_of(self.scene, self.method)
+        ((field, way),) = self.shot.want.ways
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
         gradients = self._counts["gradient_evaluations"]
         return self._counts | {
@@ -112,7 +121,7 @@ class Frame:
 
     def _record(self):
         """Return the text by which the picture can be drawn again."""
-        return text_of(Drawing(self.scene, self.method, self.raster))
+        return text_of(self.shot)
 
     def save(self, path: str | Path) -> None:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
@@ -176,8 +185,16 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = self.stage.new_plane(channels=len(ON_A))
-        drawn = replace(self.scene, beta=1.0), self.method, 1, dict(zip(ON_A, planes, strict=True))
-        self.stage.draw(*drawn, chambers_known=True, surfaces="a", colors=False, stored=ON_A)
+        bumped = replace(self.shot, scene=replace(self.scene, beta=1.0))
+        self.stage.draw(
+            bumped,
+            1,
+            dict(zip(ON_A, planes, strict=True)),
+            chambers_known=True,
+            surfaces="a",
+            colors=False,
+            stored=ON_A,
+        )
         on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
         read_only(on_a)
         return on_a

@@ -13,7 +13,7 @@ from renderer.picture.stage import SURFACE_BITS
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
-from renderer.shader.numbers import FIRST_LIGHT_BIT, want_of
+from renderer.shader.numbers import FIRST_LIGHT_BIT
 from renderer.shader.shader import COLORS, Group
 
 SURFACES = ("none", "A", "B", "floor")
@@ -97,9 +97,9 @@ def _floats(numbers):
 @np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
-    job = frame.stage.job(frame.scene, frame.method, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
-    want = want_of(frame.scene, frame.method, chambers_known=True)
-    want = want._replace(lights=tuple((model, style.replace("diffuse", "base")) for model, style in want.lights))
+    job = frame.stage.job(frame.shot, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
+    ((model, style),) = frame.shot.want.lights
+    want = frame.shot.want._replace(chambers_known=True, lights=((model, style.replace("diffuse", "base")),))
     machine, numbers = Rows(want.shader, job["lights"]), of_form(want.shader.scene, job["scene"])
     group = _WrittenDown(machine, numbers, want, Block(job, slice(1)))
     group.draw()

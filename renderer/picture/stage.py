@@ -12,12 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_kind, not_allowed
+from renderer.checks import not_allowed
 from renderer.machines import Job, compiling, machine
-from renderer.scene.methods import GradientMethod
-from renderer.scene.raster import Raster
-from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene, geometry_of
-from renderer.shader.numbers import numbers_of, reach_of_a, read_only, want_of
+from renderer.shader.numbers import Shot, numbers_of, reach_of_a, read_only
 from renderer.shader.shader import COLORS
 from renderer.threads import run_bands
 
@@ -72,25 +69,23 @@ def band_rows(rows: int, columns: int) -> int:
 
 
 class Stage:
-    """The chambers of a scene on a raster, shared by every gradient method, field, β and ε.
+    """The chambers of a shot, shared by every gradient method, field, β and ε.
 
     chambers: (height, width) uint8. Bits 0–1 are the surface (0 none, 1 A, 2 B, 3 floor), bit 2 + i says that light i
     is occluded by another body (0 for a light that is off), bit 7 that the floor square is dark. x: (width,) image
     points of the columns, y: (height,) of the rows. Frames share all of these: they are read-only.
     """
 
-    def __init__(self, scene: Scene, raster: Raster):
+    def __init__(self, shot: Shot):
         """Prepare the planes; they are filled by drawing. Raises ValueError on more than 2**28 drawn pixels."""
-        check_kind("scene", scene, Scene)
-        check_kind("raster", raster, Raster)
-        drawn = raster.shape[0] * raster.shape[1]
-        if drawn > MAX_DRAWN:
-            raise not_allowed("width * height", drawn, f"at most {MAX_DRAWN} drawn pixels")
-        self.geometry, self.raster = geometry_of(scene), raster
-        self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, raster)
-        self.x = self._x[: raster.shape[1]]
+        self.geometry, self.raster = shot.geometry, shot.raster
+        rows, columns = self.raster.shape
+        if rows * columns > MAX_DRAWN:
+            raise not_allowed("width * height", rows * columns, f"at most {MAX_DRAWN} drawn pixels")
+        self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, self.raster)
+        self.x = self._x[:columns]
         self._codes = self.new_plane(np.uint8)
-        self.chambers = self._codes[:, : raster.shape[1]]
+        self.chambers = self._codes[:, :columns]
         read_only(self.chambers)
         self._elsewhere: tuple[Any, Any] = (None, None)
 
@@ -102,61 +97,51 @@ class Stage:
         shape = (len(self.y), len(self._x))
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
-    def job(self, scene: Scene, method: GradientMethod, planes: Job, of_a: bool = False) -> Job:
+    def job(self, shot: Shot, planes: Job, of_a: bool = False) -> Job:
         """Return the Job of a drawing (`renderer.machines`): all columns, or those of each row that A may be in."""
-        numbers, lights = numbers_of(scene, method)
+        numbers, lights = numbers_of(shot)
         raster_data = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
         return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
-        self,
-        scene: Scene,
-        method: GradientMethod,
-        threads: int,
-        planes: Job,
-        before: Callable[[slice], None] | None = None,
-        **want: Any,
+        self, shot: Shot, threads: int, planes: Job, before: Callable[[slice], None] | None = None, **changes: Any
     ) -> np.ndarray:
-        """Draw a want (`renderer.shader.numbers.Want`) into planes, by bands; return the counts, in the order of WORK.
+        """Draw a shot's want (`renderer.shader.numbers.Want`), with some changes, into planes, by bands.
 
-        before: a function that is called with the rows of a band (a slice) before that is drawn.
+        Return the counts, in the order of WORK. before: a function that is called with the rows of a band (a slice)
+        before that is drawn.
         """
-        job = self.job(scene, method, planes, of_a=want.get("surfaces") == "a")
-        if want.get("bounds"):
+        want = shot.want._replace(**changes)
+        job = self.job(shot, planes, of_a=want.surfaces == "a")
+        if want.bounds:
             with compiling:
                 from renderer.shader.rounded_inputs import input_bounds  # what most pictures never need to import
 
-            job |= input_bounds(scene, self.raster, len(self._x))
-        draw_rows = machine().drawer(want_of(scene, method, **want), job)
+            job |= input_bounds(shot, len(self._x))
+        draw_rows = machine().drawer(want, job)
 
         def draw_band(band):
             if before:
                 before(band)
             return draw_rows(band)
 
-        return np.sum(run_bands(draw_band, len(self.y), band_rows(*self.raster.shape), threads), axis=0)
+        return np.sum(run_bands(draw_band, len(self.y), band_rows(*self.chambers.shape), threads), axis=0)
 
-    def elsewhere(self, scene: Scene, method: GradientMethod, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
+    def elsewhere(self, shot: Shot, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
         """Return (the colours off A, undefined on A; the counts): drawn when a shading first needs them."""
-        key = shading_of(scene)
-        if self._elsewhere[0] == key:
+        if self._elsewhere[0] == shot.shading:
             return self._elsewhere[1], 0
         rgb = self.new_plane(channels=3)
         planes = dict(zip(COLORS, rgb, strict=True))
-        counts = self.draw(scene, method, threads, planes, chambers_known=True, surfaces="elsewhere")
-        self._elsewhere = (key, rgb)
+        counts = self.draw(shot, threads, planes, chambers_known=True, surfaces="elsewhere")
+        self._elsewhere = (shot.shading, rgb)
         return rgb, counts
 
-    def serves(self, scene: Scene, raster: Raster) -> bool:
-        """Return whether these are the chambers of the scene on the raster."""
-        return (self.geometry, self.raster) == (geometry_of(scene), raster)
+    def serves(self, shot: Shot) -> bool:
+        """Return whether these are the chambers of the shot."""
+        return (self.geometry, self.raster) == (shot.geometry, shot.raster)
 
     @property
     def on_a(self) -> np.ndarray:
         """(height, width) bool: the pixels of sphere A."""
         return (self.chambers & SURFACE_BITS) == 1
-
-
-def shading_of(scene: Scene) -> tuple:
-    """Return the fields on which the colours off A depend: equal for equal shadings."""
-    return tuple(value for name, value in vars(scene).items() if name not in MOVE_NO_BOUNDARY)

@@ -1,5 +1,7 @@
 """The gradient and the height of a field at points of the chart, and the form of its exact gradient."""
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -11,28 +13,22 @@ from renderer.scene.scene import Scene
 from renderer.shader.shader import difference
 
 
-def algebraic_powers(scene: Scene) -> tuple[int, int] | None:
-    """Return the whole powers (for u, for v) of the algebraic form of the scene's field, or None without one."""
-    wave_numbers = field_kernels(scene.field)["wave_numbers"]
-    if wave_numbers is None:
-        return None
-    a, b = wave_numbers(scene.ku, scene.kv)
-    if a % 2 or b % 1 or max(abs(a), abs(b)) > MAX_ALGEBRAIC:
-        return None
-    return int(a) // 2, int(b)
-
-
-def uses_algebraic_form(scene: Scene, method: GradientMethod) -> bool:
-    """Return whether the exact gradient of the scene is taken without a transcendental function.
+def algebraic_powers(scene: Scene, method: GradientMethod) -> tuple[int, int] | None:
+    """Return the whole powers (for u, for v) of the algebraic form of a scene's gradient; None if it is not taken so.
 
     Raises ValueError if the form "algebraic" is asked for where there is none.
     """
-    powers = algebraic_powers(scene)
-    if method.form == "algebraic" and powers is None:
+    if method.name != "exact" or method.form == "general":
+        return None
+    wave_numbers = field_kernels(scene.field)["wave_numbers"]
+    a, b = wave_numbers(scene.ku, scene.kv) if wave_numbers else (math.nan, math.nan)
+    if a % 2 == 0 and b % 1 == 0 and max(abs(a), abs(b)) <= MAX_ALGEBRAIC:
+        return int(a) // 2, int(b)
+    if method.form == "algebraic":
         wave_numbers = f"a field whose wave number in u is even, that in v whole, at most {MAX_ALGEBRAIC} in magnitude"
         of_scene = f"not '{scene.field}' with ku = {scene.ku:g}, kv = {scene.kv:g}"
         raise not_allowed("form", method.form, f"{wave_numbers}, {of_scene}")
-    return powers is not None and method.form != "general"
+    return None
 
 
 def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -76,7 +72,7 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     here = _chart_points(u, v)
     field, arguments = field_kernels(scene.field), (*here, scene.ku, scene.kv)
     if checked_method("method", method).name == "exact":
-        uses_algebraic_form(scene, method)  # which refuses a form that there is none of
+        algebraic_powers(scene, method)  # which refuses a form that there is none of
         gradient = field["gradient"](*arguments)
     else:
         gradient = difference(field, method.name, *arguments, method.eps)

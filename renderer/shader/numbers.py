@@ -1,21 +1,26 @@
-"""The numbers that the shader reads: of the scene, of each light, and boxes of the image in which each thing lies."""
+"""The shot, and the numbers that the shader reads: of the scene, of each light, and boxes in which each thing lies."""
 
 import math
 from collections.abc import Callable, Iterable
-from functools import lru_cache
+from dataclasses import dataclass, fields
+from functools import cached_property, lru_cache
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from renderer.checks import check_kind
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.machines.forms import Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
-from renderer.scene.methods import GradientMethod, exact
-from renderer.scene.scene import Light, Scene, geometry_of
-from renderer.shader.gradients import algebraic_powers, uses_algebraic_form
+from renderer.scene.methods import GradientMethod, checked_method, exact
+from renderer.scene.raster import Raster
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
+from renderer.shader.gradients import algebraic_powers
 from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
+EXACT, PIXEL = exact(), Raster(1, 1)
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
@@ -42,13 +47,6 @@ def reach_of_a(eye: float, radius: float) -> float:
     return reach
 
 
-def way_of(scene: Scene, method: GradientMethod) -> tuple[Any, str]:
-    """Return (field, way): how the gradient of a scene is taken by a method; not at all where there is no bump."""
-    algebraic = method.name == "exact" and uses_algebraic_form(scene, method)
-    way = "algebraic" if algebraic else "general" if method.name == "exact" else method.name
-    return scene.field, "flat" if scene.beta == 0.0 else way
-
-
 def style_of(scene: Scene) -> tuple[Any, str]:
     """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
     squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
@@ -59,11 +57,12 @@ class Want(NamedTuple):
     """The choice of the code that draws: the scene's numbers are its arguments.
 
     ways: (field, way to its gradient) pairs, of which `scene.way` is the index of one; a way is algebraic, general, a
-    difference, or flat. lights: (model, style) pairs, of which `scene.model` is the index; a style is diffuse (with no
-    highlight), base, or squared. integer_power: whether the shininess is a whole number. chambers_known: whether
-    the chambers are there to be loaded. surfaces: all, a (drawn over what is there) or elsewhere. colors: whether these
-    are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES and CHART are known. bounds: whether
-    each colour's bound is stored, and where a chamber is open (`renderer.machines.enclosing_machine`).
+    difference, flat, or stored: h_u and h_v are loaded. lights: (model, style) pairs, of which `scene.model` is the
+    index; a style is diffuse (with no highlight), base, or squared. integer_power: whether the shininess is a whole
+    number. chambers_known: whether the chambers are there to be loaded. surfaces: all, a (drawn over what is there)
+    or elsewhere. colors: whether these are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES
+    and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
+    (`renderer.machines.enclosing_machine`).
     """
 
     ways: tuple
@@ -87,19 +86,54 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
-def want_of(scene: Scene, method: GradientMethod, **more: Any) -> Want:
-    """Return the Want of a scene's picture by a method."""
-    return Want((way_of(scene, method),), (style_of(scene),), scene.shininess.is_integer(), **more)
+_shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
 
 
-def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.float64) -> SimpleNamespace:
-    """Return the numbers of a scene and a gradient method, by name. Boxes are (left, right, low, high).
+@dataclass(frozen=True)
+class Shot:
+    """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
+
+    By default the exact gradient, and one pixel. Raises ValueError on a scene or a method that is none.
+    """
+
+    scene: Scene
+    method: GradientMethod = EXACT
+    raster: Raster = PIXEL
+
+    def __post_init__(self):
+        checked_method("gradient", self.method)
+        check_kind("scene", self.scene, Scene)
+
+    @cached_property
+    def geometry(self) -> Geometry:
+        """The part of the scene on which chambers depend."""
+        return geometry_of(self.scene)
+
+    @cached_property
+    def shading(self) -> tuple:
+        """The fields on which the colours off A depend: equal for equal shadings."""
+        return _shading(self.scene)
+
+    @cached_property
+    def powers(self) -> tuple[int, int] | None:
+        """The powers of the algebraic form of the gradient, or None."""
+        return algebraic_powers(self.scene, self.method)
+
+    @cached_property
+    def want(self) -> Want:
+        """The Want of the picture, drawn from nothing; without a bump, without a gradient."""
+        way = "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
+        way, power = "flat" if self.scene.beta == 0.0 else way, self.scene.shininess
+        return Want(((self.scene.field, way),), (style_of(self.scene),), power.is_integer())
+
+
+def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
+    """Return the numbers of a shot's scene and method, by name. Boxes are (left, right, low, high).
 
     number: the class of the scene's numbers where others are computed from them.
     """
-    geometry = geometry_of(scene)
-    (_, way), (_, style) = way_of(scene, method), style_of(scene)
-    power_u, power_v = (algebraic_powers(scene) if way == "algebraic" else None) or (0, 0)
+    scene, geometry = shot.scene, shot.geometry
+    ((_, style),), (power_u, power_v) = shot.want.lights, shot.powers or (0, 0)
     light, dark = (floor_albedo(number(dark), number(scene.floor_tint)) for dark in (0.0, 1.0))
     return SimpleNamespace(
         **{name: getattr(scene, name) for name in AS_GIVEN},
@@ -111,7 +145,7 @@ def scene_numbers(scene: Scene, method: GradientMethod, number: Callable = np.fl
         box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
         model=0.0,
-        eps=method.eps or 0.0,
+        eps=shot.method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
         turn_u=-1.0 if power_u < 0 else 1.0,  # and the sign that negative ones give to imaginary parts
@@ -136,21 +170,20 @@ def light_numbers(number: int, light: Light, boxes: Iterable[Box]) -> SimpleName
     )
 
 
-SCENE_FORM = scene_numbers(Scene(), exact())
+SCENE_FORM = scene_numbers(Shot(Scene()))
 LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
 ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
 SHADER = Shader(Group, SCENE_FORM, LIGHT_FORM, ROUNDED, WORK, PLANES)
 
 
 @lru_cache(maxsize=64)
-def numbers_of(scene: Scene, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
+def numbers_of(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
-    geometry = geometry_of(scene)
     lights = [
-        flat(light_numbers(number, light, shadow_boxes(geometry, light.position)))
-        for number, light in enumerate(scene.lights)
+        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position)))
+        for number, light in enumerate(shot.scene.lights)
         if light.color is not None
     ]
-    numbers = np.array(flat(scene_numbers(scene, method))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
+    numbers = np.array(flat(scene_numbers(shot))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
     read_only(*numbers)
     return numbers

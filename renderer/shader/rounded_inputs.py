@@ -10,10 +10,7 @@ from renderer.machines import Job
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed, enclosed
 from renderer.machines.forms import flat, of_form
 from renderer.operations import Number, where
-from renderer.scene.methods import exact
-from renderer.scene.raster import Raster
-from renderer.scene.scene import Scene
-from renderer.shader.numbers import read_only, scene_numbers
+from renderer.shader.numbers import Shot, read_only, scene_numbers
 
 
 def _lengths(scene):
@@ -32,12 +29,13 @@ def bound_of_y(row: Number, height: Number, eye: Number, radius: Number) -> Numb
     return _on_grid(image_y(Enclosed(row), enclosed(height), half), half.value / (20 * height))
 
 
-def of_image_points(scene: Scene, raster: Raster) -> tuple[np.ndarray, np.ndarray]:
+def of_image_points(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
     """Return bounds of the errors of `Raster.image_points`: (columns,) and (rows,) float64."""
+    raster, lengths = shot.raster, _lengths(shot.scene)
     left, top, wide, high = raster.crop  # type: ignore[misc]  # checked
     columns, rows = (np.arange(first, first + n, dtype=np.float64) for first, n in ((left, wide), (top, high)))
     width, height = float(raster.width), float(raster.height)
-    return bound_of_x(columns, width, height, *_lengths(scene)), bound_of_y(rows, height, *_lengths(scene))
+    return bound_of_x(columns, width, height, *lengths), bound_of_y(rows, height, *lengths)
 
 
 def _on_grid(coordinate, step):
@@ -47,11 +45,11 @@ def _on_grid(coordinate, step):
 
 
 @np.errstate(all="ignore")
-def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
+def of_scene(shot: Shot) -> SimpleNamespace:
     """Return bounds of the errors of the scene's numbers (`scene_numbers`) by name: 0 of the exact ones."""
-    computed = flat(scene_numbers(scene, exact(), Enclosed))
-    bounds = of_form(numbers, (float(getattr(number, "bound", 0.0)) for number in computed))
-    silhouette = silhouette_of_a(*map(Enclosed, _lengths(scene)))
+    numbers = scene_numbers(shot, Enclosed)
+    bounds = of_form(numbers, (float(getattr(number, "bound", 0.0)) for number in flat(numbers)))
+    silhouette = silhouette_of_a(*map(Enclosed, _lengths(shot.scene)))
     square = silhouette * silhouette
     off = abs(numbers.reach_of_a - square.value)
     bounds.reach_of_a = float((square.bound + off + UNIT * off) * SLACK)
@@ -59,10 +57,10 @@ def of_scene(scene: Scene, numbers: SimpleNamespace) -> SimpleNamespace:
 
 
 @lru_cache(maxsize=16)
-def input_bounds(scene: Scene, raster: Raster, wide: int) -> Job:
+def input_bounds(shot: Shot, wide: int) -> Job:
     """Return the bounds of a job: that of x with 0 beyond the raster, `wide` in all."""
-    of_x, of_y = of_image_points(scene, raster)
-    of_numbers = np.array(flat(of_scene(scene, scene_numbers(scene, exact()))))
+    of_x, of_y = of_image_points(shot)
+    of_numbers = np.array(flat(of_scene(shot)))
     bounds = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
     read_only(*bounds.values())
     return bounds

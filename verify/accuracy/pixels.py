@@ -49,7 +49,7 @@ def _kinds(frame):
     u, v = frame.surface_data["u"], frame.surface_data["v"]
     waves = [w - np.rint(w) for w in (scene.ku * u, scene.kv * v)]
     flat = copy(frame)
-    flat.scene = replace(scene, beta=0.0)  # its light's cosines are of the same points, without the bump
+    flat.shot = replace(flat.shot, scene=replace(scene, beta=0.0))  # cosines there without the bump
 
     def least_cosine(frame):
         return np.min([np.abs(frame.light_cosines(number)) for number in range(len(scene.lights))], axis=0)

@@ -27,7 +27,7 @@ SIGNS = {e.sine_near: (0, 1, 0, -1), e.cosine_near: (1, 0, -1, 0)}
 
 
 def departure(near: Symbol, program: Program) -> float:
-    """Return at least how far a line's polynomial is from its function: by the function's Taylor series, to END."""
+    """Return a bound of the distance of a line's polynomial from its function up to END, by the Taylor series."""
     coefficients = Poly(program.expand(near, until=(e.remainder,)), e.remainder).all_coeffs()[::-1]
     with ctx.workprec(160):
         taylor = [SIGNS[near][n % 4] * arb.pi() ** n / arb(n).fac() for n in range(len(coefficients) + 2)]

@@ -74,7 +74,7 @@ class Code(Evaluator):
 
 
 def parts_of(relations: Iterable[Basic]) -> list[Basic]:
-    """Return the single relations of conjunctions, the true ones left out."""
+    """Return the relations that conjunctions are made of, without those that are true."""
     flat = [part for r in relations for part in (r.args if isinstance(r, And) else (r,))]
     return [part for part in flat if part != True]  # noqa: E712  (SymPy's true is not Python's)
 

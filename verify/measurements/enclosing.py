@@ -14,7 +14,7 @@ SEED, SAMPLES, BITS = 26, 400, 256
 
 
 def _operands(random, names):
-    """Return numbers and counts of roundings, and {name: an exact number at one end of the bound}."""
+    """Return random operands: float64 values, their bounds in roundings, {name: an exact number at an end of these}."""
     values = 2.0 ** random.uniform(-20, 20, len(names))
     counts = np.floor(values * 2.0 ** random.uniform(22, 52, len(names)))
     with ctx.workprec(BITS):

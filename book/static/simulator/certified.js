@@ -88,7 +88,10 @@ function simulator_certified(root, states, parts, show_bounds) {
 
   /** Ask for a state's bounds, if they are viewed and not asked for yet; those of another state are gone. @param {State} state */
   function ask(state) {
-    const key = state.view === "bounds" ? states.fragment({ ...state, column: 0, row: 0, axis: "u" }) : "";
+    const key =
+      state.view === "bounds" && state.field !== "own"
+        ? states.fragment({ ...state, column: 0, row: 0, axis: "u" })
+        : "";
     if (key === asked) return;
     asked = key;
     show_bounds([]);

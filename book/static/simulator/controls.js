@@ -38,6 +38,19 @@ function simulator_controls(root, states, act) {
       act.set({ [holder.name]: value });
     } catch (error) {
       say(holder, error_text(error));
+      const { at, length } = /** @type {{ at?: number, length?: number }} */ (error);
+      if (at !== undefined && input === document.activeElement) input.setSelectionRange(at, at + (length ?? 1));
+    }
+  }
+
+  // A formula is drawn while it is typed, whenever it can be read.
+  /** @param {Holder} holder @param {HTMLInputElement} input */
+  function attempt_quietly(holder, input) {
+    try {
+      act.set({ [holder.name]: value_of(holder, input) });
+      say(holder, "");
+    } catch {
+      // It is not finished yet; `attempt` says what is wrong.
     }
   }
 
@@ -53,7 +66,8 @@ function simulator_controls(root, states, act) {
     } else if (input.type === "checkbox")
       input.checked = name === "lights" ? value[Number(input.dataset.index)] : value;
     else if (input.type === "radio") input.checked = input.value === text;
-    else if (input.getAttribute("aria-invalid") !== "true") input.value = text;
+    else if (input.getAttribute("aria-invalid") !== "true" && (name !== "h" || input !== document.activeElement))
+      input.value = text;
   }
 
   /** Show what has changed. @param {State} state */
@@ -72,6 +86,10 @@ function simulator_controls(root, states, act) {
   for (const holder of holders) {
     for (const input of holder.inputs)
       input.addEventListener(input.type === "range" ? "input" : "change", () => attempt(holder, input));
+    if (holder.name === "h") {
+      const [input] = holder.inputs;
+      input.addEventListener("input", () => attempt_quietly(holder, input));
+    }
   }
   return { show, clear };
 }

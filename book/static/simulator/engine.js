@@ -44,7 +44,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     if (workers.length) return;
     const cores = Math.min(navigator.hardwareConcurrency || 1, MOST);
     workers = Array.from({ length: cores }, () => {
-      const worker = worker_of(float64s, simulator_module, simulator_worker);
+      const worker = worker_of(float64s, formula_of, own_field, simulator_module, simulator_worker);
       listen(worker, (reply) => receive(reply, worker), go_alone);
       worker.postMessage({ kind: "begin", data, compiled });
       return worker;

@@ -166,7 +166,7 @@ function simulator_loupe(root, states, data, module, act) {
     tell(told);
     body.replaceChildren();
     const stage = module.stage_of_pixel(state, states.crop(state));
-    if (!stage.count) return;
+    if (!stage.count || field === "own") return; // whose steps have no kernel
     const n = axis === "v" ? 1 : 0;
     const [u, v] = module.chart(stage).map(([number]) => number);
     const at = [u, v][n];

@@ -147,8 +147,23 @@ async function simulator_module(data, ...programs) {
     return (x, y) => [(x - x0) / (x1 - x0) + 0.5, (y - y0) / (y1 - y0) + 0.5];
   }
 
-  /** How each picture of a state takes its gradient. @param {{ method: string, eps: number }} state @returns {Record<string, Method>} */
-  const methods_of = ({ method, eps }) => ({ numeric: { name: method, eps }, symbolic: EXACT });
+  /** How each picture of a state takes its gradient. @param {State} state @returns {Record<string, Method>} */
+  const methods_of = ({ method, eps, against, against_eps }) => ({
+    numeric: { name: method, eps },
+    symbolic: against === EXACT.name ? EXACT : { name: against, eps: against_eps }
+  });
+
+  let made_of = "";
+  /** @type {OwnField | null} */
+  let own = null;
+  /** The reader's own field, where a state wears it, else null. @param {SceneState} state */
+  function own_of(state) {
+    if (state.field !== "own") return null;
+    const key = [state.h, state.ku, state.kv].join();
+    if (key !== made_of) own = own_field(state, kernel_over);
+    made_of = key;
+    return own;
+  }
 
   /** Whether a pixel of this chamber shows A. @param {number} code */
   const is_on_a = (code) => (code & SURFACE) === A;
@@ -177,7 +192,7 @@ async function simulator_module(data, ...programs) {
     const way = is_exact ? (powers ? "algebraic" : "general") : name;
     const { index, power } = data.models[state.model];
     const changed = {
-      way: data.fields[state.field].ways[beta === 0 ? "flat" : way],
+      way: data.fields[state.field]?.ways[beta === 0 ? "flat" : way] ?? 0,
       model: index,
       power,
       ku,
@@ -189,10 +204,22 @@ async function simulator_module(data, ...programs) {
       turn_u: Math.sign(power_u) || 1,
       turn_v: Math.sign(power_v) || 1
     };
-    const { scene, lights } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
+    const { scene, lights: standing } = data.scenes[[state.ball, ...state.lights].map(Number).join("")];
+    const lights = has_moved(state) && state.lights[0] ? [moved(state, standing[0]), ...standing.slice(1)] : standing;
     const numbers = Float64Array.from(scene);
     for (const [key, number] of Object.entries(changed)) numbers[data.offsets[key]] = number;
     return { scene: numbers, lights };
+  }
+
+  /** Whether the lamp, the first light, is not where the scene has it. @param {SceneState} state */
+  const has_moved = ({ lamp = data.scene.lights[0].position }) =>
+    lamp.some((coordinate, axis) => coordinate !== data.scene.lights[0].position[axis]);
+
+  /** The numbers of the lamp elsewhere: its shadows may be anywhere, those of a sphere that is there. @param {SceneState} state @param {number[]} numbers */
+  function moved({ lamp = [0, 0, 0], ball }, numbers) {
+    const first = numbers.length - data.shadows;
+    const boxes = numbers.slice(first).map((end, n) => (ball || n < 4 ? (n % 2 ? Infinity : -Infinity) : end));
+    return [...lamp, ...numbers.slice(3, first), ...boxes];
   }
 
   /**
@@ -207,7 +234,7 @@ async function simulator_module(data, ...programs) {
     const { scene, lights } = numbers_of(state, method);
     floats(scene_at, scene.length).set(scene);
     floats(lights_at, data.light_size * lights.length).set(lights.flat());
-    const everywhere = !["draw_a", "draw_chart"].includes(what);
+    const everywhere = !["draw_a", "draw_own", "draw_chart"].includes(what);
     const given = {
       ...stage.addresses,
       ...on_rows(stage, everywhere),
@@ -368,7 +395,67 @@ async function simulator_module(data, ...programs) {
    * @param {Stage} stage
    * @param {string} name
    */
-  const draw_a = (state, method, stage, name) => draw("draw_a", state, method, stage, target(stage, name));
+  function draw_a(state, method, stage, name) {
+    const own = own_of(state);
+    const planes = target(stage, name);
+    if (own) {
+      const slopes = own_slopes(own, method, ...points_of_a(stage));
+      for (const [n, plane] of SLOPES.entries()) {
+        const into = plane_at(stage, planes[plane]);
+        for (let i = 0; i < stage.count; i++) into[stage.at[i]] = slopes[n][i];
+      }
+    }
+    draw(own ? "draw_own" : "draw_a", state, method, stage, planes);
+  }
+
+  /** @param {Method} method @param {Float64Array} u @param {Float64Array} v */
+  function points_taken({ name, eps = 0 }, u, v) {
+    const places = kernel_over(`points_of_${name}`, u, v, eps);
+    return Array.from({ length: places.length / 2 }, (_, n) => [places[2 * n], places[2 * n + 1]]);
+  }
+
+  /**
+   * h_u and h_v of the reader's own field at points, exactly or by a difference.
+   * @param {OwnField} own @param {Method} method @param {Float64Array} u @param {Float64Array} v
+   */
+  function own_slopes(own, method, u, v) {
+    if (method.name === "exact") return own.gradient(u, v);
+    const heights = points_taken(method, u, v).map(([at_u, at_v]) => own.height(at_u, at_v)[0]);
+    return kernel_over(`slopes_of_${method.name}`, u, v, method.eps ?? 0, ...heights);
+  }
+
+  /** h at points of the chart. @param {SceneState} state @param {Float64Array} u @param {Float64Array} v */
+  const height = (state, u, v) =>
+    own_of(state)?.height(u, v)[0] ?? kernel_over(`height_${state.field}`, u, v, state.ku, state.kv)[0];
+
+  /** 1 where a point lies on a crease, else 0. @param {SceneState} state @param {Float64Array} sin_phi @param {Float64Array} u @param {Float64Array} v */
+  function kinks(state, sin_phi, u, v) {
+    const own = own_of(state);
+    if (!own) return kernel_over(`kink_${state.field}`, sin_phi, u, v, state.ku, state.kv)[0];
+    const switches = own.switches(u, v);
+    return float64s(u.length, (i) => Number(switches.some((plane) => plane[i] === 0)));
+  }
+
+  /** 1 where a difference's points lie on both sides of a crease, else 0. @param {SceneState} state @param {Method} method @param {Float64Array} u @param {Float64Array} v */
+  function straddles(state, method, u, v) {
+    const own = own_of(state);
+    if (!own) return kernel_over(`straddling_${state.field}`, u, v, state.ku, state.kv, method.eps ?? 0)[0];
+    const sides = points_taken(method, u, v).map(([at_u, at_v]) => own.switches(at_u, at_v));
+    /** @param {number} i */
+    const parts = (i) => sides.some((planes) => planes.some((plane, n) => plane[i] * sides[0][n][i] < 0));
+    return float64s(u.length, (i) => Number(parts(i)));
+  }
+
+  /** 1 where the next pixel to the right or below is on the other side of a crease of the reader's own field. @param {State} state @param {Stage} stage */
+  function own_creases(state, stage) {
+    const planes = own_of(state)?.switches(...points_of_a(stage)) ?? [];
+    const index = new Int32Array(stage.pitch * (stage.raster.high + 1)).fill(-1);
+    for (const [n, i] of stage.at.entries()) index[i] = n;
+    return float64s(stage.count, (n) => {
+      const others = [index[stage.at[n] + 1], index[stage.at[n] + stage.pitch]].filter((other) => other >= 0);
+      return Number(planes.some((plane) => others.some((other) => plane[n] * plane[other] < 0)));
+    });
+  }
 
   /** @param {SceneState} state @param {Stage} stage @param {string} name */
   const draw_elsewhere = (state, stage, name) => draw("draw_elsewhere", state, EXACT, stage, target(stage, name));
@@ -440,8 +527,8 @@ async function simulator_module(data, ...programs) {
 
   /** @param {Stage} stage */
   const angles_of = (stage, names = ANGLES) => names.map((name) => on_a(stage, stage.addresses[name]));
-  /** @param {Stage} stage */
-  const chart = (stage) => angles_of(stage, CHART);
+  /** @param {Stage} stage @returns {[Float64Array, Float64Array]} */
+  const points_of_a = (stage) => /** @type {any} */ (angles_of(stage, CHART));
 
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.
@@ -471,7 +558,7 @@ async function simulator_module(data, ...programs) {
    * @param {SceneState} state
    */
   function crease_lines({ field, ku, kv }) {
-    const rates = data.fields[field].creases ? kernel(`creases_${field}`, ku, kv) : [];
+    const rates = data.fields[field]?.creases ? kernel(`creases_${field}`, ku, kv) : [];
     const lines = [];
     for (let n = 0; n < rates.length; n += 3) {
       const [a, b, c] = rates.slice(n);
@@ -494,11 +581,15 @@ async function simulator_module(data, ...programs) {
     const slopes = slopes_of(stage, name);
     const point = kernel_over("point_on_a", ...angles, radius);
     const normals = [state.beta, 0].map((beta) => kernel_over("bumped_normal", ...angles, ...slopes, beta));
-    const on = data.scene.lights.filter((_, n) => state.lights[n]);
-    return on.map(({ position }) => {
-      const [bumped, plain] = normals.map((normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]);
-      return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
-    });
+    const positions = data.scene.lights.map(({ position }, n) => (n ? position : (state.lamp ?? position)));
+    return positions
+      .filter((_, n) => state.lights[n])
+      .map((position) => {
+        const [bumped, plain] = normals.map(
+          (normal) => kernel_over("light_cosine", ...point, ...position, ...normal)[0]
+        );
+        return bumped.reduce((count, mu, i) => count + Number(mu > 0 !== plain[i] > 0), 0);
+      });
   }
 
   /**
@@ -526,14 +617,15 @@ async function simulator_module(data, ...programs) {
 
   /** @param {SceneState} state @param {Method} method @param {Stage} stage */
   function record_on_a(state, method, stage) {
-    const { field, ku, kv, beta } = state;
-    const [u, v] = chart(stage).map(first_of);
+    const { beta } = state;
+    const points = points_of_a(stage);
+    const [u, v] = points.map(first_of);
     const angles = angles_of(stage).map(first_of);
     const gradient = gradients(state, stage, method).map(first_of);
     const [theta, phi] = kernel("chart_radians", u, v);
-    const [h] = kernel(`height_${field}`, u, v, ku, kv);
-    const [kink] = kernel(`kink_${field}`, angles[3], u, v, ku, kv);
-    const [straddling] = method.eps ? kernel(`straddling_${field}`, u, v, ku, kv, method.eps) : [0];
+    const [h] = height(state, ...points);
+    const [kink] = kinks(state, angles_of(stage)[3], ...points);
+    const [straddling] = method.eps ? straddles(state, method, ...points) : [0];
     return {
       point: kernel("point_on_a", ...angles, radius),
       normal: kernel("bumped_normal", ...angles, ...gradient, beta),
@@ -568,7 +660,11 @@ async function simulator_module(data, ...programs) {
     fill,
     bytes,
     render,
-    chart,
+    chart: points_of_a,
+    own_of,
+    kinks,
+    straddles,
+    own_creases,
     angles_of,
     gradients,
     bounds_of,

@@ -8,8 +8,18 @@ function simulator_presets(root, states, act) {
   const moves = {
     eps: (exponent) => ({ eps: power_of_ten(exponent) }),
     zoom: (zoom) => act.to_pole(Math.round(zoom)),
-    beta: (beta) => ({ beta: Number(beta.toFixed(3)) })
+    beta: (beta) => ({ beta: Number(beta.toFixed(3)) }),
+    ku: (ku) => ({ ku: Number(ku.toFixed(2)) }),
+    kv: (kv) => ({ kv: Number(kv.toFixed(2)) }),
+    // Around the sphere, by parts of a turn.
+    lamp(turn) {
+      const [x, y, z] = lamp;
+      const [c, s] = [Math.cos(2 * Math.PI * turn), Math.sin(2 * Math.PI * turn)];
+      const next = [Number((c * x - s * y).toFixed(2)), Number((s * x + c * y).toFixed(2)), z];
+      return states.parameters.lamp.holds(next) ? { lamp: /** @type {Vector} */ (next) } : {};
+    }
   };
+  let lamp = act.state().lamp; // where a turn begins
   const says = find_element(root, ".sim-says");
   const play = find_element(root, ".sim-play");
   const pause_button = find_element(play, "[data-pause]");
@@ -96,6 +106,24 @@ function simulator_presets(root, states, act) {
     put(rescaled(begun.still, begun.from, begun.to, 0, 1));
   }
 
+  /** Let one quantity run through its range, from where it is. @param {string} name @param {HTMLElement} button */
+  function play_alone(name, button) {
+    const is_same = now?.moves === name && now.says === "";
+    if (is_same && now !== OPENING) return toggle();
+    stop();
+    asked_by = button;
+    lamp = act.state().lamp;
+    const { dataset } = button;
+    const [from, to] = [Number(dataset.from), Number(dataset.to)];
+    now = { says: "", begin: {}, moves: name, from, to, still: from, seconds: 10 };
+    play.hidden = false;
+    root.classList.add("sim-running");
+    const value = name === "eps" ? Math.log10(act.state().eps) : act.state()[name];
+    share = name === "lamp" ? 0 : clamp(0, rescaled(value, from, to, 0, 1), 1);
+    if (!no_motion.matches) go_on();
+    else bar.value = String(share);
+  }
+
   function reset() {
     stop();
     says.textContent = START;
@@ -133,5 +161,5 @@ function simulator_presets(root, states, act) {
     pause();
     put(Number(bar.value));
   });
-  return { open, run, pause, stop, reset, toggle, step, running: () => frame !== 0 };
+  return { open, run, play_alone, pause, stop, reset, toggle, step, running: () => frame !== 0 };
 }

@@ -72,6 +72,10 @@ function simulator_readouts(root, data, module) {
   /** @param {State} state */
   function remark(state) {
     const { view, field } = state;
+    if (field === "own") {
+      const seam = module.own_of(state)?.has_seam ? "h differs at u = 0 and u = 1: the seam is in both pictures. " : "";
+      return `${seam}Your own h: exact slopes by the rules of differentiation, with no proved bound.`;
+    }
     if (view === "loci" && !data.fields[field].creases)
       return `${field} has no creases: there is nothing to draw over it.`;
     if (view === "terms" && !module.bounds_of(state))
@@ -81,9 +85,10 @@ function simulator_readouts(root, data, module) {
 
   /** @param {State} state */
   function captions(state) {
-    const { method, eps, scale, zoom, view } = state;
+    const { method, eps, against, scale, zoom, view } = state;
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
+    root.classList.toggle("sim-both-step", against !== "exact");
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
     name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
@@ -93,13 +98,17 @@ function simulator_readouts(root, data, module) {
   }
 
   /** Give every picture a name that says what it shows now. @param {State} state */
-  function name_pictures({ field, ku, kv, beta, view, method, eps }) {
+  function name_pictures({ field, ku, kv, beta, view, method, eps, against }) {
     const scene = `${field}, k u ${ku}, k v ${kv}, β ${beta}`;
     const [by, seen] = [`#sim-method [value=${method}]`, `#sim-view [value=${view}]`].map(
       (place) => $(place).textContent
     );
     const apart = ["rms", "max"].map((name) => `${name} ${$(`[data-readout=${name}]`).textContent}`).join(", ");
-    const names = { numeric: `${seen}, ${by}, ε ${eps}`, symbolic: `${seen}, exact gradient`, difference: apart };
+    const names = {
+      numeric: `${seen}, ${by}, ε ${eps}`,
+      symbolic: `${seen}, ${$(`#sim-against [value=${against}]`).textContent}`,
+      difference: apart
+    };
     for (const [name, words] of Object.entries(names))
       $(`[data-picture=${name}] .pixels`).setAttribute("aria-label", `${name}: ${scene}; ${words}`);
   }

@@ -10,14 +10,17 @@ function simulator_start(root, compiled, module) {
   const MOVING = 500; // or so long after the first
   const sizes = Array.from(/** @type {HTMLSelectElement} */ ($("#sim-size")).options, ({ value }) => Number(value));
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
-  for (const name of Object.keys(data.fields)) {
+  for (const name of [...Object.keys(data.fields), "own"]) {
     const button = make_element("input", { type: "radio", name: "sim-field", value: name });
-    $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
+    $("[data-parameter=field]").append(
+      make_element("label", {}, button, name === "own" ? " your own" : ` ${name}`),
+      "\n"
+    );
   }
   for (const name of Object.keys(data.models)) {
     if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));
   }
-  const states = simulator_states(root, data);
+  const states = simulator_states(root, data, (of) => module.own_of(of)?.has_seam ?? false);
   let state = states.start();
   /** @type {State | null} */
   let shown = null;
@@ -52,7 +55,7 @@ function simulator_start(root, compiled, module) {
     return (of) => names.map((name) => of[name]).join();
   }
   const drawn_key = key_without("column row");
-  const pixel_key = key_without("eps view scale model lights ball beta");
+  const pixel_key = key_without("eps view scale model lights lamp ball beta");
   const curve_key = key_without("eps view scale column row");
   const chambers_key = key_without("eps view scale column row model method");
   const times_key = key_without("eps view scale column row beta");
@@ -66,10 +69,13 @@ function simulator_start(root, compiled, module) {
   /** Take a checked state, and show it: the pictures as soon as the workers can, the panels at a slower pace. @param {State} next */
   function take(next) {
     const redraw = drawn_key(next) !== drawn_key(state);
+    module.own_of(next); // which refuses what is not finite
     state = next;
+    root.classList.toggle("sim-typed", state.field === "own");
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
+    lamp.show(state);
     root.classList.toggle("sim-zoomed", state.zoom > 0); // a finger then moves the part that is shown, and not the page
     if (shown_panels) curve.mark(state.eps);
     panels_soon();
@@ -148,6 +154,7 @@ function simulator_start(root, compiled, module) {
   const theorem = document.querySelector('.bd-article a[href*="#theorem-bump_moves_no_boundary"]:not(.simulator *)');
   $("[data-theorem]").textContent = theorem ? `(${theorem.textContent})` : "";
   const hand = simulator_hand(pictures, act);
+  const lamp = simulator_lamp(root, states, module, act);
   const curve = simulator_curve(root, module);
   const cursor = simulator_cursor(root, states, data, module);
 
@@ -225,6 +232,13 @@ function simulator_start(root, compiled, module) {
   };
   const engine = simulator_engine(data, compiled, states, module, handlers);
 
+  /** @type {HTMLSelectElement} */
+  const examples = find_element(root, "#sim-example");
+  examples.addEventListener("change", () => {
+    if (examples.value) act.set({ field: "own", h: examples.value });
+    examples.value = "";
+  });
+
   /** @param {string} text @param {Element} element */
   async function copy(text, element) {
     const told = $(".sim-copied");
@@ -240,6 +254,7 @@ function simulator_start(root, compiled, module) {
   /** What each button does, by its name: told the button's value. @type {Record<string, (value: string, button: HTMLElement) => void>} */
   const buttons = {
     preset: presets.run,
+    play: presets.play_alone,
     pause: presets.toggle,
     step: (steps) => presets.step(Number(steps)),
     stop: presets.stop,
@@ -309,6 +324,7 @@ function simulator_start(root, compiled, module) {
   }
   watch_closer();
   controls.show(state);
+  lamp.show(state);
   fit(); // before anything is drawn in it, which else moves once more
   const is_addressed = from_address();
   if (is_addressed) root.scrollIntoView();

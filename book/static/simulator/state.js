@@ -1,8 +1,8 @@
 // What the reader can set, said once: names, ranges, defaults; the URL's fragment and the line of Python made from it.
 "use strict";
 
-/** @param {HTMLElement} root @param {SimulatorData} data */
-function simulator_states(root, { fields, models, scene, record }) {
+/** @param {HTMLElement} root @param {SimulatorData} data @param {(state: State) => boolean} has_seam */
+function simulator_states(root, { fields, models, scene, record }, has_seam) {
   const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
@@ -64,6 +64,46 @@ function simulator_states(root, { fields, models, scene, record }) {
     allowed: `${count} digits, 1 for on and 0 for off`
   });
 
+  const FURTHEST_LAMP = 50;
+  const LOWEST_LAMP = 0.05;
+  /** @param {number[]} at @param {number[]} center @param {number} radius */
+  const is_clear = (at, center, radius) => Math.hypot(...at.map((part, axis) => part - center[axis])) > 1.01 * radius;
+  /** @type {Parameter} */
+  const place = {
+    start: scene.lights[0].position,
+    read: (text) => text.split(",").map(number_in),
+    write: String,
+    holds: (x) =>
+      Array.isArray(x) &&
+      x.length === 3 &&
+      x.every((part) => Math.abs(part) <= FURTHEST_LAMP) &&
+      x[2] >= LOWEST_LAMP &&
+      is_clear(x, [0, 0, 0], scene.radius) &&
+      is_clear(x, scene.ball_center, scene.ball_radius),
+    allowed: `x, y, z from -${FURTHEST_LAMP} to ${FURTHEST_LAMP}, z at least ${LOWEST_LAMP}, outside both spheres`
+  };
+
+  // A formula as it is typed or printed, in the letters that `--field-expression` reads.
+  /** @param {string} text */
+  const formula_text = (text) =>
+    text
+      .replaceAll("−", "-")
+      .replace(/[·×]/g, "*")
+      .replaceAll("π", "pi")
+      .replace(/[²³]/g, (sign) => `**${"²³".indexOf(sign) + 2}`);
+  /** @type {Parameter} */
+  const formula = {
+    start: "(2*sinpi(20*u)*sinpi(9*v) + sinpi(26*u + 5*v) + sinpi(14*v - 18*u))/10",
+    read(text) {
+      const written = formula_text(text);
+      formula_of(written, { ku: 1, kv: 1 });
+      return written;
+    },
+    write: encodeURIComponent,
+    holds: (text) => typeof text === "string",
+    allowed: "a formula of u and v"
+  };
+
   const AXES = [
     ["left", "column"],
     ["top", "row"]
@@ -72,17 +112,21 @@ function simulator_states(root, { fields, models, scene, record }) {
   const MOST = 2 ** 24;
   /** @type {Record<string, Parameter>} */
   const parameters = {
-    field: choice(Object.keys(fields), scene.field),
+    field: choice([...Object.keys(fields), "own"], scene.field),
+    h: formula,
     eps: number(1e-18, 0.1, 1e-3),
     beta: number(0, 2, scene.beta),
     ku: number(-64, 64, scene.ku),
     kv: number(-64, 64, scene.kv),
     model: choice(Object.keys(models), scene.model),
     method: choice(offered("method"), "central"),
+    against: choice(offered("against"), "exact"),
+    against_eps: number(1e-18, 0.1, 1e-3),
     view: choice(offered("view"), "image"),
     scale: choice(offered("scale"), "log"),
     axis: choice(["u", "v"], "u"),
     lights: switches(scene.lights.length),
+    lamp: place,
     ball: choice([1, 0], 1),
     size: choice(offered("size").map(Number), 256),
     zoom: whole(0, FURTHEST, 0),
@@ -178,6 +222,7 @@ function simulator_states(root, { fields, models, scene, record }) {
   const fragment = (state) =>
     MARK +
     Object.entries(parameters)
+      .filter(([name]) => name !== "h" || state.field === "own")
       .map(([name, p]) => `${name}=${name in OFFSETS ? share_at(state, name) : p.write(state[name])}`)
       .join("&");
 
@@ -220,36 +265,48 @@ function simulator_states(root, { fields, models, scene, record }) {
     return { width: whole, height: whole, left, top, wide, high: wide };
   }
 
+  /** The scene's lights, the first where the lamp is; no colour where one is off. @param {State} state */
+  const lights_of = ({ lights, lamp }) =>
+    scene.lights.map(({ position, color }, n) => ({ position: n ? position : lamp, color: lights[n] ? color : null }));
+
   /**
    * One line that prints the renderer's own record of the pixel under the cursor, by the difference and exactly.
    * @param {State} state
    */
   function python(state) {
-    /** @param {LightData} light @param {number} n */
-    const light = ({ position, color }, n) =>
-      `Light((${position.join(", ")}), ${state.lights[n] ? `(${color.join(", ")})` : "None"})`;
-    const all = state.lights.every(Boolean);
-    const { field, ku, kv, beta, model, method } = state;
-    const given = [`field="${field}"`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
+    /** @param {ReturnType<typeof lights_of>[number]} light */
+    const light = ({ position, color }) =>
+      `Light((${position.join(", ")}), ${color ? `(${color.join(", ")})` : "None"})`;
+    const all = state.lights.every(Boolean) && String(state.lamp) === String(place.start);
+    const { ku, kv, beta, model, method, against } = state;
+    const is_own = state.field === "own";
+    const field = is_own
+      ? `HeightField("own", "${state.h}"${has_seam(state) ? ", seam=True" : ""})`
+      : `"${state.field}"`;
+    const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
-    if (!all) given.push(`lights=(${scene.lights.map(light).join(", ")})`);
+    if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
+    const [other, by] = against === "exact" ? ["", ""] : [`${against}, `, `, ${against}(${state.against_eps})`];
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
-      `from renderer import ${all ? "" : "Light, "}Scene, ${method}, pixel; s = Scene(${given.join(", ")}); ` +
-      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}), sep="\\n")`
+      `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, ${other}pixel; s = Scene(${given.join(", ")}); ` +
+      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}${by}), sep="\\n")`
     );
   }
 
   /** What the renderer's own pictures say of how they were drawn. @param {State} state @param {boolean} is_numeric */
   function record_of(state, is_numeric) {
-    const { field, ku, kv, beta, model, method, eps, size, left, top } = state;
-    const lights = scene.lights.map(({ position, color }, n) => ({ position, color: state.lights[n] ? color : null }));
+    const { ku, kv, beta, model, method, eps, against, against_eps, size, left, top } = state;
+    const [name, step] = is_numeric ? [method, eps] : [against, against_eps];
+    const own = { name: "own", expression: state.h, ...(has_seam(state) ? { seam: true } : {}) };
+    const field = state.field === "own" ? own : state.field;
+    const lights = lights_of(state);
     return {
       ...record,
       width: side(state),
       height: side(state),
       crop: [left, top, size, size],
-      gradient: { ...record.gradient, ...(is_numeric ? { name: method, eps } : {}) },
+      gradient: { ...record.gradient, ...(name === "exact" ? {} : { name, eps: step }) },
       scene: { ...record.scene, field, ku, kv, beta, model, lights, ball: Boolean(state.ball) }
     };
   }

@@ -42,7 +42,7 @@ function simulator_worker(post) {
    * @returns {Stage}
    */
   function staged(state, raster) {
-    const key = [state.ball, ...state.lights, ...Object.values(raster)];
+    const key = [state.ball, ...state.lights, ...state.lamp, ...Object.values(raster)];
     const stage = keep("stage", key, () => module.make_stage(state, raster));
     keep("around", [stage.version, state.model], () => {
       for (const name of ["numeric", "symbolic", "spare"]) module.draw_elsewhere(state, stage.value, name);
@@ -58,7 +58,16 @@ function simulator_worker(post) {
    */
   function draw_anew(name, state, stage) {
     const method = module.methods_of(state)[name];
-    const key = [kept.around.version, state.field, state.ku, state.kv, state.beta, method.name, method.eps ?? 0];
+    const key = [
+      kept.around.version,
+      state.field,
+      state.h,
+      state.ku,
+      state.kv,
+      state.beta,
+      method.name,
+      method.eps ?? 0
+    ];
     keep(name, key, () => module.draw_a(state, method, stage, name));
   }
 
@@ -70,10 +79,11 @@ function simulator_worker(post) {
    */
   function shown(name, state, stage) {
     const { view, field, ku, kv, eps } = state;
+    if (view === "loci" && field === "own") return module.own_creases(state, stage);
     if (["image", "loci", "bounds"].includes(view)) return null;
     const [u, v] = module.chart(stage);
-    if (view === "straddle") return module.kernel_over(`straddling_${field}`, u, v, ku, kv, eps)[0];
-    if (view === "kink") return module.kernel_over(`kink_${field}`, module.angles_of(stage)[3], u, v, ku, kv)[0];
+    if (view === "straddle") return module.straddles(state, module.methods_of(state).numeric, u, v);
+    if (view === "kink") return module.kinks(state, module.angles_of(stage)[3], u, v);
     const method = module.methods_of(state)[name];
     if (view === "slope") return module.kernel_over("slope", ...module.gradients(state, stage, method))[0];
     const bounds = name === "numeric" && module.bounds_of(state);
@@ -87,7 +97,10 @@ function simulator_worker(post) {
     if (values && state.view === "terms") module.paint("paint_levels", stage, name, { whole, palette: "terms" });
     else if (values && state.view === "slope") {
       const waves = module.wave_numbers(state) ?? [state.ku, state.kv];
-      const [steepest] = module.kernel("slope_bound", Math.max(...waves.map(Math.abs)));
+      const [steepest] =
+        state.field === "own"
+          ? values.toSorted().slice(-1)
+          : module.kernel("slope_bound", Math.max(...waves.map(Math.abs)));
       module.paint("paint_levels", stage, name, { whole, gain: steepest > 0 ? 255 / steepest : 0 });
     } else {
       module.paint("paint_colors", stage, name, { whole });

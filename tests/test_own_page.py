@@ -1,0 +1,104 @@
+"""The reader's own field in the page: what its formulas mean, what is refused, and how it is typed."""
+
+from random import Random
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from renderer import HeightField, Scene, central, render
+from renderer.generate.reader import parse_expression
+from tests.tabs import go
+from tests.test_own_field import KU, KV, accepted
+
+# Both pictures of a state with a formula, and whether it has a seam.
+PICTURES = """([h, ku, kv, size]) => {
+    const { states, module } = Simulator.running;
+    const state = states.changed(states.start(), { field: "own", h: states.read("h", h), ku, kv, size: 128 });
+    const raster = { ...states.crop(state), width: size, height: size, wide: size, high: size };
+    const stage = module.make_stage(state, raster);
+    const methods = Object.values(module.methods_of(state));
+    return [methods.map(method => module.render(state, method, stage).map(plane => [...plane])),
+        module.own_of(state).has_seam];
+}"""
+REFUSAL = """h => {
+    const { states, module } = Simulator.running;
+    try { module.own_of({ ...states.start(), field: "own", h: states.read("h", h) }); return null; }
+    catch (error) { return [error.message, error.at ?? -1]; }
+}"""
+SIDE = 48
+
+
+@pytest.fixture(scope="module")
+def tab(visit_once):
+    return visit_once("s4")
+
+
+def pictures(tab, text, ku=KU, kv=KV):
+    """Return (the numeric and the symbolic picture that the page draws, (2, SIDE, SIDE, 3), whether it says a seam)."""
+    planes, has_seam = tab.evaluate(PICTURES, [text, ku, kv, SIDE])
+    return np.moveaxis(np.array(planes).reshape(2, 3, SIDE, SIDE), 1, -1), has_seam
+
+
+def off(text, page, has_seam, ku=KU, kv=KV):
+    """Return by how much the page's pictures are off the renderer's, beyond the exact one's bound and off creases."""
+    scene = Scene(field=HeightField("own", parse_expression(text), seam=has_seam), ku=ku, kv=kv)
+    frames = render(scene, SIDE, SIDE, central(1e-3)), render(scene, SIDE, SIDE, bounds=True)
+    certain = ~frames[1].open & ~frames[1].kink & ~frames[0].straddling
+    assert certain.mean() > 0.5
+    beyond = [np.abs(picture - frame.rgb) for picture, frame in zip(page, frames, strict=True)]
+    beyond[1] -= frames[1].bounds
+    return [part[certain].max() for part in beyond]
+
+
+def examples(tab):
+    return tab.evaluate("[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)")
+
+
+def test_a_typed_field_is_the_renderers(tab):
+    """The page's examples and random formulas: exactly to 1e-12 beside the bound, by a difference to 1e-9."""
+    texts = [e for e in examples(tab) if "m" not in e] + Random(7).sample([text for text, _ in accepted()], 10)
+    worst = {text: off(text, *pictures(tab, text)) for text in texts}
+    for text, (numeric, symbolic) in worst.items():
+        assert symbolic <= 1e-12 and numeric <= 1e-9, (text, numeric, symbolic)
+
+
+REFUSED = (
+    *("sinh(u)", "u +", "(u", "u)", "u**v", "u**65", "u**0.3", "x", "1/0", "log(v-2)", "sqrt(u-1)", "u if v else u"),
+    *("max(u)", "sinpi(u, v)", "Piecewise((u, v))", "u v", "a.b", "'u'", "", "sinpi", "(" * 50 + "u" + ")" * 50),
+)
+READ = ("u*(1-u)", "+v", "-v**2", "2**-1*v", "1e-3*v", "Piecewise((v, v < 1/2), (1 - v, True))", "Abs(v - 2)", "pi*v/4")
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_both_sides_refuse(tab, text):
+    with pytest.raises(ValueError):
+        HeightField("own", parse_expression(text))
+    message, _ = tab.evaluate(REFUSAL, text)
+    assert "h(u, v)" in message
+
+
+@pytest.mark.parametrize("text", READ)
+def test_both_sides_read(tab, text):
+    page, has_seam = pictures(tab, text)
+    assert max(off(text, page, has_seam)) <= 1e-9
+
+
+def test_it_is_typed_and_an_error_loses_nothing(tab):
+    """Drawn while it is typed; what cannot be read is said and marked, and the last good picture stays."""
+    go(tab, "#sim?field=own")
+    box = tab.locator("#sim-h")
+    box.fill("sinpi(6*u)*v")
+    tab.wait_for_function("Simulator.running.shown().includes('h=sinpi(6*u)*v&')")
+    box.fill("sinpi(6*w)*v")
+    box.press("Enter")
+    expect(tab.locator("#sim-h-error")).to_contain_text("from w on")
+    assert tab.evaluate(
+        "[...'ab'].map((_, n) => document.querySelector('#sim-h')[['selectionStart', 'selectionEnd'][n]])"
+    ) == [8, 9]
+    assert tab.evaluate("Simulator.running.act.state().h") == "sinpi(6*u)*v"
+    box.fill("sinpi(6·u)·v²")
+    box.press("Enter")
+    expect(tab.locator("#sim-h-error")).to_be_empty()
+    assert tab.evaluate("Simulator.running.act.state().h") == "sinpi(6*u)*v**2"
+    expect(tab.locator(".sim-python code")).to_contain_text("sinpi(6*u)*v**2")
