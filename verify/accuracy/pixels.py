@@ -66,7 +66,8 @@ def _kinds(frame):
 
 def chosen(frame: Frame, each: int = EACH) -> list[tuple[int, int]]:
     """Return [(column, row)]: `each` pixels of every kind; among equals at random."""
-    rng, pixels = np.random.default_rng(SEED), []
+    rng = np.random.default_rng(SEED)
+    pixels: list[tuple[int, int]] = []
     for plane in _kinds(frame):
         order = np.lexsort((rng.random(plane.size), plane.ravel()))[:each]
         rows, columns = np.unravel_index(order[np.isfinite(plane.ravel()[order])], plane.shape)

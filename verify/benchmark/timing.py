@@ -65,7 +65,8 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
 
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
     """Time the cases; return {NAME_UNIT: the median of all calls}, and its quartiles by NAME_UNIT_low and _high."""
-    seconds, numbers = timings(cases, title), {}
+    seconds = timings(cases, title)
+    numbers: dict[str, float] = {}
     for case in cases:
         name, times = f"{case.name}_{case.unit}", np.array(seconds[case.name]) * (UNITS[case.unit] / case.points)
         keys = (f"{name}_low", name, f"{name}_high")
