@@ -19,7 +19,7 @@ from renderer.picture.differences import nearest_and_furthest
 from renderer.shader.numbers import Shot
 from renderer.shader.rounded_inputs import bound_of_x, bound_of_y, of_scene
 from renderer.shader.shader import difference
-from verify.accuracy.step_terms import BOUNDS, SLOPE_TERMS
+from verify.accuracy.step_terms import BOUNDS, RULES, slope_terms
 
 BY_ROUNDING = [TERMS.index(term) for term in ("argument rounding", "roundoff")]
 
@@ -27,14 +27,15 @@ BY_ROUNDING = [TERMS.index(term) for term in ("argument rounding", "roundoff")]
 def _noise(name, method, *at):
     """Return how much of the difference of heights rounding may make, then how far a slope is off: in u, and in v.
 
-    By the theorems, over the span of the samples; NaN where none covers the difference.
+    By the theorems, over the span of the samples; NaN where none covers the field.
     """
-    if method != "central" or name not in SLOPE_TERMS:
+    if (name, method) not in BOUNDS:
         return (nan,) * 4
     _, v, *_, epsilon = at
-    in_u, in_v = (sum(terms[n] for n in BY_ROUNDING) for terms in SLOPE_TERMS[name](*at))
-    noise = in_u * 2.0 * epsilon, in_v * (minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-    return *noise, *BOUNDS[name](*at)[2:]
+    in_u, in_v = (sum(terms[n] for n in BY_ROUNDING) for terms in slope_terms(HEIGHT_FIELDS[name], method)(*at))
+    span = RULES[method].span * epsilon
+    clamped = minimum(span, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
+    return in_u * span, in_v * clamped, *BOUNDS[name, method](*at)[2:]
 
 
 def samples_of(name: str, method: str) -> Callable:

@@ -136,8 +136,9 @@ def float64_source(operations: Mapping[str, Any], kernels: Mapping[str, Any], co
     for field in filter(lambda field: field.wave_numbers, height_fields.HEIGHT_FIELDS.values()):
         single += [program(field) for program in programs_of]
     modules = [float64_module(program, operations) for program in single]
-    any_field = finite_difference.central(height_fields.ANY_FIELD)
-    modules.append(float64_module(any_field, operations, "Variable height : R -> R -> R -> R -> R."))
+    for method in finite_difference.METHODS.values():
+        any_field = method(height_fields.ANY_FIELD)
+        modules.append(float64_module(any_field, operations, "Variable height : R -> R -> R -> R -> R."))
     rules = {program.name: rule(program, kernels, counted) for program in enclosed.RULES.values()}
     modules += [in_module(f"{name}_float64", lines) for name, lines in rules.items()]
     return FLOAT64 + "".join(f"\n{module}" for module in modules)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # _HOMES, for type checkers
         v as v,
     )
     from renderer.picture.drawing import render as render, stage_of as stage_of
+    from renderer.picture.fit import fit as fit
     from renderer.picture.frame import Frame as Frame
     from renderer.picture.pixel_record import pixel as pixel
     from renderer.scene.methods import central as central, central4 as central4, exact as exact, forward as forward
@@ -33,6 +34,7 @@ _HOMES = {
     "central4": "scene.methods",
     "cospi": "generate.custom_fields",
     "exact": "scene.methods",
+    "fit": "picture.fit",
     "forward": "scene.methods",
     "gradient_at": "shader.gradients",
     "height_at": "shader.gradients",

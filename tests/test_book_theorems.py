@@ -2,7 +2,7 @@
 
 import html
 import re
-from itertools import chain, count
+from itertools import count
 
 import pytest
 from sympy import evaluate, pi, symbols
@@ -19,7 +19,7 @@ from proofs.engine.half_turns import sinpi
 from proofs.engine.theorem import all_theorems
 from tests import one_page
 from tests.processes import python
-from verify.coq import formal
+from verify.coq import formal, recorded
 from verify.evidence.sources import ROOT
 
 THEOREMS = all_theorems()
@@ -56,10 +56,15 @@ def test_every_card_says_what_its_checked_object_says(cards, proofs):
         assert [word for word in words if "Coq" in word] == [f"Coq, {formal.when()}:"] * is_formal
         assert not (is_formal and theorem.expected == "argued")
         (statement,) = card.select(".statement")
+        brief = [text.get_text().strip().replace("’", "'") for text in card.select(".brief")]
+        assert brief == [" ".join(clause.text for clause in theorem.short)] * bool(theorem.short)
+        shown = [text.get_text() for text in card.select("details.coq[open] pre")]
+        for text, pin in zip(shown, theorem.pinned, strict=True):
+            assert "".join(recorded.in_full(pin.name, recorded.record()).split()) in "".join(text.split())
         shown = statement.get_text().strip().replace("’", "'")
         assert re.subn(r" \(argued: .*?\)(?= |$)", "", shown) == (theorem.words, len(theorem.argued))
         assert len(card.select(".given dd")) == sum(len(claim.given) for claim in theorem.rounded)
-        claims = chain.from_iterable(clause.claims for clause in theorem.clauses)
+        claims = [claim for clause in theorem.clauses for claim in clause.claims if claim in theorem.claims]
         for shown, claim in zip(card.select("details > .claim"), [*claims, *theorem.rounded], strict=True):
             assert shown.dl["aria-label"] == f"Claim {claim.name}" and len(shown.dl.select("dd")) <= OPEN
             assert sorted(row.get_text() for row in shown.select("dd")) == sorted(f"${row.tex}$" for row in rows(claim))

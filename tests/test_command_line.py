@@ -65,6 +65,18 @@ def test_image(name, tmp_path, capsys):
         assert (arrays["bounds"] == frame.bounds).all() and (arrays["open"] == frame.open).all()
 
 
+@pytest.mark.parametrize("name", ["a.png", "a.npy", "a.npz"])
+def test_a_slope(name, tmp_path):
+    """A picture beside its scale, or the numbers."""
+    target, slope = tmp_path / name, render(Scene(), 20, 20, derivatives=["beta"]).derivatives["beta"]
+    assert run("image", "--by", "beta", "--size", 20, "--out", target) == 0
+    if name == "a.png":
+        assert (np.asarray(Image.open(target))[:20, :20] == views.derivative_view(slope, "beta")[:20, :20]).all()
+    else:
+        kept = np.load(target)
+        assert ((kept if name == "a.npy" else kept["derivative_beta"]) == slope).all()
+
+
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
@@ -135,6 +147,9 @@ REFUSED = {
         "--out a.npy --bounds a.npz": "bounds = 'a.npz' is not allowed: no --out that is drawn in bands",
         "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
         f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
+        "--by beta,ku": "by = 'beta,ku' is not allowed: several numbers for a .npz, one for",
+        "--by lights[7].color[0]": "name = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
+        "--by ball_radius --no-ball": "derivatives = 'ball_radius' is not allowed: no number of ball, which is off",
         "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
         "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
         "--again ''": "again = '' is not allowed: no --size beside it",
@@ -166,6 +181,7 @@ REFUSED = {
     },
     "": {"": "", "draw": "", "image": "the following arguments are required: --out"},
     "sweep": {
+        "--by beta": "unrecognized arguments: --by beta",
         "--csv ''": "csv = '' is not allowed: a file name that ends in .csv",
         "--checkpoint ''": "checkpoint = '' is not allowed: a file name that ends in .jsonl",
         "--size 8,0": "width = 0 is not allowed: a whole number from 1 to 16777216",

@@ -7,9 +7,9 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from proofs.formulas.enclosed import RULES
+from verify.accuracy.canvas import SIZE
 from verify.accuracy.differences import PER_DECADE
 from verify.evidence.sources import ROOT
-from verify.measurements.creases import SIZE
 from verify.measurements.pole import POINTS
 
 BOOK = ROOT / "book"

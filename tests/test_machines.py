@@ -92,3 +92,26 @@ def test_bounds_change_no_bit_and_are_the_same(name):
     for frame, kind in product(frames, ("rgb", "bounds", "open")):
         assert (getattr(part, kind) == getattr(frame, kind)[5:12, 3:43]).all()
         assert (getattr(over, kind) == getattr(frame, kind)).all()
+
+
+@pytest.mark.parametrize("name", ["central_rings", "sum"])
+def test_slopes_change_no_bit_and_are_the_same(name):
+    """By both machines, alone or together; of a crop by several threads, and of A alone on a stage."""
+    (scene, method), names = SCENES[name], ("beta", "kd", "lights[0].position[2]")
+    plain = render(scene, *SIZE, method)
+    with drawn_by(numpy_rows.drawer):
+        ours = render(scene, *SIZE, method, derivatives=names)
+    together = render(scene, *SIZE, method, derivatives=names)
+    assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
+    part = render(scene, *SIZE, method, (3, 5, 40, 7), threads=3, derivatives=names)
+    certified = render(scene, *SIZE, method, bounds=True, derivatives=names)
+    assert (certified.bounds == render(scene, *SIZE, method, bounds=True).bounds).all()
+    slopes = together.derivatives
+    assert (together.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
+    for by, slope in slopes.items():
+        alone = render(scene, *SIZE, method, derivatives=[by], stage=plain.stage)
+        for other in (ours, alone, certified):
+            np.testing.assert_array_equal(other.derivatives[by], slope, by)
+        assert (part.derivatives[by] == slope[5:12, 3:43]).all()
+        where = plain.stage.on_a if by == "beta" else plain.chambers & 3
+        assert alone.work["slopes"][by] == np.count_nonzero(where)

@@ -3,6 +3,7 @@
 import copy
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,6 +17,8 @@ from book.assembly import report, stamps
 from book.drawing import save
 from book.drawing.registry import Drawing, Registered
 from book.releases import archive, command, compare, notes as release_notes, record, same_bytes
+from proofs.engine.theorem import all_theorems
+from proofs.engine.vectors import real
 from tests.processes import run
 
 GRADES = {
@@ -133,6 +136,19 @@ def test_theorems_added_removed_strengthened_weakened_and_restated():
         (after, GRADES, {"news": "removed", "sampled": "restated", "known_lemma": "weakened"}),
     ):
         assert {change.id: change.kind for change in compare.theorems(one, other)} == kinds
+
+
+def test_a_hypothesis_that_is_added_shows_whatever_the_words_are():
+    theorem = all_theorems()["unit_length"]
+    stricter = [claim.but(given=(claim.given, real("x") > 0)) for claim in theorem.claims]
+    for changes, moved in (
+        ({"claims": stricter}, [f"unit_length__{claim.name}" for claim in stricter]),
+        ({"hypotheses": "more"}, ["hypotheses"]),
+        ({}, []),
+    ):
+        old, new = (GRADES["unit_length"] | {"says": record.says(t)} for t in (theorem, replace(theorem, **changes)))
+        told = [change.words for change in compare.theorems({"a": old}, {"a": new})]
+        assert told == [f"said by other {', '.join(sorted(moved))}"] * bool(moved)
 
 
 def test_numbers_that_moved():

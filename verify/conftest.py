@@ -105,6 +105,16 @@ def _results():
     return graded(EVIDENCE, formal.proved(all_theorems().values()) if "Coq" in AGREED else ())
 
 
+def _told(entry):
+    """Return how a run tells a grade: formal where Coq agreed in it, else on which day it is recorded that Coq did."""
+    theorem = all_theorems()[entry["id"]]
+    if entry["grade"] not in formal.GRADES or not formal.proved([theorem]):
+        return entry["grade_line"]
+    if "Coq" in AGREED:
+        return "formal"
+    return f"{'' if theorem.pinned else entry['grade_line'] + '; '}recorded on {formal.day()}"
+
+
 def pytest_sessionfinish(session, exitstatus):
     """Fail a run in which a theorem misses its expected grade; write the report when every theorem was run."""
     config = session.config
@@ -125,13 +135,16 @@ def pytest_terminal_summary(terminalreporter):
     if not EVIDENCE:
         return
     terminalreporter.section("theorems")
+    told: list[str] = []
     for entry in (results := _results()):
         good = entry["grade"] in (entry["expected"], NOT_RECHECKED)
         mark = "" if good else f"   expected {entry['expected']}  {entry.get('reason', '')}"
-        line = f"{entry['id']:32} {entry['grade_line']:9} {TOOK[entry['id']]:>8}   mutants {entry['killed']}{mark}"
+        told.append(_told(entry))
+        line = f"{entry['id']:32} {told[-1]:9} {TOOK[entry['id']]:>8}   mutants {entry['killed']}{mark}"
         terminalreporter.write_line(line, red=bool(mark))
     counts = summary(results).items()
-    terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts))
+    formally = f"; formal: {told.count('formal')}" if "Coq" in AGREED else ""
+    terminalreporter.write_line(", ".join(f"{n} {key.replace('_', ' ')}" for key, n in counts) + formally)
 
 
 def _tell_what_was_left_out(terminalreporter):

@@ -42,17 +42,18 @@ def lights_on(scene: Scene) -> list[Light]:
 def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
-    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y.
+    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y; or what stands
+    in place of the scene's.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)
     fields = ("eye", "radius", "beta", "ka", "kd", "ks", "shininess", "floor_tint")
-    values = others | {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
+    values = {name: getattr(scene, name) for name in fields} | {"k_u": scene.ku, "k_v": scene.kv}
     values |= {"ball_radius": ball_radius, "ball_on": float(scene.ball), "floor_on": float(scene.floor)}
     triples: list = [(ball_center, center), (ambient_light, scene.ambient)]
     triples += [(albedo_of_a, scene.albedo_a), (albedo_of_b, scene.albedo_b)]
     for number, light in enumerate(lights_on(scene)):
         triples += [(light_position(number), light.position), (light_color(number), light.color)]
-    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)}
+    return values | {s.name: c for names, numbers in triples for s, c in zip(names, numbers, strict=True)} | others
 
 
 def chamber_code(scene: Scene, number_of: Callable[[str], Any]) -> Any:

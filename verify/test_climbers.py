@@ -1,7 +1,6 @@
 """An optimiser climbs toward the worst case of each bound that is measured on samples, and proved nowhere.
 
-A check that is exhaustive (`crease_products`), of every pixel (`crease_contrast`, `dark_difference`) or of a fitted
-order (`difference_slopes`) leaves nothing to climb.
+A fitted order (`difference_slopes`) leaves nothing to climb.
 """
 
 import math
@@ -20,7 +19,7 @@ from verify.accuracy.step_terms import SLOPE_TERMS
 from verify.coq import formal
 from verify.stability.geometry import toward_the_pole
 
-EXHAUSTIVE = {"crease_products", "crease_contrast", "dark_difference", "difference_slopes"}
+FITTED = {"difference_slopes"}
 
 
 def difference(field, u, v, ku, kv, digits):
@@ -89,4 +88,4 @@ def test_no_climber_gets_above_the_bound(theorem, pytestconfig):
 
 def test_each_measured_bound_has_a_climber():
     measured = {id for id, theorem in all_theorems().items() if theorem.expected == "measured"}
-    assert measured - formal.statements().keys() == EXHAUSTIVE | CLIMBS.keys()
+    assert measured - formal.statements().keys() == FITTED | CLIMBS.keys()

@@ -1,7 +1,6 @@
 """Theorems on pages, printed from their checked objects: cards, references, the list of all, what grades mean.
 
 :::{theorem} kink_loci
-Words that stand for the statement, which is then folded away with its proof. Without them the statement stands.
 :::
 
 {theorem-ref}`kink_loci`      a link that reads "Theorem 3 (Kink loci)"; `kink_loci|short` gives "Theorem 3"
@@ -20,7 +19,6 @@ Words that stand for the statement, which is then folded away with its proof. Wi
 
 import re
 from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
 from textwrap import indent
 
@@ -38,26 +36,25 @@ from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from proofs.engine.project import HOME, PROJECT
-from verify.coq import formal
-from verify.coq.survey import AXIOMS
+from verify.coq.recorded import in_full
+from verify.coq.survey import AXIOMS, BESIDE
 
 OPEN = 3  # of the lines that a claim shows; the others are folded
 BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
 
-@directive("theorem", arguments=1, content=True)
+@directive("theorem", arguments=1)
 def theorem_card(here: SphinxDirective) -> Nodes:
     book, id = Here(here.env), here.arguments[0]
     book.proofs.reached(id)
-    brief, messages = here.state.inline_text(" ".join(here.content), here.lineno)
-    return [card(book, id, brief), *messages]
+    return [card(book, id)]
 
 
-def card(book: Here, id: str, brief: Sequence[nodes.Node] = ()) -> Filled:
+def card(book: Here, id: str) -> Filled:
     path, line = module_and_line(id)
     source = f"{listing_address(path)}#L-{line}"
-    return filled("card", id=id, book=book, brief=list(brief), check_here=check_here(book, id), source=source)
+    return filled("card", id=id, book=book, check_here=check_here(book, id), source=source)
 
 
 def coq(name: str, statement: str) -> Markup:
@@ -70,7 +67,7 @@ def beside(formally: dict) -> tuple[dict[str, str], int, int]:
     """Of what Coq says beside a theorem's claims: the additions, how many points, and how many false variants."""
     statements = formally["statements"]
     points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
-    return {n: text for n, text in statements.items() if not n.endswith(formal.BESIDE)}, points, false
+    return {n: text for n, text in statements.items() if not n.endswith(BESIDE)}, points, false
 
 
 def axioms(names: list[str]) -> str:
@@ -130,14 +127,13 @@ def all_theorems(here: SphinxDirective) -> Nodes:
 
 
 TEMPLATES.globals.update(
-    {each.__name__: each for each in (axioms, beside, certificate, coq, count, evidence_line, killed, kind)},
+    {f.__name__: f for f in (axioms, beside, certificate, coq, count, evidence_line, in_full, killed, kind)},
     BEFORE=BEFORE,
     CHECK="pytest verify" if PROJECT.root == HOME else "pytest -p verify.conftest --noconftest --pyargs verify",
     DOWNLOADS=DOWNLOADS,
     GRADES=GRADES,
     OPEN=OPEN,
     PAGES=PROJECT.page,
-    PARTLY=formal.PARTLY,
     point=point,
     rows=rows,
 )

@@ -24,7 +24,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
     "formal": (
         "■",
         "F",
-        "Coq's kernel accepted each claim as printed, here or on a day that is said; a certificate or samples agree",
+        "Coq's kernel accepted all that says the words, as printed or pinned, here or on a day that is said",
     ),
     "proved": ("●", "P", "the kernel accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
@@ -92,7 +92,7 @@ def load(book: Path) -> Proofs:
         if in_coq:
             printed = statements(theorems[id])
             in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
-        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in ("proved", "measured")
+        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in formal.GRADES
         entry["shown"] = "formal" if formally else entry["grade"]
         entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))

@@ -56,7 +56,7 @@ def _allowed(field):
     |Δg| ≤ hypot(bound of h_u, bound of h_v), by theorem difference_bounds, at the pixel of A where that is largest.
     """
     scene, data = Scene(field=field), symbolic(field).data_on_a
-    of_slopes = (BOUNDS[field](data["u"], data["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
+    of_slopes = (BOUNDS[field, "central"](data["u"], data["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
     return steepest(scene).max() * abs(scene.beta) * np.array([np.hypot(*both).max() for both in of_slopes])
 
 

@@ -65,6 +65,8 @@ def _theorem(id: str, old: dict, new: dict) -> Iterator[Change]:
         yield Change(id, "restated", words)
     if new["statement"] != old["statement"]:
         yield Change(id, "restated", f"“{old['statement']}” → “{new['statement']}”")
+    if moved := sorted(dict(old.get("says", new.get("says", {})).items() ^ new.get("says", {}).items())):
+        yield Change(id, "restated", f"said by other {', '.join(moved)}")
 
 
 def numbers(before: dict, after: dict) -> list[Change]:

@@ -13,6 +13,9 @@ from pathlib import Path
 from book.assembly import report, stamps
 from book.releases.pictures import arrays_of, digest
 from proofs.engine.project import PROJECT
+from proofs.engine.theorem import Theorem, all_theorems
+from proofs.printers.coq_statements import statements
+from verify.coq import recorded
 
 GENERATED, BENCHMARKS = PROJECT.generated, PROJECT.root / PROJECT.benchmarks
 FORMAT = 1
@@ -39,13 +42,24 @@ def make() -> dict:
 
 
 def theorems() -> dict[str, dict]:
-    """Id → what the last run graded it, and the words of the statement."""
-    from proofs.engine.theorem import all_theorems
-
+    """Id → what the last run graded it, the words of the statement, and digests of what says them, by name."""
     entries, stated = report.load(), all_theorems()
     return {
-        id: {"grade": entry["grade"], "given": entry["given_cited"], "statement": stated[id].words}
+        id: {
+            "grade": entry["grade"],
+            "given": entry["given_cited"],
+            "statement": stated[id].words,
+            "says": says(stated[id]),
+        }
         for id, entry in sorted(entries.items())
+    }
+
+
+def says(theorem: Theorem) -> dict[str, str]:
+    """The digests of a theorem's hypotheses, of its claims as they are printed for Coq, and of what it pins."""
+    printed = {"hypotheses": " ".join(theorem.hypotheses)} | statements(theorem)
+    return {name: recorded.digest(text) for name, text in printed.items()} | {
+        pin.name: pin.digest for pin in theorem.pinned
     }
 
 

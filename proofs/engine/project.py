@@ -36,8 +36,7 @@ class Project(NamedTuple):
     "module:function" of its text}; kernels: the printed module. programs: {script of the site: the module with its
     `source`}; directives: further modules of the extension. tex: "module:name" of {symbol: TeX}. slowest: the figures
     that take longest. records: {name: the fields of a `verify.evidence.records.Record`}; results, benchmarks: their
-    folders. formal: the folder of Coq's files; trusted: {one: its hash}; partly: {theorem: what of its words Coq was
-    not told}.
+    folders. formal: the folder of Coq's files; trusted: {one: its hash}.
     """
 
     root: Path
@@ -67,7 +66,6 @@ class Project(NamedTuple):
     results: str = ""
     benchmarks: str = ""
     trusted: Table = NOTHING
-    partly: Table = NOTHING
 
     @property
     def generated(self) -> Path:

@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Parts, point
+from proofs.engine.claim import AnyClaim, Claim, Encloses, Parts, Rounded, point
 from proofs.engine.program import Some, flat, put
 from proofs.engine.project import PROJECT
 
@@ -29,10 +29,27 @@ class Step(Parts):
 
 
 @dataclass(frozen=True)
-class Clause(Parts):
-    """A part of a statement, as the reader sees it, and the claims that say it.
+class Pinned:
+    """A theorem ID__NAME that Coq proves from a file written by hand: the digest of its text, as it was read.
 
-    One without claims is argued in the steps and decided by nothing; `argued` says why.
+    The text is as Coq prints it, with every definition by hand that it names (`verify.coq.recorded`). Where that is
+    another one, or Coq refutes no false variant of it, ID__NAME__false, what pins it fails.
+    """
+
+    name: str
+    digest: str
+
+
+def coq(*pinned: str) -> tuple[Pinned, ...]:
+    """Return what is Pinned by texts of a name and its digest."""
+    return tuple(Pinned(*text.split()) for text in pinned)
+
+
+@dataclass(frozen=True)
+class Clause(Parts):
+    """A part of a statement, as the reader sees it, and what says it: claims, or what is Pinned.
+
+    One without is argued in the steps and decided by nothing; `argued` says why.
     """
 
     text: str
@@ -99,8 +116,9 @@ class Theorem(Parts):
     """A statement with everything that its evidence is made of.
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
-    statement may be {text: the claims that say it, or as a text why it is argued}, or Clauses; where one is argued, so
-    is the theorem. claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
+    statement may be {text: what says it, or as a text why it is argued}, or Clauses; where one is argued, so is the
+    theorem. short: the same in fewer words, for a page where the statement is folded, said by some of what says that.
+    claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
     theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
     steps use are added. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
@@ -108,7 +126,7 @@ class Theorem(Parts):
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
     verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
-    float64's own operations.
+    float64's own operations; of clauses, theirs.
 
     >>> from proofs.theorems.language import Claim, Theorem, equation, real, variant
     >>> x = real("x")
@@ -139,14 +157,17 @@ class Theorem(Parts):
     expected: str = ""
     source: str = ""
     rounded: Some = ()
+    short: Any = ()
 
     def __post_init__(self):
         hypotheses = tuple(map(_line, flat(self.hypotheses)))
         put(self, statement=_clauses(self.statement), steps=_steps(self.steps), hypotheses=hypotheses)
+        put(self, short=_clauses(self.short))
         super().__post_init__()
         if not isinstance(self.statement, str):
-            claims = dict.fromkeys(claim for clause in self.statement for claim in clause.claims)
-            put(self, claims=tuple(claims))
+            named = tuple(dict.fromkeys(claim for clause in self.statement for claim in clause.claims))
+            put(self, rounded=tuple(claim for claim in named if isinstance(claim, Rounded | Encloses)))
+            put(self, claims=tuple(claim for claim in named if not isinstance(claim, Rounded | Encloses | Pinned)))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
             put(self, refuted_at=point(self.refuted_at))
@@ -154,7 +175,7 @@ class Theorem(Parts):
         put(self, uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
-        checked = bool(self.claims) or self.expected not in WITHOUT_CLAIMS
+        checked = bool(self.claims) or not (self.pinned or self.expected in WITHOUT_CLAIMS)
         if checked and len(self.mutants) < 2:
             raise ValueError(f"{self.id}: needs at least two mutants")
         if self.expected == "cited" and not self.source:
@@ -162,10 +183,14 @@ class Theorem(Parts):
         names = [claim.name for claim in (*self.claims, *self.rounded)]
         if len(set(names)) < len(names) or (checked and not self.claims):
             raise ValueError(f"{self.id}: claims need different names")
+        if others := [pin.name for pin in self.pinned if not pin.name.startswith(f"{self.id}__")]:
+            raise ValueError(f"{self.id}: pins what is another theorem's: {', '.join(others)}")
         if unknown := {c.claim for c in self.side_conditions}.difference(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
         if any(not clause.argued for clause in self.argued):
             raise ValueError(f"{self.id}: a clause without a claim needs a reason")
+        if any(not clause.claims or {*clause.claims}.difference(self._named) for clause in self.short):
+            raise ValueError(f"{self.id}: a short text needs claims, some of the statement's")
         if (self.expected == "refuted") != (self.refuted_at is not None and len(self.claims) == 1):
             raise ValueError(f"{self.id}: a refuted statement, and no other, has a point, and one claim")
 
@@ -173,7 +198,7 @@ class Theorem(Parts):
     def clauses(self) -> tuple[Clause, ...]:
         """The statement's clauses: a text is one clause, which all the claims say."""
         if isinstance(self.statement, str):
-            return (Clause(self.statement, self.claims),)
+            return (Clause(self.statement, (*self.claims, *self.rounded)),)
         return self.statement
 
     @property
@@ -188,9 +213,18 @@ class Theorem(Parts):
         return lent + [id for step in self.steps for id in step.uses]
 
     @property
+    def _named(self) -> tuple:
+        return tuple(claim for clause in self.clauses for claim in clause.claims)
+
+    @property
+    def pinned(self) -> tuple[Pinned, ...]:
+        """The theorems of Coq's that clauses name."""
+        return tuple(dict.fromkeys(claim for claim in self._named if isinstance(claim, Pinned)))
+
+    @property
     def argued(self) -> tuple[Clause, ...]:
-        """The clauses that no claim says."""
-        return tuple(clause for clause in self.clauses if self.claims and not clause.claims)
+        """The clauses that nothing says."""
+        return tuple(clause for clause in self.clauses if (self.claims or self.pinned) and not clause.claims)
 
     def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""

@@ -14,7 +14,7 @@ Qed.
 (* Wherever the difference is taken. *)
 Lemma error_anywhere (L w e : R) : 0 <= L -> 0 < e -> e + w <= 1 -> error_bound L w e <= error_bound L (1 - e) e.
 Proof.
-  intros P E W. apply Rplus_le_compat_r, Rplus_le_compat_l. apply Rmult_le_compat_r; [unfold kappa; lra|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, E|]. apply Rmult_le_compat_l; lra.
+  intros P E W. apply Rplus_le_compat_r, Rplus_le_compat_l. apply Rmult_le_compat_r; [unfold kappa_unclamped; lra|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, E|]. apply Rmult_le_compat_l; lra.
 Qed.
 (* The colour of sine by the float64 difference, and that of its exact slopes: apart by what the step and the wave numbers say, and by delta, what the roundings of the frame and of the gradient cost N + beta g. *)
 Theorem colour_accuracy__of_the_difference (theta phi u v k_u k_v epsilon nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :
@@ -31,7 +31,7 @@ Theorem colour_accuracy__of_the_difference (theta phi u v k_u k_v epsilon nx ny 
   Rabs (clip_float64.clipped (light_term_float64.lit_red b i a kd ks mu' p) - clip.clipped (light_term.lit_red b i a kd ks exact p)) <=
     8 / 9007199254740992 * (i * (a * kd * Rmax 0 mu' + ks * p) + b) + / 1000000000000000000000000000000 + i * (a * kd * (81 * unit53)) + i * (a * kd * (delta + Rabs beta * slopes)).
 Proof.
-  intros m2 d2 h_u h_v m delta mu' exact slopes Su Sv Cu Cv. intros. assert (Eu := proj1 (roundoff_bound__in_float64_u _ _ _ _ _ Su Cv)). assert (Ev := proj1 (roundoff_bound__in_float64_v _ _ _ _ _ Sv Cu)).
+  intros m2 d2 h_u h_v m delta mu' exact slopes Su Sv Cu Cv. intros. assert (Eu := proj1 (difference_bounds__in_float64_u _ _ _ _ _ Su Cv)). assert (Ev := proj1 (difference_bounds__in_float64_v _ _ _ _ _ Sv Cu)).
   eapply through; [apply (colour_accuracy__composed nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p); assumption|]. eapply Rle_trans; [apply clip_moves | apply share_moves; try assumption].
   change (light_direction.mu _ _ _ _ _ _ _ _ _) with (mu (px, py, pz) (lx, ly, lz) (perturbed.bumped_x nx ny nz gx gy gz beta, perturbed.bumped_y nx ny nz gx gy gz beta, perturbed.bumped_z nx ny nz gx gy gz beta)).
   replace (perturbed.bumped_x _ _ _ _ _ _ _, _, _) with (scaled (/ magnitude m) m) by (perturbed.lines; rewrite <- !Rsqr_pow2; reflexivity).

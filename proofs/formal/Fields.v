@@ -54,8 +54,8 @@ Qed.
 
 (* With the roots that the card has: T eps^2 + E/eps is at least 3 T^(1/3) (E/2)^(2/3), and is that at eps = (E/2T)^(1/3). *)
 Theorem best_step__roots (T E epsilon : R) : 0 < T -> 0 < E -> 0 < epsilon ->
-  let best := Rpower (E / (2 * T)) (1/3) in let least := 3 * Rpower T (1/3) * Rpower (E / 2) (2/3) in
-  T * best ^ 2 + E / best = least /\ least <= T * epsilon ^ 2 + E / epsilon.
+  let best := Rpower (E / (2 * T)) (1/3) in let lowest := 3 * Rpower T (1/3) * Rpower (E / 2) (2/3) in
+  T * best ^ 2 + E / best = lowest /\ lowest <= T * epsilon ^ 2 + E / epsilon.
 Proof.
   intros HT HE He. cbv zeta. assert (Q : 0 < E / (2 * T)) by (apply Rdiv_lt_0_compat; lra). set (q := E / (2 * T)) in *.
   assert (C : forall n : nat, Rpower q (1/3) ^ n = Rpower q (INR n / 3)) by (intro n; rewrite <- Rpower_pow, Rpower_mult by apply exp_pos; f_equal; field).

@@ -393,6 +393,21 @@ End program.
 Ltac lines := unfold h_v, h_u, sin_v, cos_v.
 End gradient_rings_float64.
 
+Module forward_any_float64.
+Section program.
+Variable height : R -> R -> R -> R -> R.
+Variables u v k_u k_v epsilon : R.
+Definition u_plus := rounded (rounded (epsilon + u) - whole_below (rounded (epsilon + u))).
+Definition stepped := (if Rle_dec (rounded (epsilon + v)) 1 then rounded (epsilon + v) else rounded (v - epsilon)).
+Definition h_here := height u v k_u k_v.
+Definition h_u_plus := height u_plus v k_u k_v.
+Definition h_v_plus := height u stepped k_u k_v.
+Definition h_u := rounded (rounded (h_u_plus - h_here) / epsilon).
+Definition h_v := (if Rle_dec (rounded (epsilon + v)) 1 then rounded (rounded (h_v_plus - h_here) / epsilon) else rounded (rounded (h_here - h_v_plus) / epsilon)).
+End program.
+Ltac lines := unfold h_v, h_u, h_v_plus, h_u_plus, h_here, stepped, u_plus.
+End forward_any_float64.
+
 Module central_any_float64.
 Section program.
 Variable height : R -> R -> R -> R -> R.
@@ -411,6 +426,35 @@ Definition h_v := rounded (rounded (h_v_plus - h_v_minus) / span_v).
 End program.
 Ltac lines := unfold h_v, h_u, h_v_minus, h_v_plus, h_u_minus, h_u_plus, span_v, v_minus, v_plus, u_minus, u_plus.
 End central_any_float64.
+
+Module central4_any_float64.
+Section program.
+Variable height : R -> R -> R -> R -> R.
+Variables u v k_u k_v epsilon : R.
+Definition u_plus := rounded (rounded (epsilon + u) - whole_below (rounded (epsilon + u))).
+Definition u_minus := rounded (rounded (u - epsilon) - whole_below (rounded (u - epsilon))).
+Definition v_plus := Rmin 1 (rounded (epsilon + v)).
+Definition v_minus := Rmax 0 (rounded (v - epsilon)).
+Definition span_v := (if both (Rle_dec (rounded (epsilon + v)) 1) (Rle_dec (rounded (epsilon - v)) 0) then rounded (2 * epsilon) else rounded (v_plus - v_minus)).
+Definition u_plus_2 := rounded (rounded (rounded (2 * epsilon) + u) - whole_below (rounded (rounded (2 * epsilon) + u))).
+Definition u_minus_2 := rounded (rounded (u - rounded (2 * epsilon)) - whole_below (rounded (u - rounded (2 * epsilon)))).
+Definition v_plus_2 := Rmin 1 (rounded (rounded (2 * epsilon) + v)).
+Definition v_minus_2 := Rmax 0 (rounded (v - rounded (2 * epsilon))).
+Definition h_u_plus := height u_plus v k_u k_v.
+Definition h_u_minus := height u_minus v k_u k_v.
+Definition h_v_plus := height u v_plus k_u k_v.
+Definition h_v_minus := height u v_minus k_u k_v.
+Definition h_u_plus_2 := height u_plus_2 v k_u k_v.
+Definition h_u_minus_2 := height u_minus_2 v k_u k_v.
+Definition h_v_plus_2 := height u v_plus_2 k_u k_v.
+Definition h_v_minus_2 := height u v_minus_2 k_u k_v.
+Definition near_difference_u := rounded (h_u_plus - h_u_minus).
+Definition h_u := rounded (rounded ((6004799503160661 / 72057594037927936) * rounded (rounded (h_u_minus_2 - h_u_plus_2) + rounded (8 * near_difference_u))) / epsilon).
+Definition near_difference_v := rounded (h_v_plus - h_v_minus).
+Definition h_v := (if both (Rle_dec (rounded (rounded (2 * epsilon) + v)) 1) (Rle_dec (rounded (rounded (2 * epsilon) - v)) 0) then rounded (rounded ((6004799503160661 / 72057594037927936) * rounded (rounded (h_v_minus_2 - h_v_plus_2) + rounded (8 * near_difference_v))) / epsilon) else rounded (near_difference_v / span_v)).
+End program.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
+End central4_any_float64.
 
 Module enclosed_sum_float64.
 Section program.

@@ -46,12 +46,12 @@ Proof.
   intros n m _ _. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
 Qed.
 (* Not without the part that is diffuse. *)
-Theorem difference_bound__any_lights__false : ~ forall (lights : list (vector * R)) (model : vector -> vector -> R) (P : vector) (albedo kd ks : R) (theta phi a_u a_v b_u b_v beta : R),
-  let colour n := clip.clipped (lit lights model P 0 albedo kd ks 1 n) in
-  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
-  most lights 0 kd ks 1 * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Lemma not_without_the_diffuse_part (model : vector -> vector -> R) :
+  let colour n := clip.clipped (lit [((0, 0, 1), 1)] model (0, 0, 0) 0 1 1 0 1 n) in
+  ~ Rabs (colour (N' 0 0 0 0 1) - colour (N' 0 0 1 0 1)) <=
+    most [((0, 0, 1), 1)] 0 1 0 1 * Rmin (Rabs 1 * magnitude (difference (g 0 0 0 0) (g 0 0 1 0))) 2.
 Proof.
-  intro H. generalize (H [((0, 0, 1), 1)] (fun _ _ => 0) (0, 0, 0) 1 1 0 0 0 0 0 1 0 1). unfold lit, most. cbn [fold_right fst snd].
+  unfold lit, most. cbn [fold_right fst snd].
   light_term.lines. rewrite !mu_is_a_product, above_is.
   assert (Z : normal_at 0 0 = (0, 0, 1)) by (unfold_vectors; rewrite sin_0, cos_0; repeat f_equal; ring). rewrite <- Z, !(dot_comm _ (normal_at 0 0)), !normal_dot_bumped.
   generalize (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1) (length_squared (M 0 0 0 0 1)) (m_length_at_least_1 0 0 0 0 1). rewrite !m_squared.
@@ -59,3 +59,35 @@ Proof.
   assert (I : / x * x = 1) by (apply Rinv_l; lra). assert (J : 0 < / x < 1) by (split; nra). rewrite !(Rmax_right 0 _) by lra. unfold clip.clipped.
   rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
 Qed.
+Theorem difference_bound__any_lights__false : ~ forall (lights : list (vector * R)) (model : vector -> vector -> R) (P : vector) (albedo kd ks : R) (theta phi a_u a_v b_u b_v beta : R),
+  let colour n := clip.clipped (lit lights model P 0 albedo kd ks 1 n) in
+  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
+  most lights 0 kd ks 1 * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Proof. intro H. apply (not_without_the_diffuse_part (fun _ _ => 0)), H. Qed.
+
+(* So for the two models, of whose highlights specular_lipschitz says q: p for Blinn's, 2 p for Phong's. *)
+Theorem difference_bound__of_both_models (lights : list (vector * R)) (P v : vector) (ambient albedo kd ks : R) (p : nat)
+    (theta phi a_u a_v b_u b_v beta : R) : 0 <= albedo -> 0 <= kd -> 0 <= ks -> magnitude v = 1 ->
+  (forall L i, In (L, i) lights -> 0 <= i /\ 0 < magnitude (difference L P)) ->
+  let change model :=
+    let colour n := clip.clipped (lit lights model P ambient albedo kd ks p n) in
+    Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) in
+  let bound q := most lights albedo kd ks q *
+    Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2 in
+  change (fun L => blinn_base P L v) <= bound (INR p) /\ change (fun L => phong_base P L v) <= bound (2 * INR p).
+Proof.
+  intros A D S V H. assert (0 <= INR p) by apply pos_INR. cbv zeta.
+  split; apply difference_bound__any_lights; try assumption; try lra; intros L i X; destruct (H L i X) as [I O];
+    (split; [exact I|]; split; [exact O|]; intros n m N M; apply (specular_lipschitz__highlight p P L v n m O N M V)).
+Qed.
+Theorem difference_bound__of_both_models__point : exists (lights : list (vector * R)) (P v : vector), magnitude v = 1 /\
+  forall L i, In (L, i) lights -> 0 <= i /\ 0 < magnitude (difference L P).
+Proof.
+  exists [((0, 0, 1), 1)], (0, 0, 0), (0, 0, 1). split; [transitivity (sqrt 1); [unfold magnitude, dot; f_equal; ring | apply sqrt_1]|].
+  intros L i [E|[]]. injection E as <- <-. rewrite above_apart. lra.
+Qed.
+Theorem difference_bound__of_both_models__false : ~ forall (lights : list (vector * R)) (P v : vector) (albedo kd ks : R) (theta phi a_u a_v b_u b_v beta : R),
+  let colour n := clip.clipped (lit lights (fun L => blinn_base P L v) P 0 albedo kd ks 1 n) in
+  Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
+  most lights 0 kd ks 1 * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
+Proof. intro H. apply (not_without_the_diffuse_part (fun L => blinn_base (0, 0, 0) L (0, 0, 1))), H. Qed.

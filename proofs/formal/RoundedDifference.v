@@ -7,7 +7,7 @@ From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient Binades Fields.
 Open Scope R_scope.
 
-Definition kappa : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
+Definition kappa_unclamped : R := 2 / 2 ^ 53 + (/ 2 ^ 53) ^ 2.
 Lemma rounded_near (x : R) : exists d y, Rabs d <= / 2 ^ 53 /\ Rabs y <= / 2 ^ 100 /\ rounded x = x * (1 + d) + y.
 Proof.
   destruct (rounding x) as (d & y & D & Y & _ & E). exists d, y. repeat split; [exact D | | exact E]. eapply Rle_trans; [exact Y|]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy.
@@ -20,12 +20,12 @@ Proof.
     assert (P : bpow radix2 (-53) = / 2 ^ 53) by (simpl; lra). generalize (bpow_le radix2 (-1021) (-53) ltac:(easy)) (Rabs_pos x). lra.
 Qed.
 (* The difference of two computed heights, over 2 epsilon: two roundings, and what may underflow. *)
-Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
+Definition within_two_roundings (q D e : R) : Prop := exists t, Rabs (t - 1) <= kappa_unclamped /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
 Lemma divided_by_the_step (x y D q e d : R) : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) -> within_two_roundings q D e.
 Proof.
   intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
   assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways B. both_ways B2. split.
-  - apply Rabs_le. unfold kappa. split; nra.
+  - apply Rabs_le. unfold kappa_unclamped. split; nra.
   - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). eapply Rle_trans; [apply Rabs_triang|]. unfold Rdiv at 1. rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
     assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
 Qed.
@@ -45,8 +45,8 @@ Proof.
 Qed.
 (* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at p and m, alpha off: the difference is within
    what the arguments' rounding and the evaluation cost of the exact one. *)
-Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa).
-Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa) + L * kappa.
+Definition arguments_part (L alpha e : R) : R := L * alpha / e * (1 + kappa_unclamped).
+Definition evaluation_part (L e : R) : R := 8 / 2 ^ 53 / e * (1 + kappa_unclamped) + L * kappa_unclamped.
 Lemma argument_near (w e : R) : float64 w -> float64 e -> 0 <= e <= w -> Rabs (rounded (e + w) - (e + w)) <= (w + e) / 2 ^ 53 /\ Rabs (rounded (w - e) - (w - e)) <= (w + e) / 2 ^ 53.
 Proof.
   intros W E B. destruct (rounded_sum e w E W) as (d & D & ->). destruct (difference_near w e W E) as (c & C & ->). split; [replace (_ - _) with ((w + e) * d) by ring | replace (_ - _) with ((w - e) * c) by ring];
@@ -64,11 +64,11 @@ Lemma three_parts (h : R -> R) (L w e p m alpha a b q slope truncation : R) : st
   Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
   intros (h1 & D & S) B P M (t & K & Q) A' B' T.
-  generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
-  assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa) by (unfold kappa; lra).
-  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa) + L * kappa) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa)) in R
+  generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa_unclamped (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring) K P M A' B'). intro R.
+  assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa_unclamped) by (unfold kappa_unclamped; lra).
+  replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa_unclamped) + L * kappa_unclamped) with (arguments_part L alpha e + evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa_unclamped)) in R
     by (unfold arguments_part, evaluation_part; field; lra).
-  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa)) by nra.
+  assert (X : 4 / 2 ^ 100 / e <= 4/10 / 2 ^ 53 / e * (1 + kappa_unclamped)) by nra.
   generalize (through _ _ _ _ _ Q (through _ _ _ _ _ R T)). lra.
 Qed.
 Definition error_bound (L w e : R) : R := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53) e + evaluation_part L e.
@@ -132,7 +132,7 @@ Lemma rings_height_near (k : R) : float64 k -> forall w, carried (2 * k) w -> Ra
 Proof.
   intros F w C. unfold height_rings_float64.h. rewrite (kept _ (twice_float64 _ F)). split; [|exact (sine_is_float64 _ _ C)]. eapply Rle_trans; [exact (proj1 (factors_near _ _ C)) | lra].
 Qed.
-Theorem roundoff_bound__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem difference_bounds__rings_in_float64 (u v k_u k_v epsilon : R) : float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= error_bound (PI * (2 * k_v)) v epsilon.
 Proof.
   intros F I. apply (difference_in_v _ (fun w => height_rings.h w k_v) _ _ _ _ _ (2 * k_v)); [exact I | | exact (rings_height_near k_v F) |]; destruct I as (_ & _ & K & B & W & _).
@@ -162,7 +162,7 @@ Proof. intros S -> -> B. rewrite <- Rmult_minus_distr_l, Rabs_mult. replace (Rab
 Lemma sign_of_height (s p : R) : s = 1 \/ s = -1 -> 0 < s * p -> s = sign p.
 Proof. intros [-> | ->] H; symmetry; [apply sign_eq_1 | apply sign_eq_m1]; lra. Qed.
 (* In one: s is the sign of sine's heights, at the point and at both rounded arguments. *)
-Theorem roundoff_bound__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
+Theorem difference_bounds__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon /\
   forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h (rounded (epsilon + u)) v k_u k_v -> 0 <= s * height_sine.h (rounded (u - epsilon)) v k_u k_v ->
     Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
@@ -172,7 +172,7 @@ Proof.
     rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
-Theorem roundoff_bound__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__in_float64_v (u v k_u k_v epsilon : R) : sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon /\
   forall s, s = 1 \/ s = -1 -> 0 < s * height_sine.h u v k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v -> 0 <= s * height_sine.h u (rounded (v - epsilon)) k_u k_v ->
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI * k_v) v epsilon.
@@ -198,7 +198,7 @@ Lemma whole_turn_less (k : Z) (w v k_v : R) : height_sine.h (w - IZR (Int_part w
 Proof. rewrite <- (whole_turn k (Int_part w)). f_equal. ring. Qed.
 Lemma central_around (k : Z) (u v k_v e : R) : 0 < e -> central_sine.h_u u v (IZR (2 * k)) k_v e = (height_sine.h (e + u) v (IZR (2 * k)) k_v - height_sine.h (u - e) v (IZR (2 * k)) k_v) / (2 * e).
 Proof. intro E. rewrite <- (whole_turn_less k (e + u)), <- (whole_turn_less k (u - e)). unfold height_sine.h. central_sine.lines. field. lra. Qed.
-Theorem roundoff_bound__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+Theorem difference_bounds__seam_in_float64 (u v k_v epsilon : R) (k : Z) : (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= arguments_part (PI * k_u) (4 / 2 ^ 53) epsilon + evaluation_part (PI * k_u) epsilon.
 Proof.
@@ -241,7 +241,7 @@ Proof.
   replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). unfold clamped_bound, Rdiv in *. nra.
 Qed.
 (* In one, of sine, ridges and rings, which have twice the wave number: s is the sign of sine's heights at both ends of the span, and at the rounded one. *)
-Theorem roundoff_bound__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__clamped_in_float64 (u v k_u k_v epsilon : R) : clamped_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v) /\
   (forall s, s = 1 \/ s = -1 -> 0 <= s * height_sine.h u (epsilon + v) k_u k_v -> 0 <= s * height_sine.h u (rounded (epsilon + v)) k_u k_v ->
     Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - central_ridges.h_v u v k_u k_v epsilon) <= clamped_bound (PI * k_v) (epsilon + v)) /\
@@ -282,21 +282,21 @@ Proof. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := argum
   rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
 Qed.
 Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
-Proof. intros L e. unfold L, e, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
+Proof. intros L e. unfold L, e, evaluation_part, kappa_unclamped. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
 Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
   100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
 Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
-Theorem roundoff_bound__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
+Theorem difference_bounds__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
+Theorem difference_bounds__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + evaluation_part (PI * k_u) epsilon.
 Proof.
   intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
   rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). unfold_slopes. lra.
 Qed.
-Theorem roundoff_bound__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
+Theorem difference_bounds__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. split; apply witness. Qed.
-Theorem roundoff_bound__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + evaluation_part (PI * k_v) epsilon.
 Proof.
   intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
@@ -307,13 +307,13 @@ Proof.
   destruct witness as (_ & _ & C). split; [|exact C]. unfold clamped_in_v. rewrite Rplus_0_r, (kept (bpow radix2 (-1))) by apply C.
   split; [apply generic_format_0 | split; [apply C|]]. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply C; lra.
 Qed.
-Theorem roundoff_bound__clamped_in_float64__point : exists u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon /\ carried k_u u.
+Theorem difference_bounds__clamped_in_float64__point : exists u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. exact clamped_witness. Qed.
 (* It is not the slope itself. *)
-Theorem roundoff_bound__clamped_in_float64__false : ~ forall u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon -> carried k_u u ->
+Theorem difference_bounds__clamped_in_float64__false : ~ forall u v k_u k_v epsilon : R, clamped_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= clamped_bound (PI * k_v) (epsilon + v).
 Proof.
-  intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (roundoff_bound__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
+  intro H. destruct clamped_witness as [V U]. generalize (H _ _ _ _ _ V U) (proj1 (difference_bounds__clamped_in_float64 _ _ _ _ _ V U)). rewrite Rabs_minus_sym. intros X Y. generalize (through _ _ _ _ _ X Y). apply Rlt_not_le.
   destruct V as (_ & _ & _ & B & W & _). destruct (exact_when_clamped _ _ B W) as (P & M & S). central_sine.lines. rewrite P, M, S.
   change (bpow radix2 (-1)) with (/ 2). unfold height_sine.h, clamped_bound, kappa_clamped. unfold_slopes. interval with (i_prec 80).
 Qed.
@@ -322,9 +322,9 @@ Proof.
   split; [replace (201 / 2 / 2) with (IZR 201 * bpow radix2 (-2)) by (simpl; lra); apply whole_is_float64; easy|].
   replace (2 * (201 / 2 / 2)) with (201 / 2) by field. apply witness.
 Qed.
-Theorem roundoff_bound__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
+Theorem difference_bounds__rings_in_float64__point : exists v k_v epsilon : R, float64 k_v /\ sampled_in_v (2 * k_v) v epsilon.
 Proof. do 3 eexists. exact for_rings. Qed.
-Theorem roundoff_bound__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
+Theorem difference_bounds__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 * (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
 Proof.
   intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
@@ -336,18 +336,18 @@ Proof.
   assert (C : carried (IZR (2 * 100)) (bpow radix2 (-1))); [|exact (conj C C)]. split; [replace (IZR (2 * 100)) with (IZR 200 * bpow radix2 0) by (simpl; lra); apply whole_is_float64; easy|].
   split; [exact F|]. change (bpow radix2 (-1)) with (/ 2). simpl (bpow radix2 0). rewrite Rabs_pos_eq by (simpl; lra). simpl. split; [right|]; lra.
 Qed.
-Theorem roundoff_bound__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
+Theorem difference_bounds__seam_in_float64__point : exists (u v k_v epsilon : R) (k : Z), (0 < k)%Z /\ 0 <= u <= 1 /\ 0 < epsilon <= 1 /\
   carried (IZR (2 * k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
 Proof.
   destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
   change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try apply C; simpl; lra.
 Qed.
-Theorem roundoff_bound__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
+Theorem difference_bounds__seam_in_float64__false : ~ forall (u v k_v epsilon : R) (k : Z), (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2 * k) in
   carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - central_sine.h_u u v k_u k_v epsilon) <= evaluation_part (PI * k_u) epsilon.
 Proof.
   intro H. destruct seam_witness as [P M]. destruct witness as (_ & _ & C). generalize (H (bpow radix2 (-1)) (bpow radix2 (-1)) (201 / 2) (bpow radix2 (-55)) 100%Z ltac:(easy)
     ltac:(simpl; lra) ltac:(change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); simpl; lra) P M C). rewrite (proj1 (no_slope height_sine_float64.h (IZR (2 * 100)) (201 / 2))).
   rewrite central_around by apply bpow_gt_0.
-  unfold height_sine.h, evaluation_part, kappa. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
+  unfold height_sine.h, evaluation_part, kappa_unclamped. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). change (bpow radix2 (-1)) with (/ 2). apply Rlt_not_le. apply Rlt_trans with 100; interval with (i_prec 200).
 Qed.

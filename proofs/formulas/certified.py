@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 SINE = Fraction("2.42")
-"""A sine and a cosine of half-turns of a product, in units of 2⁻⁵³: theorem elementary_functions."""
+"""A sine and a cosine of half-turns of a product, in units of 2⁻⁵³: theorem sine_of_half_turns."""
 
 PROVED = {
     "of_product_relative": Fraction(19, 4),
@@ -13,7 +13,7 @@ PROVED = {
     "power": Fraction(5, 2),
 }
 POWER_RATE = Fraction(3, 100)
-"""{Coq's addition to that theorem: the bound of a function's error}, in the same units, all but atan2pi's relative;
+"""{a function of theorem elementary_functions: the bound of its error}, in the same units, all but atan2pi's relative;
 a power xᵖ by POWER_RATE |p ln x| more."""
 
 ROUNDINGS = {

@@ -16,7 +16,8 @@ FAR = real("u_plus_2 u_minus_2 v_plus_2 v_minus_2")
 h_here = real("h_here")
 NEAR_HEIGHTS = h_u_plus, h_u_minus, h_v_plus, h_v_minus = real("h_u_plus h_u_minus h_v_plus h_v_minus")
 FAR_HEIGHTS = h_u_plus_2, h_u_minus_2, h_v_plus_2, h_v_minus_2 = real("h_u_plus_2 h_u_minus_2 h_v_plus_2 h_v_minus_2")
-span_v, near_difference_u, near_difference_v = real("span_v near_difference_u near_difference_v")
+span_v, stepped = real("span_v stepped")
+near_difference_u, near_difference_v = real("near_difference_u near_difference_v")
 
 HEIGHTS = (h_here, *NEAR_HEIGHTS, *FAR_HEIGHTS)
 """The names of heights in a difference."""
@@ -46,7 +47,7 @@ _steps = _moved(NEAR, epsilon) | {span_v: where(And(v + epsilon <= 1, v - epsilo
 @evaluated
 def forward(field: HeightField) -> Program:
     """Return (h(u + ε) − h)/ε, and backward in v where v + ε > 1. First order; 3 height evaluations."""
-    stepped, has_room = real("stepped"), v + epsilon <= 1
+    has_room = v + epsilon <= 1
     lines = {
         u_plus: _wrapped(u + epsilon),
         stepped: where(has_room, v + epsilon, v - epsilon),

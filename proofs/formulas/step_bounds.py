@@ -1,4 +1,4 @@
-"""The proved bounds of the central difference's error, as programs: theorems state them, pages and kernels use them.
+"""The proved bounds of the differences' errors, as programs: theorems state them, pages and kernels use them.
 
 They are of a field that swings at `frequency` half-turns per unit of u or v, πk its steepest slope.
 """
@@ -28,6 +28,17 @@ truncation_bound = Program(
     "truncation_bound", (epsilon, frequency), _third | {truncation: epsilon**2 / 6 * third_derivative}
 )
 """ε²/6 · (πk)³, where no crease, seam or pole lies within ε. Theorem: truncation_bound."""
+
+forward_bound = Program(
+    "forward_bound", (epsilon, frequency), {steepest: pi * frequency, truncation: epsilon / 2 * steepest**2}
+)
+"""ε/2 · (πk)² of the forward difference, and of the backward one. Coq: truncation_bound__forward."""
+
+fourth_bound = Program(
+    "fourth_bound", (epsilon, frequency), {steepest: pi * frequency, truncation: epsilon**4 / 30 * steepest**5}
+)
+"""ε⁴/30 · (πk)⁵ of the fourth-order difference, where no crease, seam or pole lies within 2ε. Coq:
+truncation_bound__fourth."""
 
 clamped_bound = Program(
     "clamped_bound",

@@ -1,5 +1,7 @@
 """Programs as Coq definitions over its real numbers: a module, each line a function of the names that it reads."""
 
+import re
+import textwrap
 from collections.abc import Iterable
 from typing import ClassVar
 
@@ -9,6 +11,7 @@ from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import Program
 from proofs.printers.python import KernelPrinter
 
+WIDTH = 120
 COMPARISONS = {
     ">=": ("le", -1),
     "<=": ("le", 1),
@@ -111,6 +114,16 @@ class CoqPrinter(KernelPrinter):
         return f"if {condition} then {value} else {otherwise}"
 
 
+def wrapped(text: str) -> str:
+    """Return a text of Coq's, its longer lines broken at spaces."""
+
+    def filled(line):
+        further = f"{line[1]}    "
+        return textwrap.fill(line[0], WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
+
+    return re.sub(rf"(?m)^( *).{{{WIDTH}}}.+$", filled, text)
+
+
 def module_of(program: Program) -> str:
     """Return a program as the text of a Coq module."""
     printer, inside = CoqPrinter(), []
@@ -127,4 +140,6 @@ def in_module(name: str, inside: Iterable[str]) -> str:
     lines = [*inside]
     defined = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
     unfolded = f"Ltac lines := unfold {defined}."
-    return "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])
+    return wrapped(
+        "\n".join([f"Module {name}.", "Section program.", *lines, "End program.", unfolded, f"End {name}.", ""])
+    )

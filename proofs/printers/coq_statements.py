@@ -18,7 +18,7 @@ from sympy.core.relational import Relational
 from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded
 from proofs.engine.names import symbols_of
 from proofs.engine.theorem import Theorem
-from proofs.printers.coq import CoqPrinter
+from proofs.printers.coq import CoqPrinter, wrapped
 
 HEADER = """(* Printed from proofs/theorems by `python -m renderer.generate`. Do not edit: change the claim instead.
    Each definition is one claim: what is written by hand proves it, and is compiled afterwards. *)
@@ -234,7 +234,7 @@ def statements(theorem: Theorem) -> dict[str, str]:
     for claim in theorem.rounded:
         text = rounded_proposition(claim) if isinstance(claim, Rounded) else enclosing_proposition(claim)
         printed[f"{theorem.id}__{claim.name}"] = text
-    return printed
+    return {name: wrapped(text) for name, text in printed.items()}
 
 
 def statements_of(theorems: Iterable[Theorem]) -> str:

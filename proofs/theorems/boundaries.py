@@ -1,10 +1,21 @@
 """The bump moves no boundary between chambers; the line where a light grazes N' is none, and does move."""
 
+from proofs.formulas import shading
 from proofs.formulas.bump import g, perturbed
 from proofs.formulas.camera import surface
 from proofs.formulas.finite_difference import METHODS
-from proofs.formulas.pixel import dark_square, occlusion, pixel, rgb
-from proofs.formulas.shading import LIGHT_MODELS
+from proofs.formulas.pixel import (
+    albedo_of_a,
+    albedo_of_b,
+    ambient_light,
+    dark_square,
+    light_color,
+    light_position,
+    occlusion,
+    pixel,
+    rgb,
+)
+from proofs.formulas.shading import LIGHT_MODELS, ka, kd, ks
 from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
 
@@ -43,6 +54,35 @@ theorem = Theorem(
         variant("nor does it move the line N'·ω = 0 (F17)", _unmoved["blinn"], outputs=real("mu_0")),
         variant("nor the colour", _unmoved["phong"], outputs=rgb[:1]),
         variant("nor that of a difference", _by_difference["central_ridges"], outputs=rgb[:1]),
+    ),
+)
+
+_colors = [light_color(number) for number in range(LIGHTS)]
+_albedos = [albedo_of_a, albedo_of_b, shading.floor_tint]
+_shading = (ka, kd, ks, shininess, ambient_light, _albedos, _colors, k_u, k_v, _bump)
+_shaded = {
+    f"{model}_{name}": Separation(f"{model}_{name}", pixel(field, model, LIGHTS), _chamber, _shading)
+    for model in LIGHT_MODELS
+    for name, field in HEIGHT_FIELDS.items()
+}
+
+slopes_theorem = Theorem(
+    "edges_add_nothing",
+    "Edges add nothing to these slopes",
+    r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on none of
+    $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and the
+    lights' colours: the edges of chambers stay where they are, at speed 0.""",
+    hypotheses="the pixel's whole program: every field, every model of light, five lights",
+    claims=(*_shaded.values(),),
+    steps={
+        "write the pixel as a straight-line program": "the lines are those that the kernels print",
+        "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",
+        "none of them is one of these numbers": "look",
+    },
+    mutants=(
+        variant("by the eye's height", _shaded["blinn_sine"], avoid=eye),
+        variant("by a light's place", _shaded["phong_ridges"], avoid=light_position(0)),
+        variant("nor does β move N'·ω = 0, where the slope jumps", _shaded["blinn_ridges"], outputs=real("mu_0")),
     ),
 )
 

@@ -44,17 +44,26 @@ _at_zero = Claim(
 first_order = Theorem(
     "clamped_difference",
     "The difference clamped at the pole",
-    r"""For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$, and
-    $|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}\sup|h_{vv}|$: first order. No smaller
-    factor will do: $h(w) = \tfrac12(w-v)|w-v|$ attains it; at $v = 0$ so does $w^2/2$.""",
+    {
+        r"""For $0 \le v < \varepsilon$ the central difference is $(h(v+\varepsilon) - h(0))/(v+\varepsilon)$,""": (
+            _clamp,
+            coq("clamped_difference__of_the_fields 1289e79079e163f6"),
+        ),
+        r"""and for every $h$ whose slope $h_v$ is Lipschitz with $S$ on $[0, v+\varepsilon]$, as
+        $\sup|h_{vv}|$ is, where
+        there is one, $|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}S$: first order.""": (
+            _first,
+            coq("clamped_difference__of_any_height 34c5ae28ba23b70c"),
+        ),
+        r"""No smaller factor will do: $h(w) = \tfrac12(w-v)|w-v|$, $S = 1$, attains it; at $v = 0$ so does
+        $w^2/2$.""": (_sharp, _at_zero, coq("clamped_difference__attained 3c4320bc36060948")),
+    },
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"""assumed, as Taylor's theorem has it, and all that the claims know of $h$: $h(v+\varepsilon) = h +
-        \varepsilon h_v + \tfrac12\varepsilon^2 a$ and $h(0) = h - v h_v + \tfrac12 v^2 b$ with $|a|, |b| \le
-        \sup|h_{vv}|$ over $[0, v+\varepsilon]$""",
+        r"""assumed in the claim of first order, a step: $h(v+\varepsilon) = h + \varepsilon h_v +
+        \tfrac12\varepsilon^2 a$
+        and $h(0) = h - v h_v + \tfrac12 v^2 b$, $|a|, |b| \le S$""",
     ),
-    claims=(_clamp, _first, _sharp, _at_zero),
-    source="DLMF",
     steps={
         r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$": "the lines' own cases, decided",
         r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$": "the two remainders, added",
@@ -125,21 +134,33 @@ _attained = Claim("second_order_sharp", equation(_error(v**3 / 6), _room), pole_
 second_order = Theorem(
     "clamped_difference_of_odd",
     "Where the field is odd, the clamp costs no order",
-    r"""If $h$ is odd about $v = 0$ and $0 \le v < \varepsilon$, then $|D_\varepsilon h - h_v| \le
-    \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)\sup|h_{vvv}|$: second order. Sine and rings are odd; on $[0,
-    1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$, which is, so that for ridges $v+\varepsilon \le 1/k_v$: no
-    hump may end inside the step. $w^3/6$ attains the bound.""",
+    {
+        r"""Sine and rings are odd about $v = 0$; on $[0, 1/k_v]$ ridges is $|\sin\pi k_u u|\sin\pi k_v v$,
+        which is.""": (_are_odd, _first_ridge),
+        r"""For every odd $h$ of three derivatives and $0 \le v < \varepsilon$, $|D_\varepsilon h - h_v| \le
+        \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)S$, $S = \sup|h_{vvv}|$ on $[0, v+\varepsilon]$: second order.""": (
+            _second,
+            coq("clamped_difference_of_odd__of_any_height 3f44cb35c6bf82f5"),
+        ),
+        r"""So for sine with $S = (\pi k_v)^3$, for rings with $(2\pi k_v)^3$, and for ridges, where $v+\varepsilon \le
+        1/k_v$, as for sine: no hump may end inside the step.""": coq(
+            "clamped_difference_of_odd__of_the_fields d85f58473a8ac6dd"
+        ),
+        "$w^3/6$ attains the bound.": _attained,
+    },
+    short={
+        """If $h$ is odd about the pole $v = 0$ and $|h_{vvv}|$ is bounded, the clamped difference is of second order
+        there.""": _second,
+        "Sine and rings are odd, and so is ridges near the pole.": (_are_odd, _first_ridge),
+    },
     hypotheses=(
-        r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"""assumed, and with the next but one all that the claims know of $h$: the midpoint rule for $h(s) = \int_0^s
-        h_v$, $s = v+\varepsilon$, that is $h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, $|a| \le \sup|h_{vvv}|$""",
+        r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$, $k_v > 0$",
         r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up
         to $\pi k_v$""",
-        r"""assumed, as the mean value theorem has it: $|h_{vv}(w)| \le w\sup|h_{vvv}|$, so that $h_v(s/2) = h_v(v) +
-        \tfrac12(s^2/4 - v^2)b$, $|b| \le \sup|h_{vvv}|$""",
+        r"""assumed in the claim of second order, a step, with $s = v+\varepsilon$: $h(s) = s h_v(s/2) +
+        \tfrac1{24}s^3 a$,
+        $h_v(s/2) = h_v(v) + \tfrac12(s^2/4 - v^2)b$, $|a|, |b| \le S$""",
     ),
-    claims=(_are_odd, _first_ridge, _second, _attained),
-    source="DLMF",
     steps={
         r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
         "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),

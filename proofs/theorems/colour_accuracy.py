@@ -44,12 +44,12 @@ theorem = Theorem(
     "colour_accuracy",
     "What float64 loses at B's hit, and between the gradient and the colour",
     rf"With $\mu = 2^{{-53}}$, as float64 carries them out: B's hit $t_B$ is within ${HIT}\mu t_B$ of its exact value "
-    rf"away from B's outline; each component of the bumped normal $N'$ is within ${NORMAL}\mu$ "
-    rf"of that of $(N + \beta g)/|N + \beta g|$; the light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$; the "
-    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$, and "
-    rf"squared, made of $h$ times a distance, within ${SQUARED}\mu$ of its square; that of "
-    rf"Phong's within ${PHONG}\mu$ of $\max(0, (2(N' \cdot \omega)N' - \omega) \cdot \hat v)$; a light's share leaves "
-    rf"a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$; the clip loses nothing.",
+    rf"away from B's outline. Each component of the bumped normal $N'$ is within ${NORMAL}\mu$ "
+    rf"of that of $(N + \beta g)/|N + \beta g|$. The light's cosine is within ${COSINE}\mu$ of $N' \cdot \omega$. The "
+    rf"base of Blinn's highlight is within ${BLINN}\mu$ of $\max(0, N' \cdot h/|h|)$, $h = \omega + \hat v$; "
+    rf"squared, made of $h$ times a distance, it is within ${SQUARED}\mu$ of its square. That of "
+    rf"Phong's is within ${PHONG}\mu$ of $\max(0, (2(N' \cdot \omega)N' - \omega) \cdot \hat v)$. A light's share "
+    rf"leaves a channel within ${SHARE}\mu$ of its exact value and $10^{{-30}}$. The clip loses nothing.",
     hypotheses=(
         r"of the hit, with $D, b, c, d$ of its theorem: $|D|^2R_2^2 \le 16d$, so that the ray passes $C$ within 97 % "
         r"of $R_2$; $4R_2^2 \le |E - C|^2 \le 2^{40}R_2^2$; $2^{-40} \le |D|^2 \le 2^{100}$, $2^{-20} \le R_2 \le "

@@ -53,16 +53,30 @@ _slopes = [
 theorem = Theorem(
     "straddling",
     "A difference that straddles a crease",
-    r"""At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and $\varepsilon +
-    |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, whereas the slope
-    is $\pm\pi k\cos\pi k\delta$ on either side. At the crease $D_\varepsilon h$ is 0, for every $\varepsilon$,
-    and the error beside it comes to $\pi k$, slope less difference at $\delta = 0$.""",
+    {
+        r"""At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and $\varepsilon +
+        |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, which is 0 at the
+        crease, for every $\varepsilon$,""": (
+            _value,
+            _centre,
+            _period,
+            coq("straddling__of_the_difference bf460f9cd0908a38"),
+        ),
+        r"whereas the slope is $\pm\pi k\cos\pi k\delta$ on either side.": (
+            _slopes,
+            coq("straddling__of_the_slope dd38cfc7019a7aef"),
+        ),
+        r"Beside the crease the error, slope less difference, tends to $\pi k$ as $\delta \to 0$ from above.": coq(
+            "straddling__error a44c510a266abd3f"
+        ),
+    },
     hypotheses=(
         r"$k > 0$, $|\delta| < \varepsilon$, $\varepsilon + |\delta| \le 1/k$",
-        r"ridges in $u$ where $|\sin\pi k_v v| = 1$",
+        r"ridges in $u$ where $|\sin\pi k_v v| = 1$; elsewhere, and in $v$, times $|\sin|$ of the other argument",
+        r"""inside the chart nothing wraps or clamps, or $k$ is whole, as in the last sentence; the slope at $0
+        < |\delta| < 1/k$""",
         r"$\sin x \ge 0$ for $0 \le x \le \pi$ (cited)",
     ),
-    claims=(_value, _centre, _period, _slopes),
     steps={
         r"$|\sin(\pi m + x)| = |\sin x|$": r"$\sin\pi m = 0$, so $\cos^2\pi m = 1$: all are alike",
         r"$h(\delta\pm\varepsilon) = \pm\sin\pi k(\delta\pm\varepsilon)$": (
@@ -195,15 +209,17 @@ rms = Theorem(
         $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
         at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
         k_v\sqrt{(k_v-1)\varepsilon/3}$.""": (_tents, _means, _means_square),
-        r"""So these are the RMS errors in $h_u$ and $h_v$, each up to $\tfrac23\pi k(\pi k\varepsilon)^2$, which
-        also bounds the error elsewhere.""": (
-            "that a primitive gives an area, that the tents are disjoint and how many there are"
+        r"""So these are the RMS errors in $h_u$ and $h_v$, by integrals over the chart, each up to $\tfrac23\pi
+        k(\pi k\varepsilon)^2$;""": coq("crease_error_area__root_mean_squares 9553670e51360319"),
+        r"""and everywhere the error is that of the tents, in $h_u$ at every crease and in $h_v$ at those off the poles,
+        times $|\sin|$ of the other argument, up to as much.""": coq(
+            "crease_error_area__near_the_tents 787f98960365521b", "crease_error_area__of_all_tents bb83709e9ece0e4b"
         ),
     },
     hypotheses=(
         r"$k_u, k_v \ge 1$ whole, $0 < \varepsilon \le 1/2k$: ridges, $k_u$ creases in $u$, $k_v - 1$ inside in $v$",
         r"bounds of sine and cosine by their Taylor polynomials (cited)",
-        "assumed: Minkowski's inequality joins the two, RMS of a sum and of one part differ by at most the other's",
+        r"in the last sentence $0 < v < 1$ for $h_v$",
     ),
     steps={
         r"$\cos x\,\sin y/x - \cos y$, $x = \pi k\varepsilon$, $y = \pi k\delta$": (

@@ -48,12 +48,19 @@ _first_order = Claim(
 displaced_theorem = Theorem(
     "displaced_normal",
     "The displaced surface's normal, and Blinn's",
-    r"""The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = (1+\beta
-    h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta +
-    \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times
-    B = -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.""",
+    {
+        r"""The surface $(1+\beta h)N$ over the unit sphere has $\partial_\varphi \times \partial_\theta = (1+\beta
+        h)\sin\varphi\, D$ with $D = (1+\beta h)N - \beta G$, $G = \tfrac{h_u}{2\pi\sin\varphi}e_\theta +
+        \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times
+        B = -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.""": (
+            _product,
+            _chart_scale,
+            _outward,
+            _first_order,
+            coq("displaced_normal__any_field 651f549b238968e9"),
+        )
+    },
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$", r"$h$ is differentiable"),
-    claims=(_product, _chart_scale, _outward, _first_order),
     steps={
         r"$\partial_\theta = \beta h_\theta N + (1+\beta h)\sin\varphi\,e_\theta$, $\partial_\varphi$ likewise": (
             "product rule"
@@ -106,12 +113,22 @@ _angle = Claim(
 difference_theorem = Theorem(
     "bump_is_not_displacement",
     "The bumped normal is not the displaced surface's",
-    r"""If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's normal
-    $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta
-    h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 =
-    (1+\beta h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.""",
+    {
+        r"""If $1+\beta h > 0$, $N' = M/|M|$ with $M = N+\beta g$ has the direction of the displaced surface's normal
+        $D$ exactly where $\beta g = 0$. The cosine of the angle between them is $\bigl(1+\beta
+        h-\beta^2(h_u^2/2\pi\sin\varphi + h_v^2/\pi)\bigr)/|M||D|$, $|M|^2 = 1+\beta^2(h_u^2+h_v^2)$, $|D|^2 =
+        (1+\beta h)^2+\beta^2(h_u^2/4\pi^2\sin^2\varphi + h_v^2/\pi^2)$.""": (
+            _only_where_flat,
+            _where_flat,
+            _angle,
+            coq("bump_is_not_displacement__cosine 78805213082572ec"),
+        )
+    },
+    short={
+        r"""Where $1 + \beta h > 0$, $N'$ has the direction of the displaced surface's normal only where $\beta g =
+        0$.""": _only_where_flat
+    },
     hypotheses=(r"$\sin\varphi > 0$", r"$1+\beta h > 0$"),
-    claims=(_only_where_flat, _where_flat, _angle),
     steps={
         r"$M\times D = 0$ gives $\beta h_u(1+\beta h+1/2\pi\sin\varphi) = 0 = \beta h_v(1+\beta h+1/\pi)$": (
             "the frame's components"

@@ -21,7 +21,7 @@ theorem = Theorem(
     the machine's rules the float64 results of a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$, floor
     $\lfloor x \rfloor$, of the whole number nearest to $x$, of a sine $\sin\pi xy$, cosine $\cos\pi xy$, angle
     $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$ and of a selection by $x < y$ are within
-    their counts of the exact results, if the counts before are; each operation makes a count too small by $2^{-49}$
+    their counts of the exact results, if the counts before are. Each operation makes a count too small by $2^{-49}$
     of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
     hypotheses=(
         "nothing overflows; of a product, sine, cosine, floor and nearest number the counts are at most $2^{60}$; "

@@ -47,14 +47,25 @@ _cosine = Claim(
 theorem = Theorem(
     "central_difference_of_sine",
     "The central difference of a sine",
-    r"""For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times
-    $\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in
-    $v$; rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.""",
+    {
+        r"""For $h = \sin\pi k_u u\,\sin\pi k_v v$ the central difference is the derivative times
+        $\operatorname{sinc}$: $D_\varepsilon h_u = h_u \sin(\pi k_u\varepsilon)/(\pi k_u\varepsilon)$, the same in
+        $v$; rings' own frequency is $2k_v$; and of $\cos\pi k u$ likewise.""": (
+            _clamp,
+            _u,
+            _v,
+            _rings,
+            _cosine,
+            coq(
+                "central_difference_of_sine__nothing_wraps 2a2816b6e537b146",
+                "central_difference_of_sine__nothing_clamps c2d00bafdb91b59b",
+            ),
+        )
+    },
     hypotheses=(
         r"$\varepsilon > 0$, $k > 0$",
         r"nothing wraps or clamps: $\varepsilon \le u < 1 - \varepsilon$ or $\varepsilon \le v \le 1 - \varepsilon$",
     ),
-    claims=(_clamp, _u, _v, _rings, _cosine),
     steps={
         r"$v_\pm = v \pm \varepsilon$, divided by $2\varepsilon$": "the lines' own cases, decided",
         r"$\sin(a+b) - \sin(a-b) = 2\cos a\sin b$": "the addition formulas",

@@ -89,11 +89,16 @@ _angles = Claim(
 stable = Theorem(
     "stable_frame",
     "The frame without cancellation",
-    r"""Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with
-    $\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where
-    $\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.""",
+    {
+        r"""Off the pole the point hit is $R(\sin\varphi\cos\theta, \sin\varphi\sin\theta, \cos\varphi)$ with
+        $\cos\theta = x/\rho$, $\sin\theta = y/\rho$, $\sin\varphi = t\rho/R > 0$, $\cos\varphi = e(1-t)/R$; and where
+        $\sin\varphi > 0$ the seed's frame, from $N$ alone, is the same.""": (
+            _angles,
+            _seed,
+            coq("stable_frame__true_angles 1e88d78668a3aac2"),
+        )
+    },
     hypotheses=("$e > R > 0$", r"$\rho$ is not below $10^{-150} e$", "the ray hits A"),
-    claims=(_angles, _seed),
     steps={
         r"$R\sin\varphi = t\rho$, $R\cos\varphi = e(1-t)$": "both from the conjugate form of $t$",
         r"$\cos^2+\sin^2 = 1$ for both angles": ("the point is on the sphere", "hit_of_a"),

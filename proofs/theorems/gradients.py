@@ -59,9 +59,8 @@ theorem = Theorem(
     $h_u = 0$, $h_v = 2\pi k_v\cos 2\pi k_v v$. Ridges, $|p|$ with sine's height $p$:
     $\operatorname{sign}(p)\,p_u$ and $\operatorname{sign}(p)\,p_v$, its derivative where $p \ne 0$; on the
     creases the kernels print 0.""",
-    hypotheses=("any real $k_u$, $k_v$", r"assumed: $\sin x/x \to 1$ and $(1-\cos x)/x \to 0$ as $x \to 0$"),
+    hypotheses="any real $k_u$, $k_v$",
     claims=(_sine, _rings, _ridges, _printed, _near, _mirrored),
-    source="DLMF",
     steps={
         r"""$\omega(h(u+\varepsilon)-h(u)) = \omega h(\cos\omega\varepsilon-1) + h_u\sin\omega\varepsilon$,
         $\omega = \pi k_u$""": r"the addition formulas; divided by $\omega\varepsilon$ it tends to $h_u$",

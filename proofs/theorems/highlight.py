@@ -129,25 +129,27 @@ theorem = Theorem(
     "specular_lipschitz",
     "The highlight is Lipschitz in the normal",
     {
-        r"Blinn's base is 1-Lipschitz in $N'$, Phong's 2-Lipschitz, and so is $\mu = N'\cdot\omega$ with 1.": (
+        r"""In the unit vector $N'$ the cosine $\mu = N'\cdot\omega$ is 1-Lipschitz, the $p$-th power of Blinn's base
+        $p$-Lipschitz, and that of Phong's $2p$-Lipschitz.""": (
             _scalar,
             _clamps,
             _blinn,
             _gram,
             _swing,
             _twice,
+            coq("specular_lipschitz__highlight 140da31cf50c05c4"),
         ),
-        r"""The factors of $x^p - z^p$ and of $p - (x^p - z^p)/(x - z)$ follow a recurrence, one step of which
-        keeps them from being negative; where they are not, $|x^p - z^p| \le p\,|x-z|$ on $[0, 1]$.""": (
+        r"$|x^p - z^p| \le p\,|x-z|$ for all $x, z$ in $[0, 1]$.": (
             _powers,
             _signs,
             _power,
-        ),
-        r"So it is for every whole $p \ge 1$, and the highlight is Lipschitz with $p$ (Blinn) and $2p$ (Phong).": (
-            "an induction over inequalities, which the kernel has no rule for"
+            coq("specular_lipschitz__whole_power 8f37305216359278"),
         ),
     },
-    hypotheses=(r"$p$ whole, $x, z \in [0, 1]$; by symmetry $x \ge z$", "unit vectors"),
+    hypotheses=(
+        r"$p$ is whole and not negative; $\hat v$ is a unit vector, $L \ne P$",
+        r"of the claims, which are steps: $x \ge z$, and the factors $S_p$, $A_p$, $B_p$ are not negative (assumed)",
+    ),
     steps={
         r"$|n\cdot\omega - m\cdot\omega| \le |n-m|$ for a unit $\omega$, or unit $H/|H|$": "Lagrange's identity",
         r"$\max(0, \cdot)$ and the clip do not increase a distance": "by cases",
@@ -214,16 +216,19 @@ _base_squared = Claim(
 from_one_root = Theorem(
     "squared_highlight",
     "The highlight from one root and one division",
-    r"""With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the
-    square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$.
-    Where $\omega = -\hat v$, $\mu = -N'\cdot\hat v$.""",
+    {
+        r"""With $d = L - P$, $k = d + |d|\hat v$ and $s = 1/(|d|\,k\cdot k)$: $\mu = (N'\cdot d)(k\cdot k)s$, and the
+        square of Blinn's base is $(N'\cdot k)^2 |d| s$ where $N'\cdot k \ge 0$; so are both as the kernels
+        print them.""": (_k, _cosine, _base_squared, coq("squared_highlight__formulas 70ef6d786f0b14a4")),
+        r"Where $\omega = -\hat v$, $\mu = -N'\cdot\hat v$.": _opposite,
+    },
     hypotheses=(
         "$L \\ne P$",
         r"$\omega \ne -\hat v$, except in the last sentence",
-        r"""with $H = \omega + \hat v$ and Blinn's base $b$: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$,
-        taken from $k = |d|H$ by hand (assumed)""",
+        r"""of the claim about the base, a step: $|d|^2|H|^2 = k\cdot k$ and $|d||H|\,b = N'\cdot k$, $H =
+        \omega + \hat v$,
+        $b$ the base (assumed)""",
     ),
-    claims=(_k, _cosine, _base_squared, _opposite),
     steps={
         r"$k = |d|(\omega + \hat v)$": "so its direction is the halfway vector's",
         r"$(N'\cdot k)^2/(k\cdot k)$ does not depend on the length of $k$": "nor does its sign, as $|d| > 0$",

@@ -177,11 +177,19 @@ _quadratic = Claim(
 theorem_b = Theorem(
     "hit_of_b",
     "The near hit with sphere B",
-    r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
-    and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
-    is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""",
+    {
+        r"""With $D = (x, y, -e)$, $b = -D\cdot(E-C)$, $c = |E-C|^2-R_2^2$ and $d = b^2-|D|^2c$: if $c > 0$, $d \ge 0$
+        and $b > 0$, then $t = c/(b+\sqrt d) > 0$ is the least root of $|P(t)-C|^2 = R_2^2$; if $b \le 0$, every root
+        is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""": (
+            _quadratic,
+            _solves_b,
+            _near_b,
+            _behind_b,
+            _outward_b,
+            coq("hit_of_b__first_hit 95fde9b15390ff07"),
+        )
+    },
     hypotheses="$c > 0$: the eye is outside B",
-    claims=(_quadratic, _solves_b, _near_b, _behind_b, _outward_b),
     steps={
         r"$|P(t)-C|^2-R_2^2 = |D|^2t^2-2bt+c$": "expansion",
         r"$d = |D|^2R_2^2-|D\times(E-C)|^2$": "Lagrange's identity",

@@ -96,8 +96,14 @@ theorem = Theorem(
         r"""With it, off $\mu = 0$ and base $= 0$ a light's share of a channel has the derivative $i\,(a k_d\,\mu'[\mu >
         0] + k_s\,p\,\text{base}^{p-1}\,\text{base}'[\text{base} > 0])$;""": _sides,
         "the clip keeps it where the channel is inside $(0, 1)$ and makes it 0 outside $[0, 1]$.": _clip,
+        r"""So the lit channel, and the clipped one where it is neither 0 nor 1, has this derivative in
+        $\beta$, added to
+        that of the lights before, for both models.""": coq("image_derivative__pixel bdac657e0afd363c"),
     },
-    hypotheses=(r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; $p \ge 1$ whole", "the rules of differentiation (assumed)"),
+    hypotheses=(
+        r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; off $\mu = 0$ and off base $= 0$ in the last sentence",
+        r"of the claims, which are steps: $p \ge 1$ whole, and the rules of differentiation (assumed)",
+    ),
     steps={
         r"$\partial_\beta N'$": ("in closed form", "normal_by_beta"),
         "each line, along $N' + s\\,\\partial_\\beta N'$ at $s = 0$": "the chain rule",

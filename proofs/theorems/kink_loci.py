@@ -58,11 +58,23 @@ theorem = Theorem(
         r"""Seen from $E$ on the axis, the point of A at $(\theta, \varphi)$ is at the image point
         $\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a
         parallel a circle.""": _projection,
-        r"Ridges is 0 on the rays $k_u u = m$ and the circles $k_v v = m$, its creases;": _creases,
-        r"""everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, $p = \sin\pi k_u
+        r"""Ridges is 0 exactly on the rays $k_u u = m$ and the circles $k_v v = m$, its creases: across one of them,
+        where the sine of the other argument is not 0, it has no derivative.""": (
+            _creases,
+            coq(
+                "kink_loci__zero 3394f9d56bcd306e",
+                "kink_loci__creased_in_u 866b44d20bcb8d16",
+                "kink_loci__creased_in_v b14fb9afb9eb7a69",
+            ),
+        ),
+        r"""Everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, $p = \sin\pi k_u
         u\,\sin\pi k_v v$: no other crease.""": _elsewhere,
     },
-    hypotheses=("$e > R > 0$", r"$\sin\varphi \ge 0$", r"$m$ whole: $\sin\pi m = 0$"),
+    hypotheses=(
+        "$e > R > 0$",
+        r"$\sin\varphi \ge 0$",
+        r"$m$ whole: $\sin\pi m = 0$; no derivative: $k_u \ne 0$, $k_v \ne 0$",
+    ),
     uses="stable_frame",
     steps={
         r"$t = 1 - (R/e)\cos\varphi > 0$": "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$",

@@ -11,9 +11,10 @@ write `Derivative`, never `diff`: a rule of `proofs/engine/derivative.py` takes 
 function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, counts for nothing:
 make one side a line of a program.
 
-Words are claims: a statement may be {text: the claims that say it}. A text that has none, but says why as a text, is
-grey, and listed on the page of findings. Steps are {what: why}. One claim, relation or point may stand where several
-may, and so may lists of them in lists.
+Words are claims: a statement may be {text: the claims that say it}, or what Coq proves from a file by hand,
+`coq("name digest")`: read its text, which a run prints with the digest, beside the words. A text that has none, but
+says why as a text, is grey, and listed on the page of findings. Steps are {what: why}. One claim, relation or point may
+stand where several may, and so may lists of them in lists.
 
 Mutants are near misses, at least two; each has the name of a claim, changes one field of it, and has to be refused, and
 to have a counterexample that is exact or enclosed in balls. Give `at=` the point that sampling is unlikely to hit: a
@@ -50,7 +51,7 @@ from proofs.engine.claim import (
     number,
 )
 from proofs.engine.program import Program, Some, chain, evaluated, flat
-from proofs.engine.theorem import SideCondition, Theorem, variant
+from proofs.engine.theorem import SideCondition, Theorem, coq, variant
 from proofs.engine.vectors import Vector, cross, dot, real, squared, vector, vectors, where
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import *

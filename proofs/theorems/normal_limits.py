@@ -22,10 +22,12 @@ _angle = Claim(
 angle = Theorem(
     "angle_of_the_bump",
     "The angle between N and N'",
-    r"""The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and $|N\times N'|^2 =
-    \beta^2|g|^2\,(N\cdot N')^2$.""",
+    {
+        r"""The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$: $N\cdot N' = 1/|M| > 0$ and $|N\times N'|^2 =
+        \beta^2|g|^2\,(N\cdot N')^2$.""": (_angle, coq("angle_of_the_bump__arctangent a806f429d58d0d0f"))
+    },
+    short={r"The angle between $N$ and $N'$ is $\arctan(|\beta||g|)$.": _angle},
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
-    claims=_angle,
     steps={
         r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$": r"$|N| = 1$, $N\cdot g = 0$",
         r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$": "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$",

@@ -90,10 +90,18 @@ lagrange = Theorem(
 theorem = Theorem(
     "occlusion_by_signs",
     "The shadow test by signs",
-    r"""Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in
-    $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w = C-P$.""",
+    {
+        r"""Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in
+        $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w
+        = C-P$.""": (
+            _quadratic,
+            _program,
+            _if,
+            _only_if,
+            coq("occlusion_by_signs__iff 6a1d0e5c94ee3d97", "occlusion_by_signs__numerators e6c759cf3432594d"),
+        )
+    },
     hypotheses="$|C-P| > r$ and $|C-L| > r$",
-    claims=(_quadratic, _program, _if, _only_if),
     steps={
         r"$|P+sa-C|^2-r^2 = |a|^2s^2 - 2(a\cdot w)s + |w|^2-r^2$": (
             "expansion; positive at $s = 0$ and $s = 1$",
@@ -187,13 +195,16 @@ cone = Theorem(
         $ts$ of $L + t(C-L)$.""": _within,
         r"""If $|L - c + t(C-L)| > r + ts$ for all $t \in [0,1]$, no such segment meets the ball of radius $r$
         about $c$.""": _cone,
-        r"The squares' difference is a quadratic in $t$, least at an end or where it turns.": (
+        r"The squares' difference is a quadratic in $t$, least at an end or where it turns,": (
             _clearance,
             _least,
             _chord,
         ),
+        "and where the program's least is positive, none of the segments meets the ball.": coq(
+            "shadow_out_of_reach__program e8588dfcd3f2e7f4"
+        ),
     },
-    hypotheses="$r, s > 0$",
+    hypotheses=("$r, s > 0$", "in the last sentence $|L - c| > r$"),
     steps={
         r"$X\cdot w \ge -|X||w|$, so $|X + w| \ge |X| - |w|$": "Lagrange's identity",
         r"$|X| - |w| > r + ts - |w| \ge r$": r"$|w| \le ts$",

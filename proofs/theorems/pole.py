@@ -81,21 +81,29 @@ theorem = Theorem(
     "pole",
     "The gradient at the pole",
     {
-        r"""At $v = 0$ on the meridian $\theta$, sine's $g$ is $\pi k_v\sin\pi k_u u\,(\cos\theta, \sin\theta,
-        0)$, of length $\pi|k_v\sin\pi k_u u|$: 0 everywhere if $k_u k_v = 0$; otherwise 0 on $u = 0$ and not 0
-        where $\sin\pi k_u u \ne 0$, so that two meridians have two limits.""": (_length, _vanishes, _differs),
-        r"Rings' is $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.": _opposite,
+        r"""As $v \to 0$ on the meridian $\theta = 2\pi u - \pi$, sine's $g$ tends to $\pi k_v\sin\pi k_u
+        u\,(\cos\theta,
+        \sin\theta, 0)$, of length $\pi|k_v\sin\pi k_u u|$,""": (_length, coq("pole__sine_limit 5f7416211ef99297")),
+        r"""which is 0 everywhere if $k_u k_v = 0$; otherwise it is 0 on $u = 0$ and not 0 where $\sin\pi k_u u \ne 0$,
+        so that not all meridians have one limit.""": (_vanishes, _differs, coq("pole__two_limits e82edf6bfec523c6")),
+        r"""Rings' tends to $2\pi k_v(\cos\theta, \sin\theta, 0)$: on opposite meridians $4\pi|k_v|$ apart.""": (
+            _opposite,
+            coq("pole__rings_limit 94c53fa30d60f67c"),
+        ),
         r"""Sine's surface gradient tends to $k_v$ times a vector of squared length $k_u^2/4 +
-        (1-k_u^2/4)\sin^2\pi k_u u$: the same on every meridian only if $k_u = 0$, where it is 0, or $k_u = \pm
-        2$, where it is $(0, \mp 1, 0)$.""": (_limit, _no_limit, _same_limit),
+        (1-k_u^2/4)\sin^2\pi k_u u$:""": (_limit, coq("pole__surface_limit 78a2d00de4d9e8f6")),
+        r"""for $k_v \ne 0$ the same on every meridian only if $k_u = 0$, where it is 0, or $k_u = \pm 2$,
+        where it is $k_v
+        (0, \mp 1, 0)$.""": (_no_limit, _same_limit, coq("pole__one_limit 2768e3b558abf976")),
         r"For $k_u = 2$ and whole $k_v \ge 0$, $h = -y\,U_{k_v-1}(z)$ is a polynomial on the sphere.": _smooth,
     },
-    hypotheses=(
-        r"assumed: along a meridian $g$ is continuous in $v$, its limit is its value at $v = 0$",
-        r"for $k_u \ne 0$ some $u \in [0, 1)$ has $\sin\pi k_u u \ne 0$",
-        r"assumed: $\sin k_v\varphi/\sin\varphi \to k_v$ as $\varphi \to 0$",
-    ),
-    source="DLMF",
+    short={
+        r"""Toward the pole $g$ has one limit on all meridians only if it is 0 there: for sine if $k_u k_v =
+        0$, for rings
+        if $k_v = 0$.""": (_vanishes, _differs, _opposite)
+    },
+    hypotheses=r"""of the claims, which are steps: the values at $v = 0$, and $k_v$ for $\sin
+    k_v\varphi/\sin\varphi$ (assumed)""",
     steps={
         r"""$h_u \to 0$, $h_v \to \pi k_v\sin\pi k_u u$ (rings: $2\pi k_v$), $e_\varphi \to (\cos\theta,
         \sin\theta, 0)$""": "the lines at $v = 0$, $\\varphi = 0$",

@@ -38,11 +38,12 @@ _beside = Claim("beside", _needed > _half_squared * _in_halves, (_whole, (n - 10
 theorem = Theorem(
     "pixels_off_the_pole",
     "No pixel comes near the pole",
-    r"""In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has
-    $\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below $10^{-4}$ is
-    never taken.""",
+    {
+        r"""In the default view every pixel of $256^2$ has $\rho \ge \sqrt{34/15}/256$; a visible point of A has
+        $\sin\varphi \ge \rho\,(e-R)/(eR)$; so $\sin\varphi > 0.0044$ on A: the seed's fallback below $10^{-4}$ is
+        never taken.""": (_on_the_raster, _linear, _far, coq("pixels_off_the_pole__raster 071ffbc9c44967e6"))
+    },
     hypotheses=("$e = 4$, $R = 1$, $256^2$ pixels", "column $m$ and row $n$ are whole numbers"),
-    claims=(_on_the_raster, _linear, _far),
     steps={
         r"$x = (2m-255)\sqrt{15}/768$, $y = (1083-10n)\sqrt{15}/3840$": "the pixel's centre",
         r"$|2m-255| \ge 1$, $|1083-10n| \ge 3$": (

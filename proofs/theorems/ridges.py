@@ -76,7 +76,8 @@ crossings = Theorem(
         r"""At $(a, b)$ from a crossing $u = m/k_u$, $v = n/k_v$ of creases inside the chart, $0 \le h \le
         \pi^2(k_u^2a^2 + k_v^2b^2)/2 \le \tfrac12K(a^2+b^2)$,""": _crossed,
         r"so $h \le \epsilon\sqrt{a^2+b^2}$ wherever $K\sqrt{a^2+b^2} \le 2\epsilon$: the derivative there is 0.": (
-            _flat
+            _flat,
+            coq("ridges_at_crossings__differentiable 199ff0071468aea8"),
         ),
     },
     hypotheses=("$m$, $n$ whole; $k_u, k_v > 0$", r"$K = \pi^2\max(k_u, k_v)^2$", r"$\sin^2 x \le x^2$ is cited"),
@@ -101,7 +102,10 @@ on_creases = Theorem(
         x\,|\sin\pi k_v v|$, $x = \pi k_u s$, and $A(1-x^2/6) \le h/s \le A$ with the slope $A = \pi k_u|\sin\pi
         k_v v|$; the same on $v = n/k_v$.""": (_on_u, _on_v),
         r"""Where $A \ne 0$, the quotients $\pm h/s$ to the right and to the left are more than $A$ apart for
-        every $x \le 1$: there is no derivative.""": _differ,
+        every $x \le 1$: there is no derivative.""": (
+            _differ,
+            coq("ridges_on_creases__no_derivative faf2d936a341dffc"),
+        ),
     },
     hypotheses=("$m$ whole; $k_u > 0$", r"$\sin x \ge 0$ on $[0, \pi]$ and $x - x^3/6 \le \sin x \le x$ (cited)"),
     steps={

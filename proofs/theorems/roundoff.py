@@ -81,9 +81,15 @@ theorem = Theorem(
     "roundoff_bound",
     "The rounding error of the central difference",
     {
-        r"""With heights off by at most $\eta$, arguments by at most $\alpha$ and a factor in $1 \pm \kappa$:
-        $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) + L\kappa$, $L =
-        \sup|h'|$, in $u$ and in $v$ over the span $S = 2\varepsilon$,""": (_in_u, _in_v),
+        r"""For every $h$ with $|h'| \le L$, samples off by at most $\eta$, arguments by at most $\alpha$ and a
+        factor in
+        $1 \pm \kappa$: $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) +
+        L\kappa$, in $u$
+        and in $v$ over the span $S = 2\varepsilon$,""": (
+            _in_u,
+            _in_v,
+            coq("roundoff_bound__of_any_height 2d6961583ad00c59"),
+        ),
         r"and clamped at the pole over $S = v + \varepsilon$.": _clamped,
         r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
         r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
@@ -92,10 +98,9 @@ theorem = Theorem(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
         r"""$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped,
         or $v \pm \varepsilon$, clamped""",
-        r"""assumed, as the mean value theorem has it, and all that the claims know of $h$: $\alpha$ moves $h$ by at
-        most $L\alpha$, and $|D_\varepsilon h| \le L$""",
+        r"""assumed in the claims of the first sentence, which are steps: $\alpha$ moves $h$ by at most $L\alpha$, and
+        $|D_\varepsilon h| \le L$""",
     ),
-    source="DLMF",
     steps={
         r"$\hat D = (D + (e_+-e_-)/S)\,\gamma$": r"the line, with $|e_\pm| \le \eta + L\alpha$",
         r"$\gamma = (1+d_1)(1+d_2)$, or that over $1+d_3$: $|\gamma - 1| \le \kappa$": (
@@ -148,10 +153,14 @@ _least = Claim(
 best_step_theorem = Theorem(
     "best_step",
     "The best step, and the floor that it leaves",
-    r"""For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at $\varepsilon = (E/2T)^{1/3}$, where
-    it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.""",
+    {
+        r"""For $T, E > 0$ the bound $T\varepsilon^2 + E/\varepsilon$ is least at $\varepsilon = (E/2T)^{1/3}$, where
+        it is $3T^{1/3}(E/2)^{2/3}$: no step goes below that floor.""": (
+            _least,
+            coq("best_step__roots b72f9cbafaef8f40"),
+        )
+    },
     hypotheses=(r"$T, E, \varepsilon > 0$", r"$T$ from the truncation bound, $E$ from the rounding bound"),
-    claims=_least,
     steps={
         r"""$\varepsilon_0^3 = E/2T$: $\varepsilon(T\varepsilon^2 - 3T\varepsilon_0^2) + E =
         T(\varepsilon-\varepsilon_0)^2(\varepsilon+2\varepsilon_0)$""": "expansion; not negative",

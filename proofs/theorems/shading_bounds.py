@@ -64,17 +64,22 @@ difference_bound = Theorem(
     "How far a gradient's error can move a colour",
     {
         r"A light adds at most $i\,(a k_d + k_s q)\,|\Delta N'|$ to the change of a channel, red, green or blue,": (
-            _lights
+            _lights,
+            coq("difference_bound__light d2144b88cd2594ea", "difference_bound__channels 53d2c6a05d5fddab"),
         ),
         "and the clip adds nothing;": _clip,
-        r"""so if each of up to five lights, one after the other, adds no more, $|\Delta I| \le L\,|\beta||\Delta g|$
-        with $L = \sum_{\text{lights}} i\,(a k_d + k_s q)$.""": _all_lights,
+        r"""so for any number of lights $|\Delta I| \le L\min(|\beta||\Delta g|, 2)$, $L = \sum_{\text{lights}}
+        i\,(a k_d
+        + k_s q)$:""": (_all_lights, coq("difference_bound__any_lights a157cf50e1265fd4")),
+        "with $q = p$ for Blinn's highlight, and $2p$ for Phong's.": coq(
+            "difference_bound__of_both_models ecf137addf51809e"
+        ),
     },
     hypotheses=(
-        r"light $i$, albedo $a$, $k_d$, $k_s \ge 0$",
-        "the same chamber: the same point and the same lights",
-        r"""$|\Delta\,\text{base}^p| \le q|\Delta N'|$: the highlight is Lipschitz with $q$, for a whole $p \ge 1$
-        with $q = p$ (Blinn) or $2p$ (Phong), as is argued (assumed)""",
+        r"light $i$, albedo $a$, $k_d$, $k_s, q \ge 0$; $p$ whole and not negative",
+        r"the same chamber: the same point $P$ and the same lights, none of them at $P$; $|\hat v| = 1$",
+        r"""before the last sentence $|\Delta\,\text{base}^p| \le q|\Delta N'|$; the claims know of no more
+        than five lights""",
     ),
     steps={
         r"$|\Delta\max(0,\mu)| \le |\Delta N'|$, $|\Delta\,\text{base}^p| \le q|\Delta N'|$": (
@@ -99,7 +104,6 @@ difference_bound = Theorem(
             "without the diffuse part", _lights[0], _light(0, _weights[1] * q).shows, at=_lamp(0) | {mu: 1, specular: 0}
         ),
     ),
-    expected="argued",  # as the highlight is that it uses
     side_conditions=SideCondition("$k_s \\ge 0$", "light_0", holds=(_lamp(1), _lamp(0)), fails=_lamp(-1)),
 )
 
@@ -111,10 +115,12 @@ _step = Claim("one_more", both_ways(bound, _next), (share >= 0, share <= 1, both
 one_more = Theorem(
     "mean_keeps_the_bound",
     "A mean keeps the bound of its samples",
-    r"""If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one more
-    sample is added, with the share $w$, stays within what bounds each.""",
+    {
+        r"""If $|m| \le b$ and $|x| \le b$, then $|m + w(x - m)| \le b$ for $0 \le w \le 1$: a mean to which one more
+        sample is added, with the share $w$, stays within what bounds each.""": _step,
+        "So does the mean of any number of samples.": coq("mean_keeps_the_bound__any_number e974597ac7fedc50"),
+    },
     hypotheses=r"$0 \le w \le 1$",
-    claims=_step,
     steps={r"$b \mp (m + w(x-m)) = (1-w)(b \mp m) + w(b \mp x) \ge 0$": "products of non-negative terms"},
     mutants=(
         variant("the mean gains on its samples", _step, bound >= 2 * _next),

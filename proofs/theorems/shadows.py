@@ -86,14 +86,22 @@ _leading = Claim(
 shadow_of_b = Theorem(
     "shadow_of_b_on_floor",
     "A sphere's shadow on the floor is a conic",
-    r"""Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = |w|^2-r^2$.
-    On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the
-    determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a
-    parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$
-    ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
-    hyperbola.""",
+    {
+        r"""Let the light $L$, $L_z > 0$, be outside the sphere about $C$ of radius $r$, $w = L-C$, $c = |w|^2-r^2$.
+        On the floor the shadow's discriminant is $((P-L)\cdot w)^2-c|P-L|^2$, a quadratic in $(x, y)$ with the
+        determinant $c\,(w_z^2-r^2)$: an ellipse if the light is above the sphere's top or below its lowest point, a
+        parabola if level with either, a hyperbola between. The part cast away from the light has $a\cdot w' < |a|^2$
+        ($a = L-P$, $w' = C-P$): all of it if $L_z \ge C_z+r$, none if $L_z \le C_z-r$, and one branch of the
+        hyperbola.""": (
+            _conic,
+            _types,
+            _away,
+            _from_the_light("all_seen"),
+            _from_the_light("none_seen"),
+            coq("shadow_of_b_on_floor__real beb8a43c00b0b27a", "shadow_of_b_on_floor__two_branches de9ac851c2bcb394"),
+        )
+    },
     hypotheses=("$|L-C| > r$", "$L_z > 0$"),
-    claims=(_conic, _types, _away, _from_the_light("all_seen"), _from_the_light("none_seen")),
     steps={
         r"$d = (a\cdot w')^2-|a|^2(|w'|^2-r^2)$, the same seen from $L$": ("expansion", "lagrange_identity"),
         r"its quadratic part has the determinant $c\,(w_z^2-r^2)$": "expansion; $c > 0$",
@@ -113,11 +121,16 @@ shadow_of_b = Theorem(
 shadow_of_a = Theorem(
     "shadow_of_a_on_floor",
     "Sphere A's shadow on the floor",
-    r"""With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's shadow with $w_z
-    = L_z$: an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L <
-    |P|^2$.""",
+    {
+        r"""With $C = 0$: $d = (P\cdot L)^2-|L|^2|P|^2+R^2|P-L|^2$, a conic of the type of a sphere's shadow with $w_z
+        = L_z$: an ellipse if $L_z > R$. The shadow is its part with $0 < a\cdot w' < |a|^2$, beyond A: $P\cdot L <
+        |P|^2$.""": (
+            _of_a,
+            _behind_a,
+            coq("shadow_of_a_on_floor__ellipse 323cdca58282fba4", "shadow_of_a_on_floor__beyond_a a9744a46ff697466"),
+        )
+    },
     hypotheses="$|L| > R$, $|P| > R$",
-    claims=(_of_a, _behind_a),
     steps={
         "put $C = 0$": ("substitution", "shadow_of_b_on_floor"),
         r"$a\cdot w' = |P|^2-P\cdot L$": ("the vertex comes after P", "occlusion_by_signs"),

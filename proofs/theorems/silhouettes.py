@@ -82,13 +82,25 @@ def _scene(eye_height, x_at, center=(2, 0, 3)):
 theorem = Theorem(
     "silhouette_of_b",
     "The silhouette of sphere B is a conic",
-    r"""Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b = xC_x+yC_y+eH$,
-    is a non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse if $|H| >
-    R_2$, a parabola if $|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits have $t
-    > 0$: all of it if $H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the branch $b <
-    0$ is spurious.""",
+    {
+        r"""Let $H = e-C_z$ and $c = |E-C|^2-R_2^2 > 0$. The silhouette $b^2 = c\,(x^2+y^2+e^2)$, $b = xC_x+yC_y+eH$,
+        is a non-degenerate conic, with the determinants $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2$: an ellipse if $|H| >
+        R_2$, a parabola if $|H| = R_2$, a hyperbola if $|H| < R_2$. It is seen where $b > 0$, where the hits have $t
+        > 0$: all of it if $H \ge R_2$, none if $H \le -R_2$, and of the hyperbola the branch $b > 0$; the branch $b <
+        0$ is spurious.""": (
+            _conic,
+            _types,
+            _branch,
+            _all_seen,
+            _none_seen,
+            coq(
+                "silhouette_of_b__real 8669fc783985e2e4",
+                "silhouette_of_b__two_branches 94a77f8fbacf49c4",
+                "silhouette_of_b__meets 8edc7ff611f9eaab",
+            ),
+        )
+    },
     hypotheses="$c > 0$: the eye is outside B",
-    claims=(_conic, _types, _branch, _all_seen, _none_seen),
     steps={
         r"$d = b^2-c\,(x^2+y^2+e^2)$, written as a quadratic form in $(x, y, 1)$": ("expansion", "lagrange_identity"),
         r"its determinants are $c\,(H^2-R_2^2)$ and $e^2c^2R_2^2 \ne 0$": "expansion; $c > 0$",

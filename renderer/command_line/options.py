@@ -78,6 +78,8 @@ OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
+    "--by": several(NAME)
+    | {"help": "draw the slope by a number of the scene instead, such as beta or lights[0].position[2]; several: .npz"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
     **GRADIENT,
     **RASTER,

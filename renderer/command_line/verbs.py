@@ -50,21 +50,30 @@ def draw_image(options: Namespace) -> None:
         shot = Shot(scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop))
     picture = shot.scene, shot.raster.width, shot.raster.height
     more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
-    if target.suffix.lower() == ".npy":
+    by, suffix = options.by or (), target.suffix.lower()
+    if by and suffix != ".npz" and not (len(by) == 1 and suffix in (".png", ".npy")):
+        raise not_allowed("by", ",".join(by), "several numbers for a .npz, one for a .png or a .npy")
+    if suffix == ".npy" and not by:
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
         height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="band"))
     else:
-        frame = render(*picture, **more, bounds=bounds is not None)
+        frame = render(*picture, **more, bounds=bounds is not None, derivatives=by)
         height, width = frame.raster.shape
-        if options.out == PIPE:
+        if by and suffix != ".npz":
+            (slope,) = frame.derivatives.values()
+            if suffix == ".npy":
+                files.write_npy(target, slope.shape[:2], [slope])
+            else:
+                files.write_png(target, views.derivative_view(slope, *by))
+        elif options.out == PIPE:
             sys.stdout.buffer.write(frame._repr_png_())
         else:
             frame.save(target)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:
-        files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open})
+        files.write_npz(bounds, {"bounds": frame.bounds, "open": frame.open} | frame.slope_arrays())
         largest, opened = frame.bounds.max(), frame.open.sum()
         print(f"wrote {bounds}: no colour is more than {largest:.2g} off, {opened} pixels are open", file=told)
 

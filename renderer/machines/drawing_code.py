@@ -54,7 +54,7 @@ def emit(module: ir.Module, name: str, want: Any, lanes: int) -> None:
                 bounds = tracer.numbers(inputs["scene_bounds"], shader.scene, WHOLE(0))
                 x_bound, y_bound = tracer.load(inputs["x_bound"], column), tracer.everywhere(inputs["y_bound"], row)
                 group = enclosed_group(group, bounds, x_bound, y_bound)
-            group.draw()
+            shader.around(group).draw()
     for number, kind in enumerate(shader.counted):
         count = builder.load(tracer.counts[kind])
         builder.store(count, tracer.place(inputs["counts"], WHOLE(number), WHOLE))

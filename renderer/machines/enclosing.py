@@ -68,7 +68,7 @@ class Mask:
         return self.holds if self.open is None else self.holds | self.open
 
     def __and__(self, other):
-        return Mask(self.holds & other.holds, _either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
+        return Mask(self.holds & other.holds, either(_both(self.open, other.maybe), _both(other.open, self.maybe)))
 
     def __or__(self, other):
         return ~(~self & ~other)
@@ -81,7 +81,8 @@ def _both(open_, mask):
     return None if open_ is None else open_ & mask
 
 
-def _either(one, other):
+def either(one: Any, other: Any) -> Any:
+    """Return where one of two masks holds, of which each may be None."""
     return other if one is None else one if other is None else one | other
 
 

@@ -1,12 +1,13 @@
 """A machine around another one: it runs the shader on numbers with bounds, and stores these beside the colours."""
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from types import SimpleNamespace
 from typing import Any
 
 from renderer.machines.enclosing import Enclosed, Mask, at_work, enclosed
-from renderer.machines.forms import Variables, flat, of_form
+from renderer.machines.forms import COLORS, Variables, flat, of_form
 from renderer.operations import where
 
 
@@ -107,8 +108,11 @@ class Pixels:
             decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
         elif f"{name}_bound" in self._planes:
-            bound = number.bound
-            self._pixels.store(f"{name}_bound", where(bound < 1.0, bound, 1.0))  # also where it is NaN
+            bound, largest = (
+                number.bound,
+                1.0 if name in COLORS else math.inf,
+            )  # which a slope's is too where it is none
+            self._pixels.store(f"{name}_bound", where(bound < largest, bound, largest))  # also where it is NaN
 
 
 def enclosed_group(group: Any, bounds: SimpleNamespace, x_bound: Any, y_bound: Any) -> Any:

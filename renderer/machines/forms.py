@@ -1,5 +1,6 @@
 """The interface of machines and a shader: numbers in a form, variables that change together, and the class Shader."""
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -16,7 +17,7 @@ class Shader(NamedTuple):
 
     group: (machine, scene, want, pixels) → an object with `draw()`, and these as attributes. scene, light: the forms of
     their numbers. rounded: the names of a scene's numbers that are not exact. counted: the kinds of work. planes: the
-    names of the stored planes.
+    names of the stored planes. around: group → that of a machine around its own, which is drawn.
     """
 
     group: Callable
@@ -25,6 +26,7 @@ class Shader(NamedTuple):
     rounded: Sequence[str]
     counted: Sequence[str]
     planes: Sequence[str]
+    around: Callable = lambda group: group
 
 
 def flat(numbers: SimpleNamespace) -> list:
@@ -38,6 +40,27 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
     return SimpleNamespace(
         **{n: tuple(next(values) for _ in old) if isinstance(old, tuple) else next(values) for n, old in names}
     )
+
+
+def path_of(name: str) -> list[str]:
+    """Return the parts of a number's name, such as lights[0].position[2]; of any other text a part that nothing has."""
+    return re.findall(r"\w+", name) if re.fullmatch(r"[a-z_]+(\[\d\](\.[a-z]+\[\d\])?)?", str(name)) else [""]
+
+
+def part_of(value: Any, name: str) -> Any:
+    """Return a part of a tuple or of an object."""
+    return value[int(name)] if isinstance(value, tuple) else getattr(value, name)
+
+
+def with_part(value: Any, path: Sequence[str], part: Any) -> Any:
+    """Return a value of tuples and objects with another part at the end of a path."""
+    if not path:
+        return part
+    first, *rest = path
+    part = with_part(part_of(value, first), rest, part)
+    if isinstance(value, tuple):
+        return *value[: int(first)], part, *value[int(first) + 1 :]
+    return type(value)(**vars(value) | {first: part})
 
 
 class Variables:

@@ -96,7 +96,7 @@ def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
         if want.bounds:
             of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]
             group = enclosed_group(group, of_form(shader.scene, job["scene_bounds"]), *of_pixels)
-        group.draw()
+        shader.around(group).draw()
         return [*machine.counts.values()]
 
     return draw

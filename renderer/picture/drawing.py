@@ -1,14 +1,17 @@
 """`render`, the way from a scene to a picture: everything from nothing, or sphere A alone on a stage."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from renderer.checks import check_truth, not_allowed
+from renderer.machines import compiling
 from renderer.picture.frame import Frame
 from renderer.picture.stage import Stage
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Crop, Raster
-from renderer.scene.scene import Scene
-from renderer.shader.numbers import EXACT, Shot
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
+from renderer.shader.numbers import EXACT, Shot, slope_planes
 from renderer.shader.shader import BOUNDS, COLORS, WORK
 from renderer.threads import checked_threads
 
@@ -40,6 +43,7 @@ def render(
     stage: Stage | None = None,
     into: Frame | None = None,
     bounds: bool = False,
+    derivatives: Iterable[str] = (),
 ) -> Frame:
     """Draw `scene` on a raster of width × height pixels and return the Frame.
 
@@ -48,7 +52,10 @@ def render(
     most in field, ku, kv, beta and shading, on the same raster: A alone is drawn, the rest is copied from the stage.
     into: an earlier Frame of that stage, of the same shading: A is drawn over its colours, and nothing is copied; the
     earlier frame has no colours any more. bounds: whether `Frame.bounds` and `Frame.open` are wanted: the same picture,
-    drawn whole. Raises ValueError that names what is not allowed.
+    drawn whole. derivatives: the numbers of the scene by which `Frame.derivatives` are wanted, by the names that its
+    record has, such as "beta", "albedo_a[0]", "lights[1].position[2]": the same picture, by ku and kv that of
+    `exact("general")`; on a stage A alone is drawn if none but ku, kv and beta are wanted. Raises ValueError that names
+    what is not allowed.
 
     >>> from renderer import Scene, central, render
     >>> symbolic, numeric = (render(Scene(), 16, 16, method) for method in (None, central(1e-3)))
@@ -59,26 +66,41 @@ def render(
     """
     shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
     bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
+    by, changes = (), {}
+    if derivatives != ():
+        with compiling:
+            from renderer.shader.slopes import asked  # what most pictures never need to import
+
+        shot, changes = asked(shot, derivatives)
+        by = changes["by"]
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     fits = isinstance(into, Frame) and stage is into.stage and shot.shading == into.shot.shading
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is")
-    complete = bounds or stage is None
+    complete = bounds or stage is None or not set(by) <= set(MOVE_NO_BOUNDARY)
     stage = Stage(shot) if stage is None else stage
     planes = stage.new_plane(channels=3) if into is None else into.hand_over()
     named, enclosure = dict(zip(COLORS, planes, strict=True)), None
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
+    parts = ((), ())
+    if by:
+        moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
+        named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))
+        parts = moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]).transpose(0, 1, 3, 4, 2)
+        parts = parts[..., : stage.raster.shape[1], :]
+        if not complete:
+            moving[...] = 0.0  # off A
     if complete:
-        counts = stage.draw(shot, threads, named, bounds=bounds)
+        counts = stage.draw(shot, threads, named, bounds=bounds, **changes)
     else:
-        counts = _draw_on(stage, shot, threads, named, None if into else planes)
-    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure)
+        counts = _draw_on(stage, shot, threads, named, None if into else planes, changes)
+    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure, by, parts)
 
 
-def _draw_on(stage, shot, threads, named, fresh):
+def _draw_on(stage, shot, threads, named, fresh, changes):
     """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
     copy, counts = None, 0
     if fresh is not None:
@@ -87,4 +109,4 @@ def _draw_on(stage, shot, threads, named, fresh):
         def copy(rows):
             fresh[:, rows] = rest[:, rows]
 
-    return counts + stage.draw(shot, threads, named, copy, chambers_known=True, surfaces="a")
+    return counts + stage.draw(shot, threads, named, copy, chambers_known=True, surfaces="a", **changes)

@@ -1,5 +1,6 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -7,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_whole, not_allowed
+from renderer.checks import check_choice, check_kind, check_number, check_whole, not_allowed
 from renderer.files import pictures
 from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
@@ -21,6 +22,9 @@ from renderer.scene.scene import Scene
 from renderer.shader.numbers import Shot, read_only
 from renderer.shader.shader import ON_A
 from renderer.whole_files import checked_target
+
+BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
+ON_ONE = ("beta", "ku", "kv", "albedo_a"), ("albedo_b",), ("floor_tint",)  # what moves the colours of A, B, the floor
 
 
 @dataclass(eq=False, repr=False)
@@ -44,6 +48,8 @@ class Frame:
     _planes: np.ndarray | None
     _counts: dict[str, int]
     _enclosure: tuple[np.ndarray, np.ndarray] | None = None
+    _by: tuple[str, ...] = ()
+    _slopes: Sequence = ((), ())
 
     @property
     def scene(self) -> Scene:
@@ -66,10 +72,15 @@ class Frame:
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
-        specular_powers, light_terms.
+        specular_powers, light_terms. slopes: {name: the pixels of the surfaces where one of `derivatives` is not 0 for
+        certain}.
         """
         codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
-        _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        _, *surfaces = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
+        on_a, on_b, on_floor = surfaces
+        moved = {
+            name: surfaces[place] for place, names in enumerate(ON_ONE) for name in self._by if name.startswith(names)
+        }
         ((field, way),) = self.shot.want.ways
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
         gradients = self._counts["gradient_evaluations"]
@@ -82,6 +93,7 @@ class Frame:
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
+            "slopes": dict.fromkeys(self._by, sum(surfaces)) | moved,
         }
 
     def hand_over(self) -> np.ndarray:
@@ -127,8 +139,9 @@ class Frame:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
         `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers` and `surface_data`. A `.png` and a `.npz` carry the scene, the method and the raster:
-        `python -m renderer image --again FILE` draws them again, unless a field of one's own has no text.
+        `.npz`: `rgb`, `chambers`, `surface_data`, `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method
+        and the raster: `python -m renderer image --again FILE` draws them again, unless a field of one's own has no
+        text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
@@ -137,7 +150,7 @@ class Frame:
             case ".png":
                 pictures.write_png(path, to_bytes(self.rgb), self._record())
             case ".npz":
-                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data}
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
@@ -172,6 +185,53 @@ class Frame:
         Raises ValueError without bounds.
         """
         return self._enclosed("open", 1) > 0
+
+    @property
+    def derivatives(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: the slope of each colour by a number, drawn with `derivatives=(name, …)`.
+
+        It is that of the exact picture, or of a difference's. A clipped colour has slope 0. By a number on which
+        boundaries depend it is the slope inside them.
+
+        >>> from renderer import Scene, render
+        >>> frame = render(Scene(), 16, 16, derivatives=("beta", "eye"))
+        >>> {name: round(float(abs(slope).max()), 2) for name, slope in frame.derivatives.items()}
+        {}
+        >>> frame.moves_boundaries
+        ('eye',)
+        """
+        return dict(zip(self._by, self._slopes[0], strict=True))
+
+    @property
+    def derivative_bounds(self) -> dict[str, np.ndarray]:
+        """{name: (height, width, 3) float64}: |slope − exact| is at most this, of a frame drawn with `bounds=True`.
+
+        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves: there is no slope.
+        Raises ValueError without bounds.
+        """
+        self._enclosed("derivative_bounds", 0)
+        return dict(zip(self._by, self._slopes[1], strict=True))
+
+    def slope_arrays(self) -> dict[str, np.ndarray]:
+        """Return {"derivative_" and a number's name: its slopes}, and "derivative_bound_…" with bounds, for a file."""
+        arrays = {f"derivative_{name}": slope for name, slope in self.derivatives.items()}
+        bounds = self.derivative_bounds if self.bounded else {}
+        return arrays | {f"derivative_bound_{name}": bound for name, bound in bounds.items()}
+
+    def derivative(self, direction: dict[str, float]) -> np.ndarray:
+        """Return the slope in a direction of several numbers, {name: its part}: (height, width, 3) float64.
+
+        Raises ValueError on a number by which the frame has no slope.
+        """
+        slopes = self.derivatives
+        for name, part in check_kind("direction", direction, dict, "{name: number}").items():
+            check_number(check_choice("direction", name, slopes), part)
+        return sum((part * slopes[name] for name, part in direction.items()), np.zeros(self.rgb.shape))
+
+    @property
+    def moves_boundaries(self) -> tuple[str, ...]:
+        """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
+        return tuple(name for name in self._by if name.startswith(BOUNDARIES) or "position" in name)
 
     @property
     def chambers(self) -> np.ndarray:

@@ -1,6 +1,7 @@
 """A record of one pixel: the shader once more, on NumPy, with its geometry and each light's share."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -50,14 +51,22 @@ class PixelRecord:
     straddling: bool | None = None
     lights: tuple = ()
     rgb: tuple = (0.0, 0.0, 0.0)
+    derivatives: dict = field(default_factory=dict)
 
 
 def pixel(
-    scene: Scene, width: int, height: int, column: int, row: int, gradient: GradientMethod | None = None
+    scene: Scene,
+    width: int,
+    height: int,
+    column: int,
+    row: int,
+    gradient: GradientMethod | None = None,
+    derivatives: Iterable[str] = (),
 ) -> PixelRecord:
     """Return the PixelRecord of (column, row), counted from the top left, on a raster of width × height.
 
-    `normal` is N' on sphere A. Its rgb is bit for bit that of `render`. Raises ValueError as `render` does.
+    `normal` is N' on sphere A. derivatives: as for `render`; the record has {name: slopes of rgb}. Its rgb is bit for
+    bit that of `render`. Raises ValueError as `render` does.
 
     >>> from renderer import Scene, pixel
     >>> record = pixel(Scene(), 16, 16, 8, 9)
@@ -67,11 +76,12 @@ def pixel(
     raster = Raster(width, height)
     column = check_whole("column", column, raster.width - 1, low=0)
     row = check_whole("row", row, raster.height - 1, low=0)
-    frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1)
+    frame = render(scene, width, height, gradient, crop=(column, row, 1, 1), threads=1, derivatives=derivatives)
     code = int(frame.chambers[0, 0])
     surface = SURFACES[code & SURFACE_BITS]
     data = (_lit(frame) if surface != "none" else {}) | (_on_a(frame) if surface == "A" else {})
-    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()))
+    slopes = {name: tuple(slope[0, 0].tolist()) for name, slope in frame.derivatives.items()}
+    return PixelRecord(column, row, surface, code, **data, rgb=tuple(frame.rgb[0, 0].tolist()), derivatives=slopes)
 
 
 class _WrittenDown(Group):

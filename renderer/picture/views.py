@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LOW, HIGH = -16, 0  # decades of a logarithmic view
+DIVERGING = "RdBu_r"
 
 
 def _bytes(share):
@@ -60,25 +61,49 @@ def difference_logarithmic(delta: np.ndarray, low: float = LOW, high: float = HI
 
 
 def add_colour_bar(
-    figure: "Figure", box: tuple[float, float, float, float], limits: tuple[float, float], label: str
+    figure: "Figure",
+    box: tuple[float, float, float, float],
+    limits: tuple[float, float],
+    label: str,
+    colours: str = "inferno",
 ) -> None:
-    """Draw inferno's colour bar in powers of ten from 10^limits[0] to 10^limits[1] into a Matplotlib figure."""
+    """Draw a colour bar between two limits into a Matplotlib figure; inferno's in powers of ten, 10^limits[0] ... ."""
     with extra("plot"):
         from matplotlib.cm import ScalarMappable
         from matplotlib.colors import Normalize
 
     low, high = limits
-    bar = figure.colorbar(ScalarMappable(Normalize(low, high), "inferno"), cax=figure.add_axes(box))
-    ticks = np.arange(low, high + 1e-9, max(1, round((high - low) / 8)))
-    bar.set_ticks(list(ticks), labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
+    bar = figure.colorbar(ScalarMappable(Normalize(low, high), colours), cax=figure.add_axes(box))
+    if colours == "inferno":
+        ticks = np.arange(low, high + 1e-9, max(1, round((high - low) / 8)))
+        bar.set_ticks(list(ticks), labels=[rf"$10^{{{tick:.0f}}}$" for tick in ticks])
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=0)
     if label:
         bar.set_label(label)
 
 
-def with_colour_bar(image: np.ndarray) -> np.ndarray:
-    """Return a logarithmic difference picture with its colour bar at the right: uint8, the picture's pixels kept."""
+def derivative_view(slope: np.ndarray, name: str = "") -> np.ndarray:
+    """Return a slope by a number, (height, width, 3): uint8, blue below 0, white, red above; named, with its scale.
+
+    Of a pixel's channels that of the largest slope counts. The scale is symmetric, and ends at the largest of all.
+    """
+    with extra("plot"):
+        import matplotlib
+
+    largest = np.take_along_axis(slope, np.abs(slope).argmax(axis=2)[..., None], axis=2)[..., 0]
+    end = float(np.abs(largest).max()) or 1.0
+    image = matplotlib.colormaps[DIVERGING](0.5 + 0.5 * (largest / end), bytes=True)[..., :3]
+    return with_colour_bar(image, (-end, end), f"slope by {name}", DIVERGING) if name else image
+
+
+def with_colour_bar(
+    image: np.ndarray,
+    limits: tuple[float, float] = (LOW, HIGH),
+    label: str = "largest |ΔI| of a channel",
+    colours: str = "inferno",
+) -> np.ndarray:
+    """Return a picture, by default a logarithmic difference, with its colour bar at the right: uint8, pixels kept."""
     with extra("plot"):
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -86,9 +111,8 @@ def with_colour_bar(image: np.ndarray) -> np.ndarray:
     height, width = image.shape[:2]
     tall, total = max(height, 160), width + 96
     figure = Figure(figsize=(total / 100, tall / 100), dpi=100, facecolor="white")
-    add_colour_bar(
-        figure, ((width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall), (LOW, HIGH), "largest |ΔI| of a channel"
-    )
+    box = (width + 12) / total, 8 / tall, 12 / total, 1 - 16 / tall
+    add_colour_bar(figure, box, limits, label, colours)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     sheet = np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -1,12 +1,14 @@
 """The scene and its lights, checked when they are made."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
+from renderer.machines.forms import part_of, path_of, with_part
 from renderer.scene.fields import check_field, check_size, field_from_record, field_record
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
@@ -21,6 +23,7 @@ else:  # no SymPy is imported
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 """The fields that no chamber depends on."""
+NUMBERS = "names of the scene's numbers in its record, such as beta, albedo_a[0], lights[1].position[2]"
 MAX_LIGHTS = 5
 MAX_WAVE_NUMBER = 2.0**20
 
@@ -140,6 +143,31 @@ class Scene:
             check_kind("lights", values["lights"], list, "a list of records")
             values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
         return cls(**values)
+
+    def number(self, name: str) -> float:
+        """Return a number by its name in the record, such as "lights[0].position[2]". Raises ValueError on no name."""
+        number: Any = self
+        try:
+            for part in path_of(name):
+                number = part_of(number, part)
+        except (AttributeError, IndexError, TypeError):
+            number = None
+        if not isinstance(number, float):
+            raise not_allowed("name", name, NUMBERS)
+        return number
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> "Scene":
+        """Return the scene with other numbers, {name: number}. Raises ValueError on what is not allowed.
+
+        >>> from renderer import Scene
+        >>> Scene().with_numbers({"ku": 6, "ambient[2]": 0.2})
+        Scene(ambient=(0.15, 0.15, 0.2), ku=6.0)
+        """
+        scene = self
+        for name, number in check_kind("numbers", numbers, Mapping).items():  # type: ignore[type-abstract]
+            scene.number(name)
+            scene = with_part(scene, path_of(name), number)
+        return scene
 
     def to_file(self, path: str | Path) -> None:
         """Write the scene to a `.toml`, for `from_file` and `--scene`. Raises ValueError as `as_record` does."""

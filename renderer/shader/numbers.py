@@ -12,7 +12,7 @@ import numpy as np
 
 from renderer.checks import check_kind
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
-from renderer.machines.forms import Shader, flat
+from renderer.machines.forms import COLORS, Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
@@ -22,7 +22,7 @@ from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
 EXACT, PIXEL = exact(), Raster(1, 1)
 FIRST_LIGHT_BIT = 2
-AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "kd", "ks", "albedo_a", "albedo_b")
+AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "ka", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
 
 
@@ -53,6 +53,12 @@ def style_of(scene: Scene) -> tuple[Any, str]:
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
+def slope_planes(count: int, bounds: bool) -> list[str]:
+    """Return the names of the planes of so many slopes, and then of their bounds."""
+    ends = ("", "_bound") if bounds else ("",)
+    return [f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS]
+
+
 class Want(NamedTuple):
     """The choice of the code that draws: the scene's numbers are its arguments.
 
@@ -62,7 +68,8 @@ class Want(NamedTuple):
     number. chambers_known: whether the chambers are there to be loaded. surfaces: all, a (drawn over what is there)
     or elsewhere. colors: whether these are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES
     and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
-    (`renderer.machines.enclosing_machine`).
+    (`renderer.machines.enclosing_machine`). by: the names of numbers by which each colour's slopes are stored, and
+    around: the group that has these (`renderer.shader.slopes`).
     """
 
     ways: tuple
@@ -74,11 +81,19 @@ class Want(NamedTuple):
     stored: tuple = ()
     charted: bool = False
     bounds: bool = False
+    by: tuple = ()
+    around: Any = None
 
     @property
     def shader(self) -> Shader:
         """The shader that draws it."""
-        return SHADER
+        planes = (*PLANES, *slope_planes(len(self.by), self.bounds))
+        return SHADER._replace(planes=planes, around=self.around) if self.by else SHADER
+
+    @property
+    def by_color(self) -> bool:
+        """True if a black light, which adds nothing, is to be looked at all the same."""
+        return any("color" in name for name in self.by)
 
     @property
     def is_long(self) -> bool:
@@ -151,6 +166,7 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
         turn_u=-1.0 if power_u < 0 else 1.0,  # and the sign that negative ones give to imaginary parts
         turn_v=-1.0 if power_v < 0 else 1.0,
         power=scene.shininess / 2 if style == "squared" else scene.shininess,  # of the highlight's base, or its square
+        ambient_light=scene.ambient,
         ambient=tuple(ambient_term(number(scene.ka), channel) for channel in scene.ambient),
         floor_light=light,  # red and green; blue
         floor_dark=dark,

@@ -18,7 +18,7 @@ from typing import Any
 
 from renderer import kernels as k
 from renderer.machines.forms import COLORS, Numbers, Variables
-from renderer.operations import Mask, Number, floor, where
+from renderer.operations import Mask, Number, floor, of_whole_power, where
 from renderer.scene.fields import field_kernels
 
 NOTHING, SPHERE_A, SPHERE_B, FLOOR = 0.0, 1.0, 2.0, 3.0
@@ -169,7 +169,7 @@ class Group:
                 self.loaded_shadow(light) if want.chambers_known else self.shadow(light, mask, point, bodies(light))
             )
             if want.colors:
-                lit = lit & (light.glows > 0.0)
+                lit = lit if want.by_color else lit & (light.glows > 0.0)
                 machine.when(lit, lambda: shine(light, lit))
 
         machine.each_light(reach)
@@ -217,7 +217,8 @@ class Group:
                 highlight = self.machine.variable(0.0)
                 self.machine.when(lit & (specular > 0.0), lambda: highlight.set(k.highlight(specular, s.power)))
                 return mu, highlight.value
-            return mu, *power(self.machine, (specular,), s.power)
+            (highlight,) = power(self.machine, (specular,), s.power)
+            return mu, of_whole_power(highlight, specular, s.power)
 
         return self.machine.choose(self.want.lights, s.model, by)
 

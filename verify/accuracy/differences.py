@@ -1,4 +1,4 @@
-"""The central difference's error, taken apart: truncation, rounded arguments, rounded evaluation; each exactly.
+"""A difference's error, taken apart: truncation, rounded arguments, rounded evaluation; each exactly.
 
 The difference in exact arithmetic, and the same of the arguments u ± ε as float64 has them, are balls of the
 program's own lines; the float64 difference is the kernel's. With D the exact difference and D̂ that of the rounded
@@ -11,15 +11,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from proofs.formulas.finite_difference import central, span_v, u_minus, u_plus, v_minus, v_plus
+from proofs.formulas.finite_difference import FAR, METHODS, NEAR, span_v, stepped
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.step_bounds import TERMS
-from verify.accuracy.step_terms import SLOPE_TERMS
+from verify.accuracy.step_terms import SLOPE_TERMS, slope_terms
 from verify.evaluate.arrays import Inputs, in_balls, in_float64, signed_distance
 from verify.evaluate.programs import lines
 
 PER_DECADE = 40
-ARGUMENTS = (u_plus, u_minus, v_plus, v_minus, span_v)
+ARGUMENTS = {*NEAR, *FAR, span_v, stepped}
 STEPS = np.array([10.0 ** (-n / PER_DECADE) for n in range(PER_DECADE, 16 * PER_DECADE + 1)])
 PARTS = (*TERMS[:3], "total")  # the first is the whole error in exact arithmetic, straddling and one-sided included
 SLOPES = ("h_u", "h_v")
@@ -28,7 +28,7 @@ Curves = dict[str, np.ndarray]  # {part: one number for each step}
 
 
 class Case(NamedTuple):
-    """A place of a difference: the component, one of SLOPES, of a field at (u, v)."""
+    """A place of a difference: the component, one of SLOPES, of a field at (u, v), by a method."""
 
     name: str
     field: str
@@ -37,6 +37,7 @@ class Case(NamedTuple):
     u: float
     v: float
     component: str = "h_u"
+    method: str = "central"
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -45,15 +46,16 @@ class Case(NamedTuple):
 
 
 @cache
-def _split(field):
-    """Return a central difference, and in two programs: where it samples, and the quotient of given samples."""
-    difference = central(HEIGHT_FIELDS[field])
-    return difference, difference.keep(*ARGUMENTS), lines(difference, ARGUMENTS, difference.outputs)
+def _split(field, method):
+    """Return a difference, and in two programs: where it samples, and the quotient of given samples."""
+    difference = METHODS[method](HEIGHT_FIELDS[field])
+    arguments = tuple(symbol for symbol, _ in difference.definitions if symbol in ARGUMENTS)
+    return difference, difference.keep(*arguments), lines(difference, arguments, difference.outputs)
 
 
-def taken_apart(field: str, inputs: Inputs, steps: ArrayLike) -> dict[str, np.ndarray]:
+def taken_apart(field: str, inputs: Inputs, steps: ArrayLike, method: str = "central") -> dict[str, np.ndarray]:
     """Return {component: the signed errors of PARTS} over arrays of points or of steps. inputs: u, v, k_u, k_v."""
-    at, (difference, where, quotient) = {**inputs, "epsilon": steps}, _split(field)
+    at, (difference, where, quotient) = {**inputs, "epsilon": steps}, _split(field, method)
     slope, exact, computed = (
         in_balls(gradient(HEIGHT_FIELDS[field]), inputs),
         in_balls(difference, at),
@@ -66,14 +68,15 @@ def taken_apart(field: str, inputs: Inputs, steps: ArrayLike) -> dict[str, np.nd
 
 def parts(case: Case, steps: ArrayLike = STEPS) -> Curves:
     """Return {part: signed errors} of a case over the steps."""
-    errors = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64))
+    errors = taken_apart(case.field, case.inputs, np.asarray(steps, np.float64), case.method)
     return dict(zip(PARTS, errors[case.component], strict=True))
 
 
 @np.errstate(all="ignore")
 def bounds(case: Case, steps: ArrayLike = STEPS) -> Curves:
     """Return {part: upper bounds of its size} over the steps, for a field that the theorems cover."""
-    both = SLOPE_TERMS[case.field](case.u, case.v, case.k_u, case.k_v, np.asarray(steps, np.float64))
+    terms = slope_terms(HEIGHT_FIELDS[case.field], case.method)
+    both = terms(case.u, case.v, case.k_u, case.k_v, np.asarray(steps, np.float64))
     truncation, *rounding, straddling, one_sided = both[SLOPES.index(case.component)]
     exact = truncation + straddling + one_sided
     return dict(zip(PARTS, (exact, *rounding, exact + sum(rounding)), strict=True))

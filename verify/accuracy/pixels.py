@@ -75,15 +75,20 @@ def chosen(frame: Frame, each: int = EACH) -> list[tuple[int, int]]:
     return pixels
 
 
-def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:
-    """Return (the balls of a pixel's lines, how far each channel is from them, whether the chamber is the true one)."""
+def truth_of(frame: Frame, column: int, row: int, bits: int = BITS, **others: arb) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; others: what stands in place of the scene's numbers."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
-    truth = lines_of(scene, method.name, BITS, **place, epsilon=method.eps or 0.0)
+    return lines_of(scene, method.name, bits, **place, epsilon=method.eps or 0.0, **others)
+
+
+def compared(frame: Frame, column: int, row: int) -> tuple[dict[str, arb], list[arb], bool]:
+    """Return (the truth of a pixel, how far each channel is from it, whether the chamber is the true one)."""
+    truth = truth_of(frame, column, row)
     with ctx.workprec(BITS):
         errors = [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
-    code = chamber_code(scene, lambda name: int(truth[name].unique_fmpz() or 0))
+    code = chamber_code(frame.scene, lambda name: int(truth[name].unique_fmpz() or 0))
     return truth, errors, bool(code == frame.chambers[row, column])
 
 

@@ -1,4 +1,4 @@
-"""Bounds of a central difference's error at a point, term by term, by the theorems: pages and simulator show them.
+"""Bounds of a difference's error at a point, term by term, by the theorems: pages and simulator show them.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are (under `numpy.errstate`: a selection
 computes both of its sides). Each number has ROOM for the rounding of the lines that compute it.
@@ -26,19 +26,49 @@ SHARED = UNIT * float(PROVED["of_product_relative"])  # of itself, of a factor t
 ARGUMENT = TERMS.index("argument rounding")
 TRUNCATION, STRADDLING, ONE_SIDED = (float(TERMS.index(term)) for term in ("truncation", "straddling", "one-sided"))
 
-slope_bound, truncation_bound, clamped_bound, crease_bound, tent_bound, rounding_bound = map(
-    function_of,
-    (
-        step_bounds.slope_bound,
-        step_bounds.truncation_bound,
-        step_bounds.clamped_bound,
-        step_bounds.crease_bound,
-        step_bounds.tent_bound,
-        step_bounds.rounding_bound,
-    ),
+slope_bound, truncation_bound, forward_bound, fourth_bound, clamped_bound, crease_bound, tent_bound, rounding_bound = (
+    map(
+        function_of,
+        (
+            step_bounds.slope_bound,
+            step_bounds.truncation_bound,
+            step_bounds.forward_bound,
+            step_bounds.fourth_bound,
+            step_bounds.clamped_bound,
+            step_bounds.crease_bound,
+            step_bounds.tent_bound,
+            step_bounds.rounding_bound,
+        ),
+    )
 )
 TWO_ROUNDINGS = function_of(step_bounds.two_roundings)(UNIT)
 THREE_ROUNDINGS = function_of(step_bounds.three_roundings)(UNIT)
+
+
+class Rule(NamedTuple):
+    """A difference: by how many steps it moves at most, and the numbers that its bounds have.
+
+    smooth: the truncation's bound. apart, jump: how far quotient and slope may be apart, over 2πk; and by a jump, over
+    that over a step. span: of the samples, in steps. share, excess: of the central difference's rounding errors, and
+    of its quotient's roundings.
+    """
+
+    reach: float
+    smooth: Callable
+    apart: float
+    jump: float
+    span: float
+    share: float = 1.0
+    excess: float = TWO_ROUNDINGS
+
+
+RULES = {
+    "forward": Rule(1.0, forward_bound, 1.0, 1.0, 1.0),
+    "central": Rule(1.0, truncation_bound, 1.0, 0.5, 2.0),
+    "central4": Rule(2.0, fourth_bound, 4 / 3, 0.75, 2.0, 1.5, 10 / 9 * ((1 + UNIT) ** 5 - 1)),
+}
+"""Those of Coq's: roundoff_bound__forward_in_float64_u and _v, __fourth_in_float64_u and _v. Fourth order has weights
+(8, 8, 1, 1)/12: 3/2 of the errors that two samples 2ε apart have, five roundings, and a quotient of at most 5/3 πk."""
 
 
 class Side(NamedTuple):
@@ -68,16 +98,18 @@ class Side(NamedTuple):
         """Return the size of the factor's derivative over πk at the point; on either side, if that is a crease."""
         return abs((kernels.cospi if self.is_sine else kernels.sinpi)(*kernels.two_product(self.rate, self.at)))
 
-    def crease(self, epsilon: Number, nearest_to: Callable) -> tuple[Mask, Number]:
-        """Return (whether the nearest zero is within a step, the tent bound: infinite where another one may be).
+    def crease(self, epsilon: Number, rule: Rule, nearest_to: Callable) -> tuple[Mask, Number]:
+        """Return (whether the nearest zero is within the samples, the central difference's tent bound).
 
-        nearest_to: where that zero is, in half-turns, of the point's own.
+        That is infinite where another zero may be, and of another difference. nearest_to: where the zero is, in
+        half-turns, of the point's own.
         """
         product, error = kernels.two_product(self.rate, self.at)
         distance = abs((product - nearest_to(product)) + error) / ROOM
         tent = tent_bound(epsilon, minimum(epsilon, distance / self.rate), self.rate)
         alone = (self.rate * epsilon + distance) * ROOM <= 1.0
-        return distance < self.rate * epsilon, where(alone, tent, inf)
+        tent = where(alone, tent, inf) if rule is RULES["central"] else inf
+        return distance < self.rate * rule.reach * epsilon, tent
 
 
 def factors_of(field: HeightField) -> tuple[Expr | None, Expr | None] | None:
@@ -105,45 +137,57 @@ def half_unit(number: Number) -> Number:
     return UNIT * abs(large - (1 - UNIT) * large)
 
 
-def _exact_in_u(side, epsilon):
+def moved_by(place: Number, step: Number, further: Number) -> Number:
+    """Return by how much rounding moves place ± steps at most: not at all where all are exact, by Knuth's sum."""
+
+    def exact(step):
+        total = place + step
+        other = total - place
+        return (place - (total - other)) + (step - other) == 0.0
+
+    near, far = (exact(each) & exact(-each) for each in (step, further))
+    return where(near & far, 0.0, half_unit(place + further))
+
+
+def _exact_in_u(side, epsilon, rule):
     """Return (kind, bound, jump) of the error in u in exact arithmetic; jump: by how much h jumps between the samples.
 
     Beside the seam a sine of odd k is, up to its sign, the absolute value: creased.
     """
-    wraps = (side.at - epsilon < 0.0) | (side.at + epsilon >= 1.0)
+    reach = rule.reach * epsilon
+    wraps = (side.at - reach < 0.0) | (side.at + reach >= 1.0)
     jump = where(wraps, abs(side.height(0.0) - side.height(1.0)), 0.0)
     shift = 0.0 if side.is_sine else 0.5
-    crossed, tent = side.crease(epsilon, lambda product: rint(product - shift) + shift)
+    crossed, tent = side.crease(epsilon, rule, lambda product: rint(product - shift) + shift)
     if not side.folded:
         crossed = crossed & wraps & (0.5 * side.rate != floor(0.5 * side.rate))
-    most = crease_bound(side.rate) + jump / (2.0 * epsilon)
-    smooth = truncation_bound(epsilon, side.rate)
-    bound = where(jump > 0.0, most, minimum(most, where(crossed, tent, smooth)))
+    most = rule.apart * crease_bound(side.rate) + rule.jump * jump / epsilon
+    bound = where(jump > 0.0, most, minimum(most, where(crossed, tent, rule.smooth(epsilon, side.rate))))
     return where(crossed | (jump > 0.0), STRADDLING, TRUNCATION), bound, jump
 
 
-def _exact_in_v(side, epsilon, inside):
+def _exact_in_v(side, epsilon, inside, rule):
     """Return (kind, bound, no jump) of the error in v in exact arithmetic. Zeros at the poles are no creases.
 
     Clamped at the pole v = 0, a sine keeps second order, but not where a factor that is folded is 0: at the pole itself
     its slope is 0 by the rule of creases. A factor that is clamped there, or at the other pole, has the crudest bound.
     """
-    smooth, most = truncation_bound(epsilon, side.rate), crease_bound(side.rate)
+    smooth, most = rule.smooth(epsilon, side.rate), rule.apart * crease_bound(side.rate)
     clamped = where(side.at + epsilon <= 1.0, clamped_bound(epsilon, side.at, side.rate), inf) if side.is_sine else inf
     bound, kind = where(inside, smooth, clamped), where(inside, TRUNCATION, ONE_SIDED)
     if side.folded:
         first = 1.0 if side.is_sine else 0.5
         last = first - 1.0 - floor(first - side.rate)  # the largest zero below k
         crossed, tent = side.crease(
-            epsilon, lambda product: minimum(maximum(rint(product - first) + first, first), last)
+            epsilon, rule, lambda product: minimum(maximum(rint(product - first) + first, first), last)
         )
         crossed = crossed & (last >= first)
-        bound = where(crossed, where(inside, tent, inf), where(side.at > 0.0, bound, inf))
+        bound = where(crossed, where(inside, tent, inf), where((side.at > 0.0) & (side.at < 1.0), bound, inf))
         kind = where(crossed, STRADDLING, kind)
     return kind, minimum(most, bound), 0.0 * epsilon
 
 
-def _terms(side, still, epsilon, span, excess, moved, exact):
+def _terms(side, still, epsilon, span, excess, moved, exact, rule):
     """Return a bound for each of TERMS of one slope.
 
     still: the Side that the step does not move. excess: of the quotient's roundings. moved: by how much rounding moves
@@ -152,26 +196,27 @@ def _terms(side, still, epsilon, span, excess, moved, exact):
     if side.factor is None:
         return [0.0 * epsilon for _ in TERMS]
     (kind, bound, jump), fixed = exact, abs(still.height(still.at))
-    reach = where(jump > 0.0, 1.0, slope_bound(side.rate) * (epsilon + moved))  # past a jump nothing near is known
+    reach = where(jump > 0.0, 1.0, slope_bound(side.rate) * (rule.reach * epsilon + moved))  # nothing is past a jump
     steepest = slope_bound(side.rate) * fixed * minimum(1.0, side.slope() + reach)
     largest = minimum(1.0, abs(side.height(side.at)) + reach)
     height = minimum(SINE_ROUNDINGS * UNIT, SHARED * largest) * fixed
     if still.factor is not None:
         height, excess = height + UNIT * largest * fixed, excess + SHARED + excess * SHARED
-    argument = rounding_bound(span, steepest, 0.0, 0.0, moved)
-    value = rounding_bound(span, steepest + jump / span, excess, height, 0.0)
+    argument = rule.share * rounding_bound(span, steepest, 0.0, 0.0, moved)
+    value = rule.share * rounding_bound(span, steepest + jump / span, excess, height, 0.0)
     terms = [where(kind == float(number), bound, 0.0) for number in range(len(TERMS))]
     terms[1:3] = argument, value
-    lost = (side.at + epsilon == side.at) & (side.at - epsilon == side.at)  # one height, twice: the error is the slope
+    far = rule.reach * epsilon
+    lost = (side.at + far == side.at) & (side.at - far == side.at)  # one height for all: the error is the slope
     slope = slope_bound(side.rate) * fixed * side.slope()
     lost_terms = (where(lost, slope if number == ARGUMENT else 0.0, term) for number, term in enumerate(terms))
     return [where(side.rate > 0.0, ROOM * term, 0.0) for term in lost_terms]
 
 
-def slope_terms(field: HeightField) -> Callable | None:
+def slope_terms(field: HeightField, method: str = "central") -> Callable | None:
     """Return the function (u, v, k_u, k_v, ε) → (a bound for each of TERMS of h_u, the same of h_v), or None.
 
-    They bound the central difference's error. u in [0, 1), v in [0, 1], 0 < ε ≤ 1/2. None where no theorem covers it.
+    They bound a difference's error. u in [0, 1), v in [0, 1], 0 < ε ≤ 1/2. None where no theorem covers the field.
     """
     if (factors := factors_of(field)) is None:
         return None
@@ -180,23 +225,34 @@ def slope_terms(field: HeightField) -> Callable | None:
     def terms(u, v, k_u, k_v, epsilon):
         rates = (abs(0.0 * epsilon + rate) for rate in wave_numbers(k_u, k_v))
         in_u, in_v = map(Side, factors, (folded, folded), rates, (u, v))
-        wraps = (u - epsilon < 0.0) | (u + epsilon >= 1.0)  # and is rounded once more
-        moved = half_unit(u + epsilon) + where(wraps, UNIT / 2, 0.0)
-        of_u = _terms(in_u, in_v, epsilon, 2.0 * epsilon, TWO_ROUNDINGS, moved, _exact_in_u(in_u, epsilon))
-        inside = (v - epsilon >= 0.0) & (v + epsilon <= 1.0)
-        span = where(inside, 2.0 * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
-        excess, exact = where(inside, TWO_ROUNDINGS, THREE_ROUNDINGS), _exact_in_v(in_v, epsilon, inside)
-        return of_u, _terms(in_v, in_u, epsilon, span, excess, half_unit(v + epsilon), exact)
+
+        def of_u(rule):
+            reach = rule.reach * epsilon
+            wraps = (u - reach < 0.0) | (u + reach >= 1.0)  # and is rounded once more
+            moved, exact = moved_by(u, epsilon, reach) + where(wraps, UNIT / 2, 0.0), _exact_in_u(in_u, epsilon, rule)
+            return _terms(in_u, in_v, epsilon, rule.span * epsilon, rule.excess, moved, exact, rule)
+
+        def of_v(rule, inside):
+            span = where(inside, rule.span * epsilon, minimum(1.0, v + epsilon) - maximum(0.0, v - epsilon))
+            excess, exact = where(inside, rule.excess, THREE_ROUNDINGS), _exact_in_v(in_v, epsilon, inside, rule)
+            return _terms(in_v, in_u, epsilon, span, excess, moved_by(v, epsilon, rule.reach * epsilon), exact, rule)
+
+        rule = RULES[method]
+        near, far = ((v - reach >= 0.0) & (v + reach <= 1.0) for reach in (epsilon, 2.0 * epsilon))
+        if method == "central4":  # is central where a far sample would leave the chart
+            pairs = zip(of_v(rule, far), of_v(RULES["central"], near), strict=True)
+            return of_u(rule), [where(far, *pair) for pair in pairs]
+        return of_u(rule), of_v(rule, near if method == "central" else v >= 0.0)  # forward turns round at a pole
 
     return terms
 
 
-def bounds_of(field: HeightField) -> Callable | None:
+def bounds_of(field: HeightField, method: str = "central") -> Callable | None:
     """Return the function (u, v, k_u, k_v, ε) → (bound, leading, bound of h_u, bound of h_v) of a field, or None.
 
     Each bound is the sum of its terms. The first is the larger; `leading` its largest term's place in TERMS, from 1 on.
     """
-    if (terms := slope_terms(field)) is None:
+    if (terms := slope_terms(field, method)) is None:
         return None
 
     def bounds(u, v, k_u, k_v, epsilon):
@@ -208,10 +264,12 @@ def bounds_of(field: HeightField) -> Callable | None:
             leading, largest = where(term > largest, float(number), leading), maximum(largest, term)
         return maximum(of_u, of_v), leading, of_u, of_v
 
-    bounds.__name__ = f"bounds_{field.name}"
+    bounds.__name__ = f"bounds_{field.name}_{method}"
     return bounds
 
 
-SLOPE_TERMS = {name: terms for name, field in HEIGHT_FIELDS.items() if (terms := slope_terms(field))}
-BOUNDS = {name: bounds for name, field in HEIGHT_FIELDS.items() if (bounds := bounds_of(field))}
-"""{field: what bounds its differences}, of the fields that the theorems cover."""
+COVERED = {name: field for name, field in HEIGHT_FIELDS.items() if factors_of(field)}
+SLOPE_TERMS = {name: slope_terms(field) for name, field in COVERED.items()}
+"""{field: what bounds its central difference}, of the fields that the theorems cover."""
+BOUNDS = {(name, method): bounds_of(field, method) for name, field in COVERED.items() for method in RULES}
+"""{(field, method): what bounds it}"""

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
+from verify.coq import recorded
 
 BIBLIOGRAPHY = PROJECT.bibliography
 if not BIBLIOGRAPHY.is_file():
@@ -55,7 +56,9 @@ class Examination:
         return "refuted" if self.expected == "refuted" else "proved"
 
     def check_sources(self, theorem: Theorem) -> None:
-        """Keep the cited source and lemmas; each key has to be in the bibliography."""
+        """Keep what is pinned, which Coq's record has to have, and what is cited; the bibliography has each key."""
+        self.record |= {"pinned": [pin.name for pin in theorem.pinned]} if theorem.pinned else {}
+        self.problems += recorded.why_not_pinned(theorem)
         lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]
         if theorem.source:
             self.record["source"] = theorem.source

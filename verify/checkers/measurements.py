@@ -1,5 +1,6 @@
 """Theorems without claims: their measurements, sampled or enclosed in balls, and the grade that these reach.
 
+proved     Coq's record has every statement that is pinned, as it was read; what is measured beside holds
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
@@ -252,8 +253,10 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     examination.check_sources(theorem)
     evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
     examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
-    examination.reached = "cited"
-    if theorem.expected != "cited":
+    examination.reached, examination.argued = "cited", [clause.text for clause in theorem.argued]
+    if theorem.pinned:
+        examination.reached = "proved"
+    elif theorem.expected != "cited":
         enclosed = [one for one, *_ in evidence if isinstance(one, Enclosure)]
         examination.reached = "certified" if evidence and len(enclosed) == len(evidence) else "measured"
         missing = unnamed(theorem.words, [name for one in enclosed for name in one.over])

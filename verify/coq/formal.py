@@ -1,9 +1,10 @@
 """The formal proofs:  python -m verify.coq compiles `proofs/formal/` with Coq and records the theorems that it accepts.
 
 A claim x is proved by `Theorem x : Statements.x.`, where Statements.x is printed from it: Coq is asked in a process of
-its own, which loads compiled files only, whether x has that type, and for its axioms. A theorem is formal where all of
-its claims are proved so. Other theorems, ID__NAME, are additions of the book's theorem ID: ID__NAME__point gives
-values at which its hypotheses hold, and ID__NAME__false refutes a false variant.
+its own, which loads compiled files only, whether x has that type, and for its axioms. Other theorems, ID__NAME, are
+additions of the book's theorem ID: ID__NAME__point gives values at which its hypotheses hold, and ID__NAME__false
+refutes a false variant. A theorem is formal where all of its words are said by claims that are proved so, or by
+additions that it pins.
 """
 
 import argparse
@@ -25,23 +26,21 @@ from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
 from verify.coq import survey, vernacular
+from verify.coq.recorded import FOLDER, RECORD, coq_hashes, record, why_not_pinned
 from verify.coq.survey import COQS_OWN, MACHINE_NUMBERS, Formalization, NotAccepted, Statements
-from verify.evidence.sources import ROOT, file_hashes, key
+from verify.evidence.sources import ROOT, key
 
-FOLDER = PROJECT.formal
-RECORD = FOLDER / "record.json"
 KEPT = ROOT / ".stamps" / "formal"  # what Coq was last asked about here
 STATEMENT = re.compile(r"^Theorem ((\w+?)__\w+)", re.MULTILINE)
 PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
-BESIDE = ("__point", "__false")
-"""The suffixes of additions that add nothing to a theorem: values for its hypotheses, a refuted false variant."""
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
+GRADES = ("proved", "measured")
+"""Those of theorems that are formal where Coq has proved them whole."""
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
-PARTLY, TRUSTED = PROJECT.partly, PROJECT.trusted
-"""{theorem: what of its words no statement says}; {what printed files need and no library has: its hash}, which the
-book prints."""
+TRUSTED = PROJECT.trusted
+"""{what printed files need and no library has: its hash}, which the book prints."""
 GIVEN = {*PRINTED, *TRUSTED}
 
 
@@ -110,30 +109,15 @@ def statements(*wanted: str) -> Statements:
 
 
 def is_formal(theorem: Theorem, accepted: dict | None) -> bool:
-    """Return whether Coq accepted a theorem, by its entry of the record: each of its claims as it is printed.
+    """Return whether Coq accepted a theorem, by its entry of the record: each claim as it is printed, and what it pins.
 
     A Separation is the kernel's alone.
     """
     claims = (*theorem.claims, *theorem.rounded)
     names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
-    return bool(names) and accepted is not None and names <= set(accepted["claims"])
-
-
-def record() -> dict:
-    """Return what Coq accepted, {} if that is stale.
-
-    {theorem: {"claims": [those that are proved as they are printed], "statements": {addition: text}, "axioms":
-    [name, …]}}.
-    """
-    if not RECORD.is_file():
-        return {}
-    content = json.loads(RECORD.read_text(encoding="utf-8"))
-    return content["theorems"] if content["sources"] == coq_hashes() else {}
-
-
-def coq_hashes() -> dict[str, str]:
-    """Return {file: hash} of everything that Coq reads."""
-    return file_hashes(FOLDER.glob("*.v"))
+    if theorem.argued or not (names or theorem.pinned) or why_not_pinned(theorem):
+        return False
+    return names <= set(accepted["claims"] if accepted else ())
 
 
 def accepted_key() -> str:
@@ -152,10 +136,14 @@ def proved(theorems: Iterable[Theorem]) -> set[str]:
     return {theorem.id for theorem in theorems if is_formal(theorem, accepted.get(theorem.id))}
 
 
+def day() -> str:
+    """Return the day on which Coq accepted what the record says."""
+    return json.loads(RECORD.read_text(encoding="utf-8"))["date"]
+
+
 def when() -> str:
     """Return where, or on which day, Coq accepted what the record says. No grade rests on what is KEPT here."""
-    day = json.loads(RECORD.read_text(encoding="utf-8"))["date"]
-    return "accepted here" if accepted_here() else f"recorded on {day}, not re-checked here"
+    return "accepted here" if accepted_here() else f"recorded on {day()}, not re-checked here"
 
 
 def _asked(folder: Path, *command: str) -> str:
@@ -188,7 +176,8 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False)
     required += [f"From Formal Require Import {name}." for name in GIVEN.intersection(texts)]
     proved = {name for each in named.values() for name in each.claims}
     names_asked = survey.names_asked(names - proved, required)
-    asks = {"Names": names_asked, **survey.survey(named, asked, [*texts])}
+    definitions = [name for text in by_hand.values() for name in vernacular.defined(text)]
+    asks = {"Names": names_asked, **survey.survey(named, definitions, asked, [*texts])}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file, text in (texts | asks).items():
@@ -199,7 +188,7 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False)
                 bar.update(len(layer))
         if again:
             check_again(folder, [*texts])
-    return survey.read(named, asked, "".join(printed[1:]))
+    return survey.read(named, definitions, asked, "".join(printed[1:]))
 
 
 def printed_otherwise() -> list[str]:

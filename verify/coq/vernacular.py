@@ -13,6 +13,7 @@ FIRST_WORDS = re.compile(
     rf"|From (?:{'|'.join(sorted(LIBRARIES))}) Require (?!Export\b)[\w. ]+$|Open Scope R_scope$|Import ListNotations$"
 )
 GLOBAL = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Ltac) +([\w']+)")
+DEFINITION = re.compile(r"(?:Definition|Fixpoint|Inductive) +([\w']+)")
 LOCAL = re.compile(r"(?:Let|Section) +([\w']+)")
 BINDING = re.compile(r"(?:Variables?|Hypothes[ie]s) ")
 SAID = re.compile(r"(?:Theorem|Lemma|Definition|Fixpoint|Inductive|Let|Variables?|Hypothes[ie]s)\b")
@@ -77,6 +78,11 @@ def named(text: str) -> list[str]:
             groups = re.findall(r"\(([\w' ]+):", bound) if bound.startswith("(") else [bound.partition(":")[0]]
             names += [name for group in groups for name in group.split()]
     return names
+
+
+def defined(text: str) -> list[str]:
+    """Return the names of what a file defines, and not only proves: a statement may be said by it."""
+    return [match[1] for sentence in sentences(text) if (match := DEFINITION.match(sentence))]
 
 
 def _of_inductive(sentence, name):

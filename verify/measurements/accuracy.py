@@ -7,6 +7,7 @@ import numpy as np
 
 from proofs.formulas.algebraic_form import MAX_WAVE_NUMBER
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT
+from proofs.formulas.finite_difference import METHODS
 from verify.accuracy import base_errors, orders
 from verify.accuracy.differences import CASES, SLOPES, STEPS, bounds, parts
 from verify.accuracy.gradient_errors import UNIT, worst_at
@@ -75,7 +76,8 @@ def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_erro
 
 @cache
 def _taken_apart():
-    return [(parts(case), bounds(case)) for case in CASES]
+    cases = [case._replace(method=method) for method in METHODS for case in CASES]
+    return [(parts(case), bounds(case)) for case in cases]
 
 
 @measures("difference_bounds", false={"a third of the bounds": {"share": 1 / 3}})

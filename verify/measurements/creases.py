@@ -1,73 +1,56 @@
 """Contrast of a crease in the default scene, and the floats that a rounded product puts on one."""
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 
-import numpy as np
-
-from renderer import Scene, central, render
-from renderer.picture.differences import difference_on_a
 from renderer.picture.facts import crease_contrast
-from renderer.shader.gradients import height_at
-from verify.checkers.measurements import Measurement, measures
-
-SIZE, MOST = 256, 64
-FIRST_LEVEL = 0.5 / 255  # what rounds to the first of 255 levels
+from verify.accuracy import canvas, products
+from verify.accuracy.canvas import CREASE_STEP, DARK_STEPS, pictures
+from verify.checkers.measurements import Enclosure, measures
 
 
 @measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
-def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Measurement:
-    """Count the nearest floats to all m/k, 0 < m < k ≤ 64, that are not m/k: k·u rounds to m for most of them."""
-    floats = [(k, m / k) for k in range(2, MOST + 1) for m in range(1, k) if Fraction(m / k) * k != m]
-    rounded = [(k * u).is_integer() for k, u in floats]
-    kernel = [height_at(Scene(ku=float(k)), u, 0.125) == 0 for k, u in floats]
-    return Measurement(
-        np.array([rounded, kernel], float),
-        of=partial(np.sum, axis=1),
-        claimed=(count, zeros),
+def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Enclosure:
+    """Count, among the nearest floats to all m/k, 0 < m < k ≤ 64, those that are not m/k, and whose k·u rounds to m."""
+    found = products.found()
+    return Enclosure(
+        pieces=partial(products.off, beside, count, zeros),
+        over={"the counts, each over every m and k and its u": ((0, 3),)},
+        at=products.off_by_floats,
         bound=0,
-        holds=len(floats) == beside,
-        quantity="floats beside a crease whose product k·u rounds to a whole number; heights of 0 in the kernel",
-        numbers={"beside": len(floats), "rounded_onto": sum(rounded), "kernel_zeros": sum(kernel)},
+        quantity="how far from what is claimed: the floats beside a crease, those that a rounded product k·u puts on "
+        "it, those that the kernel does",
+        numbers=dict(zip(("beside", "rounded_onto", "kernel_zeros"), found, strict=True)),
     )
 
 
-@cache
-def _exact():
-    return render(Scene(), SIZE, SIZE)
-
-
-def _difference(step):
-    return render(Scene(), SIZE, SIZE, central(step), stage=_exact().stage)
-
-
 @measures("crease_contrast", false={"one order, as the seed says": {"orders": 1}})
-def contrast(orders: float = 4) -> Measurement:
-    """Measure the mean error at the kink flag against that elsewhere on A, at ε = 10⁻³, in orders of magnitude."""
-    kink, delta = _exact().kink[_exact().stage.on_a], np.abs(difference_on_a(_difference(1e-3), _exact()))
-
-    def apart(delta):
-        return np.log10(delta[kink].mean() / delta[~kink].mean())
-
-    on, off = crease_contrast(_difference(1e-3), _exact())
-    return Measurement(
-        delta,
-        of=apart,
-        claimed=orders,
-        bound=0.5,
-        quantity="orders of magnitude between the mean error at the kink flag and elsewhere, 256², ε = 1e-3",
-        numbers={"on": on, "off": off, "orders": apart(delta)},
+def contrast(orders: int = 4) -> Enclosure:
+    """Enclose the mean error at the kink flag against that elsewhere on A, in orders of magnitude."""
+    on, rest = crease_contrast(*pictures(CREASE_STEP))
+    return Enclosure(
+        pieces=partial(canvas.contrast, orders),
+        over={"the picture": ((0, 1),)},
+        at=canvas.contrast_drawn,
+        bound=Fraction(1, 2),
+        quantity="how far the contrast of the exact pictures is from four orders of magnitude, 256², ε = 1e-3",
+        numbers={"on": on, "off": rest, "orders": math.log10(on / rest)},
     )
 
 
 @measures("dark_difference", false={"at 1e-12 it is dark too": {"steps": (1e-8, 1e-12)}})
-def dark(steps: Sequence[float] = (1e-8, 1e-9, 1e-10)) -> Measurement:
-    """Measure the largest |ΔI| × 100 on A: it stays below half a level of 255."""
-    differences = 100 * np.abs([difference_on_a(_difference(step), _exact()) for step in steps])
-    return Measurement(
-        differences,
-        bound=FIRST_LEVEL,
-        quantity="the largest |ΔI| × 100 on A, 256², linear light",
-        numbers={f"at_{step:g}": value for step, value in zip(steps, differences.max(axis=(1, 2)), strict=True)},
+def dark(steps: Sequence[float] = DARK_STEPS) -> Enclosure:
+    """Enclose 100 |ΔI| on A, of all pixels and channels: it stays below half a level of 255."""
+    pixels = int(pictures(CREASE_STEP)[1].stage.on_a.sum())
+    return Enclosure(
+        pieces=partial(canvas.darkness, steps),
+        over={r"\varepsilon": ((0, len(steps)),), "I": ((0, pixels),)},
+        at=canvas.darkness_alone,
+        bound=1,
+        quantity="the largest |ΔI| × 100 on A over half a level, all pixels and channels, 256², linear light",
+        numbers={
+            f"at_{step:g}": float(most) / 510 for step, (*_, most) in zip(steps, canvas.darkness(steps), strict=True)
+        },
     )

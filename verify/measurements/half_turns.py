@@ -8,7 +8,7 @@ from verify.accuracy import sine
 from verify.checkers.measurements import Enclosure, measures
 
 
-@measures("elementary_functions", {"within 12/5": {"bound": Fraction(12, 5)}, "π²/2 is off by 1 ulp": {"off": 1}})
+@measures("sine_of_half_turns", {"within 12/5": {"bound": Fraction(12, 5)}, "π²/2 is off by 1 ulp": {"off": 1}})
 def enclosed(bound: Fraction = SINE, off: int = 0) -> Enclosure:
     """Enclose sine and cosine at every reduced argument."""
     return Enclosure(

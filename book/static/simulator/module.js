@@ -546,12 +546,11 @@ async function simulator_module(data, ...programs) {
 
   /**
    * The kernel that bounds the error of a method's slopes by theorem: (u, v, ku, kv, ε) → the bound, the number of its
-   * largest term, the bounds of h_u and of h_v, of which it is the larger. Null where no theorem covers the field or the
-   * method.
+   * largest term, the bounds of h_u and of h_v, of which it is the larger. Null where no theorem covers the field.
    * @param {{ field: string, method: string }} state
    */
   const bounds_of = ({ field, method }) =>
-    method === "central" && `bounds_${field}` in data.kernels ? `bounds_${field}` : null;
+    `bounds_${field}_${method}` in data.kernels ? `bounds_${field}_${method}` : null;
 
   /**
    * {a, b, level} of the lines a u + b v = level on which a crease factor sinpi(a u + b v + c) is zero (theorem kink_loci).

@@ -1,0 +1,84 @@
+"""The picture's derivative: its maps, what edges add to a mean, differences of pictures, scenes found again."""
+
+import numpy as np
+
+from book.drawing.registry import Drawing, figure
+from book.drawing.style import curve, decades, label_curve, panels, plot
+from renderer import Scene, exact, fit, render
+from renderer.picture.views import derivative_view
+
+SCENE, SIDE, MANY = Scene(field="sine"), 264, 512
+MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
+OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
+
+
+def _difference(name, step, side):
+    """Return the central difference of pictures by a number."""
+    here = SCENE.number(name)
+    above, below = (SCENE.with_numbers({name: here + move}) for move in (step, -step))
+    above, below = (render(scene, side, side, exact("general")).rgb for scene in (above, below))
+    return (above - below) / (2 * step)
+
+
+def _by_name(numbers):
+    """Return numbers by names that a page can cite."""
+    return {name.partition("[")[0]: number for name, number in zip(OF_MEAN, numbers, strict=False)}
+
+
+@figure
+def derivative_maps() -> Drawing:
+    """The slopes of the picture of sine by β, by k_u and by a light's place, each on its own symmetric scale."""
+    frame = render(SCENE, SIDE, SIDE, derivatives=[*MAPS], bounds=True)
+    slopes, bounds = frame.derivatives.values(), frame.derivative_bounds.values()
+    numbers = {"largest": _by_name(np.abs(slope).max() for slope in slopes)}
+    numbers |= {"bound": _by_name(bound.max() for bound in bounds), "side": SIDE}
+    return Drawing(panels([*map(derivative_view, slopes)], [*MAPS.values()]), numbers)
+
+
+@figure
+def derivative_edges() -> Drawing:
+    """The mean of the slopes as a share of the slope of the mean colour, by seven numbers."""
+    frame = render(SCENE, MANY, MANY, derivatives=[*OF_MEAN])
+    steps = [1e-2 if name in frame.moves_boundaries else 1e-4 for name in OF_MEAN]
+    means = [_difference(name, step, MANY).mean() for name, step in zip(OF_MEAN, steps, strict=True)]
+    shares = [slope.mean() / mean for slope, mean in zip(frame.derivatives.values(), means, strict=True)]
+    fig, ax = plot(height=3.2)
+    ax.barh([*OF_MEAN.values()], shares)
+    ax.set(xlabel="mean of the slopes, as a share of the slope of the mean", ylim=(len(shares) - 0.4, -0.6))
+    return Drawing(fig, _by_name(shares) | {"side": MANY}, {"shares": shares})
+
+
+@figure
+def derivative_u_curve() -> Drawing:
+    """The largest error of a central difference of pictures by β, by its step, and the exact slope's bound."""
+    frame, steps = render(SCENE, 128, 128, derivatives=["beta"], bounds=True), np.logspace(-1, -12, 56)
+    exact_slope, on_a = frame.derivatives["beta"], frame.stage.on_a
+    apart = np.array([np.abs(_difference("beta", step, 128) - exact_slope)[on_a] for step in steps])
+    errors, medians = apart.max(axis=(1, 2)), np.median(apart, axis=(1, 2))
+    bound = np.full_like(steps, frame.derivative_bounds["beta"].max())
+    fig, ax = plot(height=3.9)
+    curve(ax, steps, errors, "numeric", "largest", "right", 1e-10)
+    curve(ax, steps, medians, "difference", "median", "left", 1e-10)
+    curve(ax, steps, bound, "bound", label="exact slope")
+    label_curve(ax, steps, bound, 1e-3, "largest bound of\nthe exact slope", "bound", "below")
+    decades(ax, 2, 2, xlabel="step of β", ylabel="error of a difference of pictures")
+    return Drawing(
+        fig, {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0], "median": medians.min()}
+    )
+
+
+@figure
+def derivative_fit() -> Drawing:
+    """Scenes found again by β and k_u from ten starts, with noise, and from afar; numbers only."""
+    names, random, target = ("beta", "ku"), np.random.default_rng(52), render(SCENE, 64, 64, exact("general")).rgb
+
+    def found(share, waves, picture=target):
+        start = {"beta": SCENE.beta * (1 + share), "ku": SCENE.ku + waves}
+        return fit(SCENE.with_numbers(start), picture, names)
+
+    near = [found(0.2 * share, 0.25 * waves) for share, waves in random.uniform(-1, 1, (10, 2)).tolist()]
+    noisy, far = found(0.1, 0.2, target + random.normal(0, 1e-3, target.shape)), found(-0.7, -5)
+    off = [abs(each.scene.number(name) - SCENE.number(name)) for each in near for name in names]
+    numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": far.scene.ku}
+    numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors}
+    return Drawing(numbers=numbers | {"noisy": {name: noisy.scene.number(name) for name in names}})

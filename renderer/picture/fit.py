@@ -1,0 +1,75 @@
+"""A scene found again from its picture: least squares by the picture's exact slopes."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from renderer.checks import not_allowed
+from renderer.picture.drawing import render
+from renderer.scene.scene import Scene
+
+COARSE = 8  # pixels: means over blocks of so many are fitted first, from further away, as no edge adds to their slopes
+ENOUGH = {COARSE: 1e-3, 1: 1e-12}  # a step's share of a number, or of what is left
+FIRST_DAMPING, MOST_DAMPING = 1e-3, 1e12
+
+
+class Fitted(NamedTuple):
+    """The scene found, and of each number by its name the standard error that what is left of the picture leaves.
+
+    converged: whether a further step would change nothing; pictures: how many were drawn, with their slopes.
+    """
+
+    scene: Scene
+    errors: dict[str, float]
+    converged: bool
+    pictures: int
+
+
+def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int = 60) -> Fitted:
+    """Return what is Fitted to a picture, (height, width, 3), by numbers of the scene from where they are on.
+
+    names: of the numbers, as for `render`. pictures: some more may be drawn. The steps are Gauss and Newton's, damped
+    as Levenberg and Marquardt do. From far away it may end elsewhere, or not converge, and says so.
+
+    >>> from renderer import Scene, fit, render
+    >>> truth = Scene(field="sine", beta=0.35)
+    >>> found = fit(Scene(field="sine", beta=0.3), render(truth, 32, 32).rgb, ["beta"])
+    >>> found.converged, round(found.scene.beta, 9)
+    (True, 0.35)
+    """
+    if np.ndim(picture) != 3:
+        raise not_allowed("picture", np.shape(picture), "numbers, (height, width, 3)")
+    names, drawn, (height, width, _) = [*names], 0, np.shape(picture)
+
+    def compared(scene, block):
+        """Return what the picture lacks, and its slopes, of which each is a column: means over blocks of pixels."""
+        frame = render(scene, width, height, derivatives=names)
+        planes = np.stack([picture - frame.rgb, *frame.derivatives.values()], axis=-1)
+        parts = planes[: height // block * block, : width // block * block]
+        parts = parts.reshape(height // block, block, width // block, block, 3, -1).mean(axis=(1, 3))
+        return np.split(parts.reshape(-1, 1 + len(names)), [1], axis=1)
+
+    for block in (COARSE, 1) if min(height, width) >= 4 * COARSE else (1,):
+        (lacking, slopes), damping, converged = compared(scene, block), FIRST_DAMPING, False
+        drawn += 1
+        while drawn < pictures and not converged and damping < MOST_DAMPING:
+            normal, drawn, before = slopes.T @ slopes, drawn + 1, np.sum(lacking**2)
+            step = np.linalg.lstsq(normal + damping * np.diag(normal.diagonal()), slopes.T @ lacking, rcond=None)[0]
+            old = {name: scene.number(name) for name in names}
+            moves = dict(zip(names, step[:, 0].tolist(), strict=True))
+            try:
+                moved = scene.with_numbers({name: old[name] + moves[name] for name in names})
+                after = compared(moved, block)
+            except ValueError:  # no such scene
+                damping *= 10.0
+                continue
+            rest, share = np.sum(after[0] ** 2), ENOUGH[block]
+            if rest > before:
+                damping *= 10.0
+                continue
+            still = all(abs(moves[name]) <= share * abs(old[name]) for name in names)
+            converged = still or bool(before - rest <= share * rest)
+            scene, damping, (lacking, slopes) = moved, 0.1 * damping, after
+    spread = np.linalg.pinv(slopes.T @ slopes).diagonal() * np.sum(lacking**2) / (lacking.size - len(names))
+    return Fitted(scene, dict(zip(names, np.sqrt(spread).tolist(), strict=True)), converged, drawn)

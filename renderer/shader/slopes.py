@@ -1,0 +1,83 @@
+"""Slopes of a picture by numbers of its scene: the numbers' names, and where the slopes begin."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import product, repeat
+from typing import Any
+
+from renderer.checks import check_items, not_allowed
+from renderer.kernels import image_extent
+from renderer.machines.differentiating import Sloped
+from renderer.machines.differentiating_machine import Differentiating, Pixels, with_slopes
+from renderer.machines.forms import of_form, path_of, with_part
+from renderer.operations import where
+from renderer.scene.methods import exact
+from renderer.scene.scene import NUMBERS
+from renderer.shader.numbers import FIRST_LIGHT_BIT, Shot
+
+PLACES = {"ball_center": ["ball"], "ball_radius": ["ball", "3"], "shininess": ["power"]}
+"""{name of a scene's number: where the shader has it}, but for those that it has by the same name."""
+
+
+def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
+    """Return the shot that has slopes by numbers of its scene, and the parts of its Want that they change.
+
+    Where the picture needs no gradient, or no highlight, its slope may. Raises ValueError on what has no slope.
+    """
+    scene, names = shot.scene, check_items("derivatives", names, NUMBERS)
+    on = {"ball_": scene.ball, "albedo_b": scene.ball, "floor_tint": scene.floor}
+    on |= {f"lights[{number}]": light.color for number, light in enumerate(scene.lights)}
+    for name, (front, is_on) in product(names, on.items()):
+        if not is_on and str(name).startswith(front):
+            raise not_allowed("derivatives", name, f"no number of {front.strip('_')}, which is off in this scene")
+    for name in names:
+        scene.number(name)
+    method = shot.method.name
+    if method == "exact" and {"ku", "kv"} & set(names):
+        if shot.method.form == "algebraic":
+            raise not_allowed("form", "algebraic", "general or auto beside a slope by ku or kv: whole powers have none")
+        shot = replace(shot, method=exact("general"))
+    ((field, way),), ((model, style),) = shot.want.ways, shot.want.lights
+    if way == "flat" and "beta" in names:
+        way = "general" if method == "exact" else method
+    if style == "diffuse" and "ks" in names:
+        style = "base"
+    changes = {"by": tuple(dict.fromkeys(names)), "around": _sloped_group}
+    return shot, changes | {"ways": ((field, way),), "lights": ((model, style),)}
+
+
+def _seeds(numbers, name, style):
+    """Return the slopes of the shader's numbers by one of the scene's, in their form."""
+    seeds, (first, *rest) = of_form(numbers, repeat(0.0)), path_of(name)
+    match first:
+        case "lights":
+            return seeds
+        case "ka":
+            return with_part(seeds, ["ambient"], numbers.ambient_light)
+        case "floor_tint":  # red and green are (1 − tint) times blue
+            for floor in ("floor_light", "floor_dark"):
+                seeds = with_part(seeds, [floor, "0"], -getattr(numbers, floor)[1])
+            return seeds
+    slope = numbers.ka if first == "ambient" else 0.5 if (first, style) == ("shininess", "squared") else 1.0
+    return with_part(seeds, [*PLACES.get(first, [first]), *rest], slope)
+
+
+def _light_seeds(light, name):
+    """Return the same of a light's numbers. The loop over lights is traced once: a light is known by its bit."""
+    seeds, (first, *rest) = of_form(light, repeat(0.0)), path_of(name)
+    if first != "lights":
+        return seeds
+    number, *place = rest
+    return with_part(seeds, place, where(light.bit == 2.0 ** (FIRST_LIGHT_BIT + int(number)), 1.0, 0.0))
+
+
+def _sloped_group(group: Any) -> Any:
+    """Return a group as the differentiating machine around its own one has it."""
+    want, by = group.want, group.want.by
+    ((_, style),) = want.lights
+    scene = with_slopes(group.scene, [_seeds(group.scene, name, style) for name in by])
+    machine = Differentiating(group.machine, len(by), lambda light: [_light_seeds(light, name) for name in by])
+    half = image_extent(scene.eye, scene.radius)  # image points move with it
+    stretch = Sloped(1.0, (half / half.value).slopes)
+    x, y = (Sloped(at, (stretch * at).slopes) for at in (group.pixels.x, group.pixels.y))
+    return want.shader.group(machine, scene, want, Pixels(machine, group.pixels, x, y))

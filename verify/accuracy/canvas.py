@@ -1,0 +1,58 @@
+"""The difference canvas of the default scene: how dark it is, and how bright at the creases; pieces of enclosures."""
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+
+import numpy as np
+from flint import arb
+
+from renderer import Frame, Scene, central, exact, pixel, render
+from renderer.operations import UNIT
+from renderer.picture.differences import difference_on_a
+from renderer.picture.facts import crease_contrast
+
+SIZE = 256
+CREASE_STEP, DARK_STEPS = 1e-3, (1e-8, 1e-9, 1e-10)
+HALF_LEVELS = 100 * 510  # of 255, in a hundredth: half a level is what rounds to the first
+Pieces = list[tuple[int, int, arb | Fraction]]
+
+
+@cache
+def pictures(step: float, bounds: bool = False) -> tuple[Frame, Frame]:
+    """Return the difference's picture and the exact one."""
+    drawn = render(Scene(), SIZE, SIZE, bounds=bounds)
+    return render(Scene(), SIZE, SIZE, central(step), bounds=bounds, stage=drawn.stage), drawn
+
+
+def contrast(orders: int) -> Pieces:
+    """Return the one piece: how far the contrast is from `orders`, by the bounds of both pictures."""
+    difference, drawn = pictures(CREASE_STEP, bounds=True)
+    off = (difference.bounds + drawn.bounds)[drawn.stage.on_a].max() + UNIT * SIZE**2
+    on, rest = (arb(mean, float(off)) for mean in crease_contrast(difference, drawn))
+    return [(0, 1, abs((on / rest).log() / arb(10).log() - orders).upper())]
+
+
+def contrast_drawn(numbers: np.ndarray) -> np.ndarray:
+    """Return how far that of the pictures without bounds is from four, for every number."""
+    on, rest = crease_contrast(*pictures(CREASE_STEP))
+    return np.full(numbers.shape, math.log10(on / rest) - 4)
+
+
+def darkness(steps: Sequence[float]) -> Pieces:
+    """Return a piece for each step: the largest 100 |ΔI| of A's pixels and channels over half a level, exactly."""
+    largest = [float(np.abs(difference_on_a(*pictures(step))).max()) for step in steps]
+    return [(n, n + 1, HALF_LEVELS * Fraction(most)) for n, most in enumerate(largest)]
+
+
+def darkness_alone(steps: np.ndarray, pixels: np.ndarray) -> np.ndarray:
+    """Return the same of some pixels, each drawn alone."""
+    rows, columns = np.nonzero(pictures(CREASE_STEP)[1].stage.on_a)
+
+    def largest(step, place):
+        at = Scene(), SIZE, SIZE, int(columns[int(place)]), int(rows[int(place)])
+        colours = (pixel(*at, method).rgb for method in (central(DARK_STEPS[int(step)]), exact()))
+        return HALF_LEVELS * np.abs(np.subtract(*colours)).max()
+
+    return np.vectorize(largest)(steps, pixels)

@@ -1,0 +1,68 @@
+"""Coq's record, proofs/formal/record.json: what Coq accepted, and whether that is what theorems have pinned."""
+
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+
+from proofs.engine.project import PROJECT
+from proofs.engine.theorem import Theorem
+from verify.evidence.sources import file_hashes
+
+FOLDER = PROJECT.formal
+RECORD = FOLDER / "record.json"
+WORD = re.compile(r"[\w.']+")
+
+
+def coq_hashes() -> dict[str, str]:
+    """Return {file: hash} of everything that Coq reads."""
+    return file_hashes(FOLDER.glob("*.v"))
+
+
+def record() -> dict:
+    """Return what Coq accepted, {} if that is stale.
+
+    {theorem: {"claims": [those that are proved as they are printed], "statements": {addition: text}, "definitions":
+    {name: text of each that these name}, "axioms": [name, …]}}.
+    """
+    if not RECORD.is_file():
+        return {}
+    content = json.loads(RECORD.read_text(encoding="utf-8"))
+    return content["theorems"] if content["sources"] == coq_hashes() else {}
+
+
+def reached(text: str, definitions: Mapping[str, str]) -> dict[str, str]:
+    """Return those of the definitions that a text names, and those that they name."""
+    found: dict[str, str] = {}
+    texts = [text]
+    for each in texts:
+        names = [name for name in WORD.findall(each) if name in definitions and name not in found]
+        found |= {name: definitions[name] for name in names}
+        texts += [definitions[name] for name in dict.fromkeys(names)]
+    return found
+
+
+def in_full(name: str, accepted: Mapping[str, dict]) -> str:
+    """Return the text of an addition as it is pinned, with the definitions that it names; "" if it is not recorded."""
+    entry = accepted.get(name.partition("__")[0], {})
+    if not (text := entry.get("statements", {}).get(name, "")):
+        return ""
+    return "\n\n".join([text, *reached(text, entry["definitions"]).values()])
+
+
+def digest(text: str) -> str:
+    """Return the digest of a text that is pinned."""
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def why_not_pinned(theorem: Theorem) -> list[str]:
+    """Return why what a theorem pins is not what Coq proved: another text, none, or without a refuted false variant."""
+    accepted, problems = record() if theorem.pinned else {}, []
+    for pin in theorem.pinned:
+        if not (text := in_full(pin.name, accepted)):
+            problems.append(f"{pin.name} is not in Coq's record of the files as they are")
+        elif digest(text) != pin.digest:
+            problems.append(f"Coq proves another {pin.name} than was read: {digest(text)}, not {pin.digest}:\n{text}")
+        elif not in_full(f"{pin.name}__false", accepted):
+            problems.append(f"{pin.name} has no false variant that Coq refutes")
+    return problems

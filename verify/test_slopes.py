@@ -1,0 +1,121 @@
+"""Slopes of pictures by numbers of their scenes, and the bounds of these, against differences at 180 digits."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+
+from renderer import Light, Scene, central, central4, exact, fit, forward, operations, render
+from renderer.machines.differentiating import Sloped
+from renderer.machines.enclosing import Enclosed
+from verify.accuracy.pixels import truth_of
+from verify.reference import COLORS, chamber_code, scene_values
+from verify.test_bounds import OPERATIONS
+
+BITS, STEP = 600, arb(2) ** -170
+SINE, NAMES = Scene(field="sine"), ("beta", "ku")
+LIGHTS = Light((5.0, 5.0, 10.0), (0.0, 0.0, 0.0)), Light((-6.0, 2.0, 8.0), None), Light((-4.0, -4.0, 9.0))
+PICTURES = {
+    "sine": (SINE, exact(), "beta ku kv kd lights[0].position[0]"),
+    "lengths": (SINE, exact(), "eye radius ball_center[1] ball_radius"),
+    "phong": (Scene(ku=5.5, kv=3.25, model="phong", shininess=7.0), exact(), "beta ku ks shininess eye"),
+    "rings": (Scene(field="rings", beta=-20.0), exact(), "beta ku kv"),
+    "clipped": (replace(SINE, ks=3.0, kd=2.0), exact(), "beta shininess lights[1].color[0] ka ambient[2]"),
+    "fractional": (replace(SINE, shininess=0.5), exact(), "shininess ks beta"),
+    "nothing": (replace(SINE, beta=0.0, ks=0.0), exact(), "beta ks ku"),
+    "colours": (Scene(), exact(), "floor_tint albedo_a[0] albedo_b[2] beta"),
+    "black": (Scene(lights=LIGHTS), exact(), "lights[0].color[1] lights[0].position[2] lights[2].position[2]"),
+    "central": (SINE, central(1e-3), "ku eye"),
+    "forward": (Scene(), forward(1e-2), "beta kv"),
+    "central4": (Scene(field="rings", beta=0.0), central4(1e-3), "beta"),
+}
+
+
+def truth(frame, name, column, row):
+    """Return the slopes of a pixel's colours by a number, as balls; none of one that lies on an edge."""
+    values, number = scene_values(frame.scene), frame.scene.number(name)
+    other = scene_values(frame.scene.with_numbers({name: math.nextafter(number, 1 / 3)}))
+    (key,) = (each for each in values if values[each] != other[each])
+    with ctx.workprec(BITS):
+        below, above = (truth_of(frame, column, row, BITS, **{key: arb(values[key]) + sign * STEP}) for sign in (-1, 1))
+        codes = [
+            chamber_code(frame.scene, lambda line, side=side: int(side[line].unique_fmpz() or 0))
+            for side in (below, above)
+        ]
+        slopes = [(above[color] - below[color]) / (2 * STEP) for color in COLORS]
+    edge = codes != [frame.chambers[row, column]] * 2 or any(slope.rad() > 1e-20 for slope in slopes)
+    return [] if edge else slopes
+
+
+@pytest.mark.parametrize("kind", PICTURES)
+def test_no_slope_is_further_off_than_its_bound(kind):
+    """Nor does a bound say nothing, nor is there NaN; the pixels of the largest bounds are among those compared."""
+    scene, method, names = PICTURES[kind]
+    frame, random = render(scene, 24, 24, method, derivatives=names.split(), bounds=True), np.random.default_rng(52)
+    for name, bounds in frame.derivative_bounds.items():
+        slopes, decided = frame.derivatives[name], np.isfinite(bounds).all(axis=2) & ~frame.open
+        assert np.isfinite(slopes).all() and decided.mean() > 0.9 and np.median(bounds) < 1e-10
+        ranked, apart = np.argwhere(decided)[np.argsort(bounds.max(axis=2)[decided])], []
+        for row, column in [*ranked[-4:].tolist(), *random.permutation(ranked)[:6].tolist()]:
+            balls = zip(slopes[row, column], truth(frame, name, column, row), bounds[row, column], strict=False)
+            apart += [abs(arb(slope) - true) > arb(bound) for slope, true, bound in balls]
+        assert len(apart) > 20 and not any(apart)
+
+
+def test_both_slopes_at_a_kink_are_within_the_bound():
+    """At a clip that is met exactly; on an exact crease that moves, where there is none, the bound is infinite."""
+    lit = render(Scene(lights=(), ka=1.0, ambient=(1.0, 0.5, 0.0)), 8, 8, derivatives=("ka", "ambient[2]"), bounds=True)
+    on_clip, below, _ = np.moveaxis(lit.derivative_bounds["ka"], 2, 0)
+    assert (on_clip >= 1.0).all() and (below < 1e-15).all()
+    assert (lit.derivative_bounds["ambient[2]"][..., 2] >= 1.0).all()
+    names = "beta", "ku", "kv"
+    odd, plain = (render(Scene(), 49, 49, exact("general"), bounds=True, derivatives=by) for by in (names, ()))
+    infinite = [np.isinf(odd.derivative_bounds[name][:, 24]).any() for name in names]
+    assert infinite == [False, True, False] and (odd.open == plain.open).all()
+
+
+RULES = {name: of for name, of in OPERATIONS.items() if name != "selection"}
+RULES |= {"root": (operations.sqrt, arb.sqrt, (0.1, 50.0)), "size": (abs, abs, (-50.0, 50.0))}
+
+
+def escaping(name, count=400):
+    """Return how many slopes of an operation on numbers that move are further from a difference than their bounds."""
+    ours, exactly, *ranges = RULES[name]
+    random, escaped = np.random.default_rng(len(name)), 0
+    moving = [(random.uniform(*ends, count), random.uniform(-3, 3, count)) for ends in ranges]
+    with np.errstate(all="ignore"):
+        (found,) = ours(*(Sloped(Enclosed(value), (Enclosed(slope),)) for value, slope in moving)).slopes
+    assert np.median(found.bound / abs(found.value)) < 1e-9
+    with ctx.workprec(BITS):
+        for number in range(count):
+            above, below = (
+                exactly(*(arb(value[number]) + step * arb(slope[number]) for value, slope in moving))
+                for step in (STEP, -STEP)
+            )
+            escaped += abs(arb(found.value[number]) - (above - below) / (2 * STEP)) > arb(found.bound[number])
+    return escaped
+
+
+@pytest.mark.parametrize("name", RULES)
+def test_the_rule_of_an_operation(name):
+    assert escaping(name) == 0
+
+
+def test_a_wrong_rule_is_noticed(monkeypatch):
+    """Of a product one factor alone moves."""
+    monkeypatch.setattr(Sloped, "product_slopes", lambda self, other: (other.value * self.slopes[0],))
+    assert escaping("product") > 0
+
+
+def test_a_scene_is_found_again_from_ten_starts():
+    """By an amplitude within 20 % and a wave number within a quarter of a wave; with noise within what it says."""
+    target, random = render(SINE, 64, 64, exact("general")).rgb, np.random.default_rng(52)
+    for share, waves in random.uniform(-1, 1, (10, 2)).tolist():
+        start = replace(SINE, beta=SINE.beta * (1 + 0.2 * share), ku=SINE.ku + 0.25 * waves)
+        found = fit(start, target, NAMES)
+        assert found.converged and max(abs(found.scene.number(name) - SINE.number(name)) for name in NAMES) < 1e-12
+    noisy = fit(start, target + random.normal(0, 1e-3, target.shape), NAMES)
+    assert all(0 < abs(noisy.scene.number(name) - SINE.number(name)) < 4 * noisy.errors[name] for name in NAMES)
+    assert not fit(replace(SINE, beta=0.05, ku=3.0), target, NAMES, 20).converged
