@@ -20,6 +20,7 @@ if TYPE_CHECKING:  # _HOMES, for type checkers
     from renderer.picture.fit import fit as fit
     from renderer.picture.frame import Frame as Frame
     from renderer.picture.pixel_record import pixel as pixel
+    from renderer.picture.sweep import records as records, sweep as sweep
     from renderer.scene.methods import central as central, central4 as central4, exact as exact, forward as forward
     from renderer.scene.scene import Light as Light, Scene as Scene
     from renderer.shader.gradients import gradient_at as gradient_at, height_at as height_at
@@ -41,9 +42,11 @@ _HOMES = {
     "k_u": "generate.custom_fields",
     "k_v": "generate.custom_fields",
     "pixel": "picture.pixel_record",
+    "records": "picture.sweep",
     "render": "picture.drawing",
     "sinpi": "generate.custom_fields",
     "stage_of": "picture.drawing",
+    "sweep": "picture.sweep",
     "u": "generate.custom_fields",
     "v": "generate.custom_fields",
     "__version__": "version",

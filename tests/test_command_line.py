@@ -147,6 +147,8 @@ REFUSED = {
         "--out a.npy --bounds a.npz": "bounds = 'a.npz' is not allowed: no --out that is drawn in bands",
         "--bounds ''": "bounds = '' is not allowed: a file name that ends in .npz",
         f"--out {LONG}": f"out = '{LONG}' is not allowed: a file that can be written (File name too long)",
+        "--out a.npy --linear float32": "linear = 'float32' is not allowed: given with a .tif",
+        "--linear float16": "linear = 'float16' is not allowed: one of 'float32', 'float64'",
         "--by beta,ku": "by = 'beta,ku' is not allowed: several numbers for a .npz, one for",
         "--by lights[7].color[0]": "name = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
         "--by ball_radius --no-ball": "derivatives = 'ball_radius' is not allowed: no number of ball, which is off",
@@ -169,7 +171,9 @@ REFUSED = {
         "--size 1e3": "argument --size: '1e3' is not allowed: a whole number",
         "--beta": "argument --beta: expected one argument",
         "--bet 1": "unrecognized arguments: --bet 1",
-        "--field-expression -u*v": "expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1, "
+        "--field-expression 'sin(u'": "field-expression = 'sin(u' is not allowed: it is no formula",
+        "--field-expression '(((v/3)^64 + v/3)^64 + v/3)^64'": "field-expression is not allowed: at most",
+        "--field-expression -u*v": "field-expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1, "
         "{v: 1/7, k_u: 2, k_v: 1}, without --field-seam",
         "--field-seam": "field-seam = True is not allowed: given with --field-expression",
     },
@@ -204,6 +208,14 @@ def test_what_is_refused_is_said_in_one_line(verb, options, tmp_path, monkeypatc
     assert (out, err.count("\n"), err[-1]) == ("", 1, "\n")
     assert re.match(f"symbolic-rendering( {verb or '.*'})?: error: {re.escape(REFUSED[verb][options])}", err)
     assert contents(tmp_path) == {"file": b"old"}
+
+
+@pytest.mark.parametrize("verb", TARGETS)
+def test_the_examples_of_help_run(verb, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert run(verb, "--help") == 0
+    examples = re.findall(f"^  symbolic-rendering ({verb} --.*)", capsys.readouterr().out, re.M)
+    assert examples and all(run(*shlex.split(example)) == 0 for example in examples)
 
 
 def test_too_little_memory_is_one_line(tmp_path, monkeypatch, capsys):

@@ -9,9 +9,11 @@ from unittest.mock import Mock
 
 import numpy as np
 import pytest
+import tifffile
 from PIL import Image
 
-from renderer import Scene, central, render, whole_files
+from renderer import Scene, central, pixel, render, whole_files
+from renderer.command_line.verbs import main
 from renderer.files import pictures as files
 from renderer.picture import views
 from renderer.whole_files import whole_file
@@ -70,8 +72,29 @@ def test_a_png_is_hardly_larger_than_by_level_six():
 def test_a_frame_is_an_array_and_says_what_it_is():
     assert np.asarray(FRAME).dtype == np.float64 and np.shares_memory(np.asarray(FRAME), FRAME.planes)
     assert not np.shares_memory(np.array(FRAME), FRAME.planes)
-    assert (np.asarray(Image.open(BytesIO(FRAME._repr_png_()))) == PICTURE).all()
+    assert (np.asarray(Image.open(BytesIO(FRAME.to_png()))) == PICTURE).all()
+    assert FRAME.srgb.dtype == np.uint8 and (FRAME.srgb == PICTURE).all()
+    assert FRAME.shape == FRAME.rgb.shape == (16, 24, 3)
+    other = render(Scene(), 24, 16)
+    assert ((FRAME - other == FRAME.rgb - other.rgb) & (other - FRAME == other.rgb - FRAME.rgb)).all()
     assert repr(FRAME) == f"Frame({FRAME.raster}, {FRAME.method}, Scene())"
+
+
+@pytest.mark.parametrize("numbers", ["float32", "float64"])
+def test_a_tiff_of_linear_light_has_its_numbers(numbers, tmp_path):
+    FRAME.save(tmp_path / "a.tif", linear=numbers)
+    command = ["image", "--width", "24", "--height", "16", "--gradient", "central", "--linear", numbers]
+    assert main([*command, "--out", str(tmp_path / "b.tif")]) == 0
+    for name in ("a.tif", "b.tif"):
+        read = tifffile.imread(tmp_path / name)
+        assert read.dtype == numbers and (read == FRAME.rgb.astype(numbers)).all()
+
+
+def test_the_normal_of_a_pixel_is_that_of_its_record():
+    on_a, normal = FRAME.stage.on_a, FRAME.normal
+    assert np.isnan(normal[~on_a]).all() and abs(np.linalg.norm(normal[on_a], axis=-1) - 1).max() < 1e-15
+    row, column = np.argwhere(on_a)[20]
+    assert tuple(normal[row, column]) == pixel(Scene(), 24, 16, column, row, central(1e-3)).normal
 
 
 def test_saving_over_a_file_keeps_its_links_and_mode_and_asks_whether_it_may_be_written(tmp_path):

@@ -12,7 +12,8 @@ from proofs.theorems import language
 from renderer.scene import methods
 
 OF_ENGINE = [part for part in vars(language).values() if callable(part) and part.__module__.startswith("proofs.engine")]
-PUBLIC = [*(getattr(renderer, name) for name in renderer.__all__), HeightField, prove, methods, *OF_ENGINE]
+PUBLIC = [*(getattr(renderer, name) for name in (*renderer.__all__, "HeightField")), HeightField]
+PUBLIC += [prove, methods, *OF_ENGINE]
 
 PLACES = {"api-renderer.html", "api-proofs.html", "api-verify.html"}
 OTHERS = {

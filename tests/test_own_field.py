@@ -10,7 +10,7 @@ from random import Random
 import mpmath
 import numpy as np
 import pytest
-from sympy import Mul, Piecewise, Rational, exp, log, pi, sqrt
+from sympy import Mod, Mul, Piecewise, Rational, Symbol, exp, frac, log, pi, sin, sqrt, tanh
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
@@ -49,6 +49,7 @@ WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/
 CREASED = ("abs(sinpi(k_u*u)*cospi(k_v*v))", "max(0,sinpi(k_v*v))", "min(0, sinpi(k_u*u+k_v*v))")
 PLAIN = ("v", "u*(1-u)", "(v-1/2)**2", "0.3", "2.5e-1", "pi/4")
 JOINED = ("({0}+{1})", "({0}-{1})", "{0}*{1}", "{0}/(3+{2})", "exp(-2*{0}**2)", "log(4+{2})", "sqrt(4+{2})", "-{0}")
+JOINED += ("abs({0})*abs({1})", "max({0}, {1})", "atan(2*{2})", "(2+{2})^1.5", "({0}+floor(3*{2})/2)", "({0}*{2}) % 2")
 KU, KV = 6.0, 3.0
 METHODS = (exact(), central(1e-3), forward(1e-2), central4(1e-2))
 
@@ -73,8 +74,11 @@ def accepted():
 
 def by_mpmath(text):
     """The function of a text, by Python and mpmath alone."""
-    exactly = re.sub(r"[\d.]+(e-?\d+)?", r"mpf('\g<0>')", text)
-    return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", vars(mpmath) | {"min": min, "max": max})
+    exactly = re.sub(r"(?<!\w)[\d.]+(e-?\d+)?", r"mpf('\g<0>')", text.replace("^", "**").replace("np.", ""))
+    chosen = {"min": min, "max": max, "Piecewise": lambda *cases: next(value for value, holds in cases if holds)}
+    names = vars(mpmath) | chosen | {"E": mpmath.e, "mod": lambda x, y: x % y}
+    names |= {"where": lambda test, one, other: one if test else other, "clip": lambda x, *ends: sorted([x, *ends])[1]}
+    return eval(f"lambda u, v, k_u={KU}, k_v={KV}: {exactly}", names)
 
 
 def apart(text, field, count=12, size=lambda true: 1 + abs(true)):
@@ -92,11 +96,16 @@ def assert_drawn(scene, method, monkeypatch):
     """Hold a picture of one's own field to the same bits by both machines, and to bounds that hold in balls."""
     with drawn_by(native.drawer):
         by_llvm = held(render(scene, 24, 16, method))
+    assert differing(by_llvm, held(assert_bounded(scene, method, monkeypatch))) == []
+
+
+def assert_bounded(scene, method, monkeypatch):
+    """Hold a picture by NumPy to its bounds, and return it."""
     monkeypatch.setitem(HEIGHT_FIELDS, scene.field, scene.field)
     with drawn_by(numpy_rows.drawer):
         frame = render(scene, 24, 16, method, bounds=True)
-        assert differing(by_llvm, held(frame)) == []
     assert not any(wrong(frame, *place) for place in ((10, 6), (13, 9), (8, 8), (12, 4), (2, 14)))
+    return frame
 
 
 @pytest.mark.parametrize("number", range(24))
@@ -106,6 +115,52 @@ def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(number, monkeyp
     assert parse_expression(expression_text(field.expression)) == field.expression
     assert apart(text, field) < 1e-12
     assert_drawn(Scene(field=field, ku=KU, kv=KV), METHODS[number % len(METHODS)], monkeypatch)
+
+
+AS_WRITTEN = [
+    "sin(pi*k_u*u)", "0.3*sin(8*pi*u)*cos(4*pi*v)", "sin(8*pi*u)^2", "E*np.sin(2*np.pi*u)", "sin(pi/7)*sin(6*pi*u)",
+    "abs(sin(8*pi*u))*abs(sin(4*pi*v))", "(1 - abs(sin(8*pi*u)))*(1 - abs(cos(5*pi*v)))", "abs(v - 1/2)",
+    "max(0, sin(16*pi*u)*sin(8*pi*v) - 1/2)", "abs(sin(8*pi*u + pi*floor(8*v)/2))*abs(sin(8*pi*v))",
+    "tanh(5*sin(8*pi*u))", "atan(3*sin(8*pi*u))", "mod(8*u, 1)", "floor(4*v)/8 + v", "(8*u % 1)*(1 - 8*u % 1)",
+    "exp(-((u - 0.5)^2 + (v - 0.5)^2)/0.02)", "max(sin(8*pi*u), cos(6*pi*v))", "abs(sin(8*pi*u))^1.5",
+    "min(abs(sin(8*pi*u)), abs(sin(8*pi*v)))", "sign(sin(8*pi*u)*sin(6*pi*v))*v", "max(0, min(1, 4*v - 1))",
+    "Piecewise((1, v < 1/4), (0, v > 3/4), (2 - 4*v, True))", "log(2 + sin(8*pi*u)*sin(4*pi*v))", "v^2.5",
+    "sin(20*pi*sqrt((u - 1/2)^2 + (v - 1/2)^2 + 1e-3))", "2^(-8*(v - 1/2)^2)", "1/(1 + 10*sin(4*pi*u)^2)",
+    "sin(2*pi*(3*u + 2*v) + 0.7) + sin(2*pi*(5*u - 4*v) + 2.1)/2 + sin(2*pi*(9*u + 7*v) + 4.2)/3",
+    "sin(4*pi*u) if v < 1/3 else where(v > 2/3, v, clip(3*v, 1/2, 3/2))", "sin(8*pi*(u + sin(4*pi*v)/10))",
+    "abs(abs(sin(4*pi*u)) - 1/2)", "max(0, 1 - 20*((4*u % 1 - 1/2)^2 + (4*v % 1 - 1/2)^2))",
+]  # fmt: skip
+NOT_DRAWN = {
+    "sin(8*u)": "it is 0 at u = 0 and 0.989 at u = 1, .*: let u stand in sines and cosines of 2",
+    "sqrt((u - 1/2)^2 + (v - 1/2)^2)": r"1/sqrt\(.*\) of h or a slope is not shown to be finite: keep .* 1e-4\)",
+    "asin(sin(2*pi*u))": "none of numbers, .* arctan, .* Piecewise$",
+}
+
+
+@pytest.mark.parametrize("text", AS_WRITTEN)
+def test_a_field_is_drawn_as_it_comes_to_mind(text, monkeypatch):
+    """Off its creases as mpmath has it, and the picture as by a small step; bounds hold in balls."""
+    field = HeightField("as_written", text)
+    assert apart(text, field) < 1e-12
+    scene = Scene(field=field, ku=KU, kv=KV)
+    with drawn_by(numpy_rows.drawer):
+        stepped = render(scene, 24, 16, central(1e-5))
+        assert abs(stepped.rgb - render(scene, 24, 16).rgb)[~stepped.straddling].max() < 5e-6
+    assert_bounded(scene, exact(), monkeypatch)
+    assert Scene.from_record(scene.as_record()) == scene
+
+
+@pytest.mark.parametrize("text", NOT_DRAWN)
+def test_a_refusal_says_what_to_write(text):
+    assert re.search(NOT_DRAWN[text], rejection(HeightField, "refused", text))
+
+
+@pytest.mark.parametrize("how", [{"positive": True}, {"real": True}, {}], ids=str)
+def test_sympy_says_it_as_a_text_does(how):
+    x, y, k = (Symbol(name, **how) for name in ("u", "v", "ku"))
+    written = sin(pi * k * x) + Mod(y, Rational(1, 4)) * tanh(0.1 * y) + 2 ** (k * y) + exp(1) * frac(2 * y + 1e-16)
+    text = "sin(pi*k_u*u) + v % (1/4)*tanh(v/10) + 2**(k_u*v) + E*frac(2*v + 1e-16)"
+    assert HeightField("sum", written) == HeightField("sum", text)
 
 
 HOSTILE = [
@@ -135,7 +190,10 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
 
 
 NO_FIELDS = {
-    "expression = None is not allowed: an expression of SymPy": lambda: HeightField("none", None),
+    "expression = None is not allowed: an expression of SymPy, or its text": lambda: HeightField("none", None),
+    "expression = array([[0.],        [0.]]) is not allowed": lambda: HeightField("image", np.zeros((2, 1))),
+    "field = 'deep' is not allowed: a formula that is": lambda: HeightField("deep", "tanh(" * 29 + "v" + ")" * 29),
+    "it has w, and a field no symbols but u, v, k_u, k_v": lambda: HeightField("free", u * Symbol("w")),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
@@ -149,6 +207,12 @@ NO_FIELDS = {
 @pytest.mark.parametrize("text", NO_FIELDS)
 def test_what_is_no_field_is_refused(text):
     assert text in rejection(NO_FIELDS[text])
+
+
+def test_a_profile_is_plotted_from_end_to_end():
+    scene, along = Scene(field=HeightField("slope", "u^2*v", seam=True)), np.linspace(0, 1, 5)
+    assert (height_at(scene, along, 1) == along**2).all()
+    assert (gradient_at(scene, along, 1, exact())[0] == 2 * along).all()
 
 
 def test_a_field_is_kept_by_its_formula():

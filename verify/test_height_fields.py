@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, log, sign, sqrt
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, floor, log, sign, sqrt
 
 from proofs.engine.functions import FUNCTIONS
 from proofs.engine.half_turns import atan2pi, cospi, sinpi
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
+from proofs.formulas.creases import straddling
 from proofs.formulas.finite_difference import METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, AnyField, HeightField, gradient
 from proofs.formulas.ranges import enclosure
@@ -42,6 +43,11 @@ MORE = {
     "waves": sinpi(k_u * u) + sinpi(2 * k_u * u),
     "bump": Max(0, _inside) ** 2,
     "selected": Piecewise((_inside**2, _inside > 0), (0, True)),
+    "tent": Abs(v - Rational(1, 2)),
+    "golf": Max(0, sinpi(k_u * u) * sinpi(k_v * v) - Rational(1, 2)),
+    "bricks": Abs(sinpi(k_u * u + floor(k_v * v) / 2)) * Abs(sinpi(k_v * v)),
+    "nested": Abs(2 * Abs(_cosines) - 1),
+    "hills": Max(0, sinpi(k_u * u), sinpi(k_v * v)),
 }
 FIELDS = HEIGHT_FIELDS | {name: HeightField(name, expression) for name, expression in MORE.items()}
 COVERED = [field for field in FIELDS.values() if slope_terms(field)]
@@ -73,9 +79,9 @@ def test_the_last_of_three_values_is_for_all_else():
 
 
 def crossed(factors, at):
-    """Return between which neighbours of some points of the chart a factor sinpi(w) is zero."""
-    turns = [function_of(Program("turns", CHART, {real("turns"): factor.args[0]}))(*at) for factor in factors]
-    return sum((np.diff(np.floor(w)) != 0 for w in turns), np.zeros(len(at[0]) - 1, bool))
+    """Return between which neighbours of some points of the chart a factor changes its sign."""
+    signs = [np.sign(function_of(Program("factor", CHART, {h: factor}))(*at)) for factor in factors]
+    return sum((np.diff(side) != 0 for side in signs), np.zeros(len(at[0]) - 1, bool))
 
 
 @pytest.mark.parametrize("field", FIELDS.values(), ids=FIELDS)
@@ -84,8 +90,20 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     at = 0.03 + 0.9 * along, 0.11 + 0.61 * along, 8.0, 4.0
     slopes = np.broadcast_arrays(*function_of(gradient(field))(*at), along)[:2]
     jumps = np.abs(np.diff(slopes)).max(axis=0) > 0.5
-    assert_array_equal(jumps, crossed(field.creases, at))
+    creases = crossed(field.creases, at)
+    may = field.name == "hills"  # where two of its values are equal, the third may be above them
+    assert_array_equal(jumps, creases & jumps if may else creases)
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
+
+
+@pytest.mark.parametrize("name", ["tent", "golf", "bricks", "nested", "hills"])
+def test_no_difference_is_off_unless_it_straddles(name):
+    """Where it does and a slope jumps, it is off by some of the jump; out and back within the step is not noticed."""
+    at = *np.random.default_rng(53).uniform(0, 1, (2, 4000)), 8.0, 4.0
+    ours, true = function_of(METHODS["central"](FIELDS[name]))(*at, 1e-3), function_of(gradient(FIELDS[name]))(*at)
+    off = np.max([abs(one - other) + 0 * at[0] for one, other in zip(ours, true, strict=True)], axis=0)
+    flags = function_of(straddling(FIELDS[name]))(*at, 1e-3) == 1
+    assert off[~flags].max() < 0.2 < off[flags].max()
 
 
 REFUSED = {
@@ -99,8 +117,8 @@ REFUSED = {
     "rates": (sinpi(v) / (k_u + 3), "on the chart .* is not shown to be finite"),
     "negative": (log(v - 1), "logarithm of a negative"),
     "seam": (u * v, "it is 0 at u = 0 and 0.143 at u = 1, .* without seam=True"),
-    "tent": (Abs(v - Rational(1, 2)), "creases have to be .* may be where .* = 0"),
-    "three": (Max(0, sinpi(k_u * u), sinpi(k_v * v)), "creases have to be"),
+    "symbol": (u * real("w"), "it has w, and a field no symbols but u, v, k_u, k_v"),
+    "spiral": (atan2pi(v - Rational(1, 2), u), r"atan2pi\(y, x\) has a jump unless"),
 }
 
 

@@ -1,18 +1,21 @@
 """Certified bounds beside true errors: of a small picture, and of fields of one's own."""
 
+from random import Random
+
 import numpy as np
+from sympy import pi, sin
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_numbers, enlarged, smooth, symbolic
-from renderer import HeightField, Scene, render
-from renderer.generate.reader import parse_expression
+from renderer import HeightField, Scene, render, u, v
 from renderer.intervals import rounded_up
 from renderer.picture.views import difference_logarithmic
 from verify.accuracy.pixels import compared
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -8
+ACROSS = 200  # four of them stand in a row
 
 
 @figure
@@ -39,27 +42,33 @@ def certified_bounds() -> Drawing:
     return Drawing(fig, numbers | {"whole_side": SIZE}, shown=(frame, fine))
 
 
-TEXTS = {
-    "crater": "exp(-150*(v - 1/5)**2) - exp(-60*v**2)/2",
-    "dunes": "v*(1 + sinpi(k_u*u + 4*sinpi(2*v)))**2/2",
-    "hill": "9*v**2*exp(4*(cospi(2*u - 7/4) - 1) - 60*(v - 1/5)**2)",
+_random = Random(9)
+_waves = [(_random.randint(1, 6), _random.uniform(-20, 20), _random.uniform(0, 2)) for _ in range(12)]
+BUMPS = {
+    "orange_peel": ("v*(sin(44*pi*u + 20*pi*v) + sin(48*pi*u - 36*pi*v) + sin(12*pi*u + 60*pi*v))", 0.012),
+    "golf_ball": ("max(0, sin(24*pi*u)*sin(20*pi*v) - 1/4)", 0.08),
+    "bricks": ("min(1, 5*abs(sin(8*pi*u + pi*floor(10*v)/2)), 5*abs(sin(10*pi*v)))", -0.03),
+    "noise": (sum(sin(pi * (2 * a * u + b * v + c)) / (a + abs(b)) for a, b, c in _waves), 0.5),
 }
+"""{name: (formula, β)}, as the page has them."""
 
 
 def scene_of(name: str) -> Scene:
-    """Return the chapter's scene with one of the three fields."""
-    return Scene(field=HeightField(name, parse_expression(TEXTS[name])))
+    """Return the chapter's scene with one of the bumps, without sphere B."""
+    formula, beta = BUMPS[name]
+    return Scene(field=HeightField(name, formula), beta=beta, ball=False)
 
 
 @figure
 def own_fields() -> Drawing:
-    """Crater, dunes and a hill on sphere A, and the certified bound of each picture."""
+    """Four bumps on sphere A, and the certified bound of each picture."""
     columns, numbers, frames = [], {}, []
-    for name in TEXTS:
-        fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (SIZE * FINE, SIZE))
+    for name in BUMPS:
+        fine, frame = (render(scene_of(name), side, side, bounds=True) for side in (ACROSS * FINE, ACROSS))
         bounds = difference_logarithmic(frame.bounds, LOW, HIGH)
         columns.append(np.vstack([smooth(fine), bounds]))
         frames.append(frame)
         numbers[name] = certified_numbers(frame)
-    fig = panels(columns, tuple(TEXTS), (LOW, HIGH), "bound of a channel")
-    return Drawing(fig, numbers | {"side": SIZE}, shown=frames)
+    titles = tuple(name.replace("_", " ") for name in BUMPS)
+    fig = panels(columns, titles, (LOW, HIGH), "bound of a channel")
+    return Drawing(fig, numbers | {"side": ACROSS}, shown=frames)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from mpmath import iv
+from mpmath.libmp import mpf_floor
 from sympy import Abs, Max, Min, exp, floor, log, sign
 
 from proofs.engine.half_turns import atan2pi, cospi, rint, sinpi
@@ -16,6 +17,16 @@ from proofs.engine.half_turns import atan2pi, cospi, rint, sinpi
 def hull(lowest: Callable, highest: Callable) -> Callable:
     """Return the interval from the lowest or highest lower end of some to the lowest or highest upper end."""
     return lambda *parts: iv.mpf([lowest(part.a for part in parts), highest(part.b for part in parts)])
+
+
+def _whole_below(number):
+    return iv.make_mpf(tuple(map(mpf_floor, number._mpi_)))
+
+
+def _angle(ordinate, abscissa):
+    if not abscissa.a > 0:
+        raise ValueError("atan2pi(y, x) has a jump unless x is above 0 everywhere, as in atan2pi(y, 1)")
+    return iv.atan2(ordinate, abscissa) / iv.pi
 
 
 class Function(NamedTuple):
@@ -47,7 +58,7 @@ FUNCTIONS = (
     Function(sign, "sign", "sign", "sign", arb="sgn", enclosed=lambda _: iv.mpf([-1, 1])),
     Function(Max, "maximum", "Rmax", "Rmax", text="max", enclosed=hull(max, max)),
     Function(Min, "minimum", "Rmin", "Rmin", text="min", enclosed=hull(min, min)),
-    Function(floor, "floor", coq_float64="whole_below"),
+    Function(floor, "floor", coq_float64="whole_below", enclosed=_whole_below),
     Function(rint, "rint", coq_float64="rint", mpmath="nint"),
-    Function(atan2pi, "atan2pi", coq_float64="angle_in_half_turns_float64.angle"),
+    Function(atan2pi, "atan2pi", coq_float64="angle_in_half_turns_float64.angle", enclosed=_angle),
 )  # fmt: skip

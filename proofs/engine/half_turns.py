@@ -8,13 +8,14 @@ from sympy import Basic, Expr, Function, Integer, Mul, atan2, cos, pi, sin
 
 
 class _OfHalfTurns(Function):
-    """`plain` of π times the argument, and evaluated where that is rational."""
+    """`plain` of π times the argument, and evaluated where that is rational and the value has no sine."""
 
     is_real = True
 
     @classmethod
     def eval(cls, argument: Expr) -> Basic | None:
-        return cls.plain(pi * argument) if argument.is_Rational else None
+        value = cls.plain(pi * argument) if argument.is_Rational else None
+        return None if value is None or value.has(sin, cos) else value
 
     def _eval_evalf(self, precision):
         return self.plain(pi * self.args[0])._eval_evalf(precision)
@@ -47,6 +48,10 @@ class atan2pi(Function):
 
     nargs = 2
     is_real = True
+
+    def fdiff(self, argindex: int = 1) -> Expr:
+        y, x = self.args
+        return (x if argindex == 1 else -y) / (pi * (x**2 + y**2))
 
     def _eval_evalf(self, precision):
         return (atan2(*self.args) / pi)._eval_evalf(precision)

@@ -10,7 +10,7 @@ SHOWN = 120  # of a value, in a message
 
 def shown(value: object) -> str:
     """Return how a message shows a value: the beginning of a long one."""
-    text = repr(value)
+    text = " ".join(repr(value).split("\n"))
     return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
 
 

@@ -28,7 +28,9 @@ Module image_radius.
 Section program.
 Variables x y eye : R.
 Definition rho_raw := sqrt (x ^ 2 + y ^ 2).
-Definition rho := if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0.
+Definition rho := if Rle_dec ((1 /
+    1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+    * eye) rho_raw then rho_raw else 0.
 End program.
 Ltac lines := unfold rho, rho_raw.
 End image_radius.
@@ -46,7 +48,9 @@ Module hit_of_a.
 Section program.
 Variables x y eye radius : R.
 Definition rho_raw := sqrt (x ^ 2 + y ^ 2).
-Definition rho := if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0.
+Definition rho := if Rle_dec ((1 /
+    1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+    * eye) rho_raw then rho_raw else 0.
 Definition tangent_squared := (eye - radius) * (eye + radius).
 Definition rho_silhouette := eye * radius / sqrt tangent_squared.
 Definition discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette).
@@ -61,9 +65,12 @@ Section program.
 Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on : R.
 Definition distance := eye - ball_center_z.
 Definition toward_b := ball_center_x * x + ball_center_y * y + distance * eye.
-Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
+Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+    (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
 Definition root_b := sqrt (Rmax 0 discriminant_b).
-Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty.
+Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite
+    ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+    toward_b)) else p_infty.
 End program.
 Ltac lines := unfold t_b, root_b, discriminant_b, toward_b, distance.
 End hit_of_b.
@@ -73,7 +80,9 @@ Section program.
 Variables floor_on : R.
 Variables t_a t_b : Rbar.
 Definition t_floor := if Rlt_dec 0 floor_on then Finite 1 else p_infty.
-Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1 else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3 else 0.
+Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1
+    else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3
+    else 0.
 End program.
 Ltac lines := unfold surface, t_floor.
 End nearest.
@@ -82,7 +91,9 @@ Module visible_surface.
 Section program.
 Variables x y eye radius ball_center_x ball_center_y ball_center_z ball_radius ball_on floor_on : R.
 Definition rho_raw := sqrt (x ^ 2 + y ^ 2).
-Definition rho := if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0.
+Definition rho := if Rle_dec ((1 /
+    1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+    * eye) rho_raw then rho_raw else 0.
 Definition tangent_squared := (eye - radius) * (eye + radius).
 Definition rho_silhouette := eye * radius / sqrt tangent_squared.
 Definition discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette).
@@ -90,20 +101,28 @@ Definition root_a := sqrt (Rmax 0 discriminant_a).
 Definition t_a := if Rle_dec 0 discriminant_a then Finite (tangent_squared / (eye ^ 2 + root_a)) else p_infty.
 Definition distance := eye - ball_center_z.
 Definition toward_b := ball_center_x * x + ball_center_y * y + distance * eye.
-Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
+Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+    (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
 Definition root_b := sqrt (Rmax 0 discriminant_b).
-Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty.
+Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite
+    ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+    toward_b)) else p_infty.
 Definition t_floor := if Rlt_dec 0 floor_on then Finite 1 else p_infty.
-Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1 else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3 else 0.
+Definition surface := if both (both (Rbar_lt_dec t_a p_infty) (Rbar_le_dec t_a t_b)) (Rbar_le_dec t_a t_floor) then 1
+    else if both (Rbar_lt_dec t_b p_infty) (Rbar_le_dec t_b t_floor) then 2 else if Rbar_lt_dec t_floor p_infty then 3
+    else 0.
 End program.
-Ltac lines := unfold surface, t_floor, t_b, root_b, discriminant_b, toward_b, distance, t_a, root_a, discriminant_a, rho_silhouette, tangent_squared, rho, rho_raw.
+Ltac lines := unfold surface, t_floor, t_b, root_b, discriminant_b, toward_b, distance, t_a, root_a, discriminant_a,
+    rho_silhouette, tangent_squared, rho, rho_raw.
 End visible_surface.
 
 Module angles_on_a.
 Section program.
 Variables x y eye radius : R.
 Definition rho_raw := sqrt (x ^ 2 + y ^ 2).
-Definition rho := if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0.
+Definition rho := if Rle_dec ((1 /
+    1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+    * eye) rho_raw then rho_raw else 0.
 Definition tangent_squared := (eye - radius) * (eye + radius).
 Definition rho_silhouette := eye * radius / sqrt tangent_squared.
 Definition discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette).
@@ -116,7 +135,8 @@ Definition sin_theta := rho_inverse * y.
 Definition sin_phi := hit_scale * rho * tangent_squared.
 Definition cos_phi := eye * hit_scale * (radius ^ 2 + root_a).
 End program.
-Ltac lines := unfold cos_phi, sin_phi, sin_theta, cos_theta, hit_scale, rho_inverse, t_a, root_a, discriminant_a, rho_silhouette, tangent_squared, rho, rho_raw.
+Ltac lines := unfold cos_phi, sin_phi, sin_theta, cos_theta, hit_scale, rho_inverse, t_a, root_a, discriminant_a,
+    rho_silhouette, tangent_squared, rho, rho_raw.
 End angles_on_a.
 
 Module point_on_a.
@@ -134,9 +154,12 @@ Section program.
 Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on : R.
 Definition distance := eye - ball_center_z.
 Definition toward_b := ball_center_x * x + ball_center_y * y + distance * eye.
-Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
+Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+    (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
 Definition root_b := sqrt (Rmax 0 discriminant_b).
-Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b)) else p_infty.
+Definition t_b := if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then Finite
+    ((ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+    toward_b)) else p_infty.
 Definition point_x := (real t_b) * x.
 Definition point_y := (real t_b) * y.
 Definition point_z := eye * (1 - (real t_b)).
@@ -148,7 +171,8 @@ Module normal_of_b.
 Section program.
 Variables x y eye ball_center_x ball_center_y ball_center_z ball_radius : R.
 Definition distance := eye - ball_center_z.
-Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
+Definition discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+    (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2.
 Definition root_b := sqrt (Rmax 0 discriminant_b).
 Definition moment_x := distance * y - ball_center_y * eye.
 Definition moment_y := ball_center_x * eye - distance * x.
@@ -165,7 +189,9 @@ Definition point_x := ball_center_x + ball_radius * normal_x.
 Definition point_y := ball_center_y + ball_radius * normal_y.
 Definition point_z := ball_center_z + ball_radius * normal_z.
 End program.
-Ltac lines := unfold point_z, point_y, point_x, normal_z, normal_y, normal_x, radius_length, radius_vector_z, radius_vector_y, radius_vector_x, ray_length_squared, moment_z, moment_y, moment_x, root_b, discriminant_b, distance.
+Ltac lines := unfold point_z, point_y, point_x, normal_z, normal_y, normal_x, radius_length, radius_vector_z,
+    radius_vector_y, radius_vector_x, ray_length_squared, moment_z, moment_y, moment_x, root_b, discriminant_b,
+    distance.
 End normal_of_b.
 
 Module point_on_floor.
@@ -332,7 +358,8 @@ Definition bumped_x := m_scale * m_x.
 Definition bumped_y := m_scale * m_y.
 Definition bumped_z := m_scale * m_z.
 End program.
-Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x, g_z, g_y, g_x, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x, g_z, g_y, g_x, e_phi_z, e_phi_y,
+    e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End bumped_normal.
 
 Module normal_by_beta.
@@ -350,7 +377,8 @@ Definition bumped_by_beta_x := (g_x - bumped_x * (bumped_x * g_x + bumped_y * g_
 Definition bumped_by_beta_y := (g_y - bumped_y * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length.
 Definition bumped_by_beta_z := (g_z - bumped_z * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length.
 End program.
-Ltac lines := unfold bumped_by_beta_z, bumped_by_beta_y, bumped_by_beta_x, bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x.
+Ltac lines := unfold bumped_by_beta_z, bumped_by_beta_y, bumped_by_beta_x, bumped_z, bumped_y, bumped_x, m_scale,
+    m_length, m_z, m_y, m_x.
 End normal_by_beta.
 
 Module light_direction.
@@ -366,7 +394,8 @@ Definition towards_y := light_scale * to_light_y.
 Definition towards_z := light_scale * to_light_z.
 Definition mu := bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z.
 End program.
-Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
+Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y,
+    to_light_x.
 End light_direction.
 
 Module halfway_vector.
@@ -385,7 +414,8 @@ Definition halfway_x := towards_x + view_x.
 Definition halfway_y := towards_y + view_y.
 Definition halfway_z := towards_z + view_z.
 End program.
-Ltac lines := unfold halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
+Ltac lines := unfold halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y, towards_x, light_scale, light_distance,
+    to_light_z, to_light_y, to_light_x.
 End halfway_vector.
 
 Module blinn.
@@ -404,9 +434,11 @@ Definition halfway_x := towards_x + view_x.
 Definition halfway_y := towards_y + view_y.
 Definition halfway_z := towards_z + view_z.
 Definition halfway_length := sqrt (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2).
-Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) 0 else 0.
+Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y +
+    bumped_z * halfway_z) / halfway_length) 0 else 0.
 End program.
-Ltac lines := unfold specular_base, halfway_length, halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
+Ltac lines := unfold specular_base, halfway_length, halfway_z, halfway_y, halfway_x, mu, towards_z, towards_y,
+    towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
 End blinn.
 
 Module blinn_squared.
@@ -424,10 +456,12 @@ Definition halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2.
 Definition along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z.
 Definition along_halfway := Rmax 0 (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z).
 Definition light_scale := if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0.
-Definition mu := if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z.
+Definition mu := if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x -
+    bumped_y * view_y - bumped_z * view_z.
 Definition specular_base := along_halfway ^ 2 * light_distance * light_scale.
 End program.
-Ltac lines := unfold specular_base, mu, light_scale, along_halfway, along_light, halfway_squared, halfway_z, halfway_y, halfway_x, light_distance, distance_squared, to_light_z, to_light_y, to_light_x.
+Ltac lines := unfold specular_base, mu, light_scale, along_halfway, along_light, halfway_squared, halfway_z, halfway_y,
+    halfway_x, light_distance, distance_squared, to_light_z, to_light_y, to_light_x.
 End blinn_squared.
 
 Module phong.
@@ -442,16 +476,19 @@ Definition towards_x := light_scale * to_light_x.
 Definition towards_y := light_scale * to_light_y.
 Definition towards_z := light_scale * to_light_z.
 Definition mu := bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z.
-Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z).
+Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x *
+    view_x - towards_y * view_y - towards_z * view_z).
 End program.
-Ltac lines := unfold specular_base, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z, to_light_y, to_light_x.
+Ltac lines := unfold specular_base, mu, towards_z, towards_y, towards_x, light_scale, light_distance, to_light_z,
+    to_light_y, to_light_x.
 End phong.
 
 Module blinn_highlight.
 Section program.
 Variables bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R.
 Definition halfway_length := sqrt (halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2).
-Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length) 0 else 0.
+Definition specular_base := if Rlt_dec 0 halfway_length then Rmax ((bumped_x * halfway_x + bumped_y * halfway_y +
+    bumped_z * halfway_z) / halfway_length) 0 else 0.
 End program.
 Ltac lines := unfold specular_base, halfway_length.
 End blinn_highlight.
@@ -459,7 +496,8 @@ End blinn_highlight.
 Module phong_highlight.
 Section program.
 Variables bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R.
-Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z).
+Definition specular_base := Rmax 0 (2 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x *
+    view_x - towards_y * view_y - towards_z * view_z).
 End program.
 Ltac lines := unfold specular_base.
 End phong_highlight.
@@ -532,24 +570,29 @@ Definition offset_y := center_y - point_y.
 Definition offset_z := center_z - point_z.
 Definition segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2.
 Definition toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z.
-Definition shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2.
-Definition occluded := if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0 toward_center) then 1 else 0.
+Definition shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2
+    - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2.
+Definition occluded := if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0
+    toward_center) then 1 else 0.
 End program.
-Ltac lines := unfold occluded, shadow_discriminant, toward_center, segment_squared, offset_z, offset_y, offset_x, segment_z, segment_y, segment_x.
+Ltac lines := unfold occluded, shadow_discriminant, toward_center, segment_squared, offset_z, offset_y, offset_x,
+    segment_z, segment_y, segment_x.
 End shadow.
 
 Module checker.
 Section program.
 Variables point_x point_y : R.
 Definition square := IZR (Int_part point_x) + IZR (Int_part point_y).
-Definition dark := if both (both (differ point_x (IZR (Int_part point_x))) (differ point_y (IZR (Int_part point_y)))) (differ square (2 * (IZR (Int_part ((1 / 2) * square))))) then 1 else 0.
+Definition dark := if both (both (differ point_x (IZR (Int_part point_x))) (differ point_y (IZR (Int_part point_y))))
+    (differ square (2 * (IZR (Int_part ((1 / 2) * square))))) then 1 else 0.
 End program.
 Ltac lines := unfold dark, square.
 End checker.
 
 Module shadow_clearance.
 Section program.
-Variables light_x light_y light_z center_x center_y center_z body_radius ball_center_x ball_center_y ball_center_z ball_radius : R.
+Variables light_x light_y light_z center_x center_y center_z body_radius ball_center_x ball_center_y ball_center_z
+    ball_radius : R.
 Definition from_body_x := light_x - center_x.
 Definition from_body_y := light_y - center_y.
 Definition from_body_z := light_z - center_z.
@@ -557,16 +600,20 @@ Definition along_x := ball_center_x - light_x.
 Definition along_y := ball_center_y - light_y.
 Definition along_z := ball_center_z - light_z.
 Definition at_light := from_body_x ^ 2 - body_radius ^ 2 + from_body_y ^ 2 + from_body_z ^ 2.
-Definition half_slope := along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius * body_radius.
+Definition half_slope := along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius *
+    body_radius.
 Definition curvature := along_x ^ 2 + along_y ^ 2 + along_z ^ 2 - ball_radius ^ 2.
-Definition turning := if Rle_dec 0 half_slope then 0 else if Rle_dec (curvature + half_slope) 0 then 1 else -half_slope / curvature.
+Definition turning := if Rle_dec 0 half_slope then 0 else if Rle_dec (curvature + half_slope) 0 then 1 else -half_slope
+    / curvature.
 Definition at_ball := at_light + curvature + 2 * half_slope.
 Definition at_turning := at_light + turning * (curvature * turning + 2 * half_slope).
 Definition at_an_end := if Rlt_dec at_ball at_light then at_ball else at_light.
 Definition shortest := if Rlt_dec at_turning at_an_end then at_turning else at_an_end.
-Definition clearance := shortest / (along_x ^ 2 + along_y ^ 2 + along_z ^ 2 + from_body_x ^ 2 + from_body_y ^ 2 + from_body_z ^ 2).
+Definition clearance := shortest / (along_x ^ 2 + along_y ^ 2 + along_z ^ 2 + from_body_x ^ 2 + from_body_y ^ 2 +
+    from_body_z ^ 2).
 End program.
-Ltac lines := unfold clearance, shortest, at_an_end, at_turning, at_ball, turning, curvature, half_slope, at_light, along_z, along_y, along_x, from_body_z, from_body_y, from_body_x.
+Ltac lines := unfold clearance, shortest, at_an_end, at_turning, at_ball, turning, curvature, half_slope, at_light,
+    along_z, along_y, along_x, from_body_z, from_body_y, from_body_x.
 End shadow_clearance.
 
 Module complex_square.
@@ -626,7 +673,8 @@ Definition displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x 
 Definition displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi).
 Definition displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi).
 End program.
-Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
+Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z,
+    e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End displaced_normal.
 
 Module blinn_normal.
@@ -648,7 +696,8 @@ Definition displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x 
 Definition displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi).
 Definition displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi).
 End program.
-Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
+Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z,
+    e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End blinn_normal.
 
 Module mu_derivative.
@@ -663,7 +712,8 @@ Module term_derivative.
 Section program.
 Variables mu mu_by_beta specular_base base_by_beta shininess kd ks albedo_red light_red : R.
 Definition diffuse_by_beta := if Rlt_dec 0 mu then kd * mu_by_beta else 0.
-Definition shine_by_beta := if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * power specular_base (shininess - 1) else 0.
+Definition shine_by_beta := if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * power specular_base
+    (shininess - 1) else 0.
 Definition term_by_beta := light_red * (albedo_red * diffuse_by_beta + shine_by_beta).
 End program.
 Ltac lines := unfold term_by_beta, shine_by_beta, diffuse_by_beta.
@@ -680,15 +730,18 @@ End clip_derivative.
 Module blinn_base_derivative.
 Section program.
 Variables halfway_x halfway_y halfway_z halfway_length bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z : R.
-Definition base_by_beta := (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
+Definition base_by_beta := (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z)
+    / halfway_length.
 End program.
 Ltac lines := unfold base_by_beta.
 End blinn_base_derivative.
 
 Module phong_base_derivative.
 Section program.
-Variables view_x view_y view_z bumped_x bumped_y bumped_z bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z mu mu_by_beta : R.
-Definition base_by_beta := 2 * mu * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) + 2 * mu_by_beta * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z).
+Variables view_x view_y view_z bumped_x bumped_y bumped_z bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z mu
+    mu_by_beta : R.
+Definition base_by_beta := 2 * mu * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z)
+    + 2 * mu_by_beta * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z).
 End program.
 Ltac lines := unfold base_by_beta.
 End phong_base_derivative.
@@ -697,9 +750,16 @@ Module half_turn_polynomials.
 Section program.
 Variables remainder : R.
 Definition z := remainder ^ 2.
-Definition sine_tail := z * (z * (z * (z * (z * (z * (z * ((7510502657307481 / 9444732965739290427392) * z + (-1617067665348049 / 73786976294838206464)) + (8601768518847843 / 18446744073709551616)) + (-8497528335533855 / 1152921504606846976)) + (2959617474655169 / 36028797018963968)) + (-2698847510945475 / 4503599627370496)) + (2871229454931313 / 1125899906842624)) + (-5818327337647699 / 1125899906842624)) + (4967757600021511 / 40564819207303340847894502572032).
+Definition sine_tail := z * (z * (z * (z * (z * (z * (z * ((7510502657307481 / 9444732965739290427392) * z +
+    (-1617067665348049 / 73786976294838206464)) + (8601768518847843 / 18446744073709551616)) + (-8497528335533855 /
+    1152921504606846976)) + (2959617474655169 / 36028797018963968)) + (-2698847510945475 / 4503599627370496)) +
+    (2871229454931313 / 1125899906842624)) + (-5818327337647699 / 1125899906842624)) + (4967757600021511 /
+    40564819207303340847894502572032).
 Definition sine_near := remainder * (sine_tail + (884279719003555 / 281474976710656)).
-Definition cosine_near := z * (z * (z * (z * (z * (z * (z * ((5080167897815029 / 1180591620717411303424) * z + (-7720929367626383 / 73786976294838206464)) + (8898590864194755 / 4611686018427387904)) + (-1859582503162531 / 72057594037927936)) + (8478679513545403 / 36028797018963968)) + (-3006744454127613 / 2251799813685248)) + (1142425901258417 / 281474976710656)) + (-2778046668940015 / 562949953421312)) + 1.
+Definition cosine_near := z * (z * (z * (z * (z * (z * (z * ((5080167897815029 / 1180591620717411303424) * z +
+    (-7720929367626383 / 73786976294838206464)) + (8898590864194755 / 4611686018427387904)) + (-1859582503162531 /
+    72057594037927936)) + (8478679513545403 / 36028797018963968)) + (-3006744454127613 / 2251799813685248)) +
+    (1142425901258417 / 281474976710656)) + (-2778046668940015 / 562949953421312)) + 1.
 End program.
 Ltac lines := unfold cosine_near, sine_near, sine_tail, z.
 End half_turn_polynomials.
@@ -708,7 +768,15 @@ Module arctangent_polynomial.
 Section program.
 Variables ratio node_correction : R.
 Definition ratio_squared := ratio ^ 2.
-Definition arctangent_tail := ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * ((790918777823815 / 72057594037927936) - (5919134079197583 / 576460752303423488) * ratio_squared) + (-6796042831671299 / 576460752303423488)) + (7339726258205003 / 576460752303423488)) + (-7977963324135873 / 576460752303423488)) + (2184442338751489 / 144115188075855872)) + (-2414383637567435 / 144115188075855872)) + (1349214385699449 / 72057594037927936)) + (-6116438548504169 / 288230376151711744)) + (441089318401743 / 18014398509481984)) + (-8340598020687503 / 288230376151711744)) + (2548516061876737 / 72057594037927936)) + (-6553327016254467 / 144115188075855872)) + (4587328911378127 / 72057594037927936)) + (-1911387046407553 / 18014398509481984)) + (-3193047846271019 / 162259276829213363391578010288128).
+Definition arctangent_tail := ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared *
+    (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared * (ratio_squared
+    * (ratio_squared * (ratio_squared * ((790918777823815 / 72057594037927936) - (5919134079197583 / 576460752303423488)
+    * ratio_squared) + (-6796042831671299 / 576460752303423488)) + (7339726258205003 / 576460752303423488)) +
+    (-7977963324135873 / 576460752303423488)) + (2184442338751489 / 144115188075855872)) + (-2414383637567435 /
+    144115188075855872)) + (1349214385699449 / 72057594037927936)) + (-6116438548504169 / 288230376151711744)) +
+    (441089318401743 / 18014398509481984)) + (-8340598020687503 / 288230376151711744)) + (2548516061876737 /
+    72057594037927936)) + (-6553327016254467 / 144115188075855872)) + (4587328911378127 / 72057594037927936)) +
+    (-1911387046407553 / 18014398509481984)) + (-3193047846271019 / 162259276829213363391578010288128).
 Definition small_part := node_correction + ratio * (arctangent_tail + (5734161139222659 / 18014398509481984)).
 End program.
 Ltac lines := unfold small_part, arctangent_tail, ratio_squared.
@@ -718,7 +786,13 @@ Module exponential_polynomial.
 Section program.
 Variables away away_error : R.
 Definition away_squared := away ^ 2.
-Definition exponential_tail := away * (away_squared * (away_squared * (away_squared * (away_squared * ((6212541674450185 / 38685626227668133590597632) * away_squared + (1892883791434041 / 75557863725914323419136)) + (1626697008263629 / 590295810358705651712)) + (3660068268593165 / 18446744073709551616)) + (4803839602528529 / 576460752303423488)) + (6004799503160661 / 36028797018963968)) + away_squared * (away_squared * (away_squared * (away_squared * ((630961263811347 / 302231454903657293676544) * away_squared + (1301357606610903 / 4722366482869645213696)) + (3660068268593165 / 147573952589676412928)) + (6405119470038039 / 4611686018427387904)) + (6004799503160661 / 144115188075855872)) + (1 / 2).
+Definition exponential_tail := away * (away_squared * (away_squared * (away_squared * (away_squared * ((6212541674450185
+    / 38685626227668133590597632) * away_squared + (1892883791434041 / 75557863725914323419136)) + (1626697008263629 /
+    590295810358705651712)) + (3660068268593165 / 18446744073709551616)) + (4803839602528529 / 576460752303423488)) +
+    (6004799503160661 / 36028797018963968)) + away_squared * (away_squared * (away_squared * (away_squared *
+    ((630961263811347 / 302231454903657293676544) * away_squared + (1301357606610903 / 4722366482869645213696)) +
+    (3660068268593165 / 147573952589676412928)) + (6405119470038039 / 4611686018427387904)) + (6004799503160661 /
+    144115188075855872)) + (1 / 2).
 Definition departure_low := away_error + away_squared * exponential_tail.
 Definition departure := away + departure_low.
 Definition exponential_near := departure + 1.
@@ -730,7 +804,10 @@ Module logarithm_polynomial.
 Section program.
 Variables quotient : R.
 Definition quotient_squared := quotient ^ 2.
-Definition log_tail := quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared * ((1385722962267845 / 9007199254740992) * quotient_squared + (3275345183542179 / 18014398509481984)) + (2001599834386887 / 9007199254740992)) + (2573485501354569 / 9007199254740992)) + (3602879701896397 / 9007199254740992)) + (6004799503160661 / 9007199254740992)).
+Definition log_tail := quotient * quotient_squared * (quotient_squared * (quotient_squared * (quotient_squared *
+    (quotient_squared * ((1385722962267845 / 9007199254740992) * quotient_squared + (3275345183542179 /
+    18014398509481984)) + (2001599834386887 / 9007199254740992)) + (2573485501354569 / 9007199254740992)) +
+    (3602879701896397 / 9007199254740992)) + (6004799503160661 / 9007199254740992)).
 End program.
 Ltac lines := unfold log_tail, quotient_squared.
 End logarithm_polynomial.
@@ -811,9 +888,12 @@ Definition h_v_minus_2 := (sin (PI * (k_u * u))) * (sin (PI * (k_v * v_minus_2))
 Definition near_difference_u := h_u_plus - h_u_minus.
 Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) / epsilon.
 Definition near_difference_v := h_v_plus - h_v_minus.
-Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
+Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 -
+    h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
-Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2,
+    h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus,
+    u_minus, u_plus.
 End central4_sine.
 
 Module height_ridges.
@@ -892,9 +972,12 @@ Definition h_v_minus_2 := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v_min
 Definition near_difference_u := h_u_plus - h_u_minus.
 Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) / epsilon.
 Definition near_difference_v := h_v_plus - h_v_minus.
-Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
+Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 -
+    h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
-Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2,
+    h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus,
+    u_minus, u_plus.
 End central4_ridges.
 
 Module height_rings.
@@ -971,7 +1054,10 @@ Definition h_v_minus_2 := sin (PI * (2 * k_v * v_minus_2)).
 Definition near_difference_u := h_u_plus - h_u_minus.
 Definition h_u := (1 / 12) * (h_u_minus_2 - h_u_plus_2 + 8 * near_difference_u) / epsilon.
 Definition near_difference_v := h_v_plus - h_v_minus.
-Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 - h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
+Definition h_v := if both (Rle_dec (2 * epsilon + v) 1) (Rle_dec (2 * epsilon - v) 0) then (1 / 12) * (h_v_minus_2 -
+    h_v_plus_2 + 8 * near_difference_v) / epsilon else near_difference_v / span_v.
 End program.
-Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2, h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus, u_minus, u_plus.
+Ltac lines := unfold h_v, near_difference_v, h_u, near_difference_u, h_v_minus_2, h_v_plus_2, h_u_minus_2, h_u_plus_2,
+    h_v_minus, h_v_plus, h_u_minus, h_u_plus, v_minus_2, v_plus_2, u_minus_2, u_plus_2, span_v, v_minus, v_plus,
+    u_minus, u_plus.
 End central4_rings.

@@ -150,7 +150,8 @@ Definition chart_inverse__formula : Prop :=
 
 Definition chart_inverse__unit : Prop :=
   forall u v : R,
-  (-(cos (PI * (2 * u)))) * (sin (PI * v)) * (-(cos (PI * (2 * u)))) * (sin (PI * v)) + (-(sin (PI * (2 * u)))) * (sin (PI * v)) * (-(sin (PI * (2 * u)))) * (sin (PI * v)) + (cos (PI * v)) * (cos (PI * v)) = 1.
+  (-(cos (PI * (2 * u)))) * (sin (PI * v)) * (-(cos (PI * (2 * u)))) * (sin (PI * v)) + (-(sin (PI * (2 * u)))) * (sin
+      (PI * v)) * (-(sin (PI * (2 * u)))) * (sin (PI * v)) + (cos (PI * v)) * (cos (PI * v)) = 1.
 
 Definition chart_inverse__recovered : Prop :=
   forall cos_theta sin_phi sin_theta : R,
@@ -254,12 +255,21 @@ Definition colour_accuracy__hit : Prop :=
   eye * eye + x * x + y * y <= 2 ^ 100 ->
   ball_radius >= / 1048576 ->
   ball_radius <= 2 ^ 50 ->
-  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y >= 4 * ball_radius ^ 2 ->
-  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y <= 2 ^ 40 * ball_radius ^ 2 ->
-  ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (y * (eye - ball_center_z) - ball_center_y * eye) ^ 2 >= ball_radius ^ 2 * (eye * eye + x * x + y * y) / 16 ->
+  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y >= 4 *
+      ball_radius ^ 2 ->
+  (eye - ball_center_z) * (eye - ball_center_z) + ball_center_x * ball_center_x + ball_center_y * ball_center_y <= 2 ^
+      40 * ball_radius ^ 2 ->
+  ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x *
+      y - ball_center_y * x) ^ 2 - (y * (eye - ball_center_z) - ball_center_y * eye) ^ 2 >= ball_radius ^ 2 * (eye * eye
+      + x * x + y * y) / 16 ->
   ball_center_x * x + ball_center_y * y + eye * (eye - ball_center_z) > 0 ->
   ball_on > 0 ->
-  Rabs (hit_of_b_float64.t_b x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on - hit_of_b.t_b x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on) <= 112 / 9007199254740992 * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z - ball_radius) * (ball_radius + eye - ball_center_z)) / (ball_center_x * x + ball_center_y * y + eye * (eye - ball_center_z) + sqrt (Rmax 0 (ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (y * (eye - ball_center_z) - ball_center_y * eye) ^ 2))).
+  Rabs (hit_of_b_float64.t_b x y eye ball_center_x ball_center_y ball_center_z ball_radius ball_on - hit_of_b.t_b x y
+      eye ball_center_x ball_center_y ball_center_z ball_radius ball_on) <= 112 / 9007199254740992 * (ball_center_x ^ 2
+      + ball_center_y ^ 2 + (eye - ball_center_z - ball_radius) * (ball_radius + eye - ball_center_z)) / (ball_center_x
+      * x + ball_center_y * y + eye * (eye - ball_center_z) + sqrt (Rmax 0 (ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2)
+      - (ball_center_x * eye - x * (eye - ball_center_z)) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (y * (eye
+      - ball_center_z) - ball_center_y * eye) ^ 2))).
 
 Definition colour_accuracy__normal : Prop :=
   forall normal_x normal_y normal_z g_x g_y g_z beta : R,
@@ -270,14 +280,22 @@ Definition colour_accuracy__normal : Prop :=
   float64 g_y ->
   float64 g_z ->
   float64 beta ->
-  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) >= 1 ->
-  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) <= 2 ^ 900 ->
-  (beta * g_x) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
-  (beta * g_y) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
-  (beta * g_z) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
-  Rabs (perturbed_float64.bumped_x normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_x normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
-  Rabs (perturbed_float64.bumped_y normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_y normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
-  Rabs (perturbed_float64.bumped_z normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_z normal_x normal_y normal_z g_x g_y g_z beta) <= 12 / 9007199254740992.
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y +
+      normal_y) * (beta * g_y + normal_y) >= 1 ->
+  (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x + normal_x) + (beta * g_y +
+      normal_y) * (beta * g_y + normal_y) <= 2 ^ 900 ->
+  (beta * g_x) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x +
+      normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_y) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x +
+      normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  (beta * g_z) ^ 2 <= (beta * g_z + normal_z) * (beta * g_z + normal_z) + (beta * g_x + normal_x) * (beta * g_x +
+      normal_x) + (beta * g_y + normal_y) * (beta * g_y + normal_y) ->
+  Rabs (perturbed_float64.bumped_x normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_x normal_x normal_y
+      normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
+  Rabs (perturbed_float64.bumped_y normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_y normal_x normal_y
+      normal_z g_x g_y g_z beta) <= 12 / 9007199254740992 /\
+  Rabs (perturbed_float64.bumped_z normal_x normal_y normal_z g_x g_y g_z beta - perturbed.bumped_z normal_x normal_y
+      normal_z g_x g_y g_z beta) <= 12 / 9007199254740992.
 
 Definition colour_accuracy__cosine : Prop :=
   forall point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z : R,
@@ -290,12 +308,16 @@ Definition colour_accuracy__cosine : Prop :=
   float64 bumped_x ->
   float64 bumped_y ->
   float64 bumped_z ->
-  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) >= / 1099511627776 ->
-  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y - point_y) <= 2 ^ 900 ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y
+      - point_y) >= / 1099511627776 ->
+  (light_z - point_z) * (light_z - point_z) + (light_x - point_x) * (light_x - point_x) + (light_y - point_y) * (light_y
+      - point_y) <= 2 ^ 900 ->
   Rabs bumped_x <= / 1099511627776 + 1 ->
   Rabs bumped_y <= / 1099511627776 + 1 ->
   Rabs bumped_z <= / 1099511627776 + 1 ->
-  Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z - light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 / 9007199254740992.
+  Rabs (light_direction_float64.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z -
+      light_direction.mu point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z) <= 45 /
+      9007199254740992.
 
 Definition colour_accuracy__blinn : Prop :=
   forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z : R,
@@ -310,7 +332,8 @@ Definition colour_accuracy__blinn : Prop :=
   Rabs bumped_x <= / 1099511627776 + 1 ->
   Rabs bumped_y <= / 1099511627776 + 1 ->
   Rabs bumped_z <= / 1099511627776 + 1 ->
-  Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z - blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= 32 / 9007199254740992.
+  Rabs (blinn_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z -
+      blinn_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z) <= 32 / 9007199254740992.
 
 Definition colour_accuracy__squared : Prop :=
   forall bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance : R,
@@ -328,7 +351,9 @@ Definition colour_accuracy__squared : Prop :=
   Rabs bumped_x <= / 1099511627776 + 1 ->
   Rabs bumped_y <= / 1099511627776 + 1 ->
   Rabs bumped_z <= / 1099511627776 + 1 ->
-  Rabs (squared_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance - squared_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance) <= 80 / 9007199254740992.
+  Rabs (squared_highlight_float64.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance
+      - squared_highlight.specular_base bumped_x bumped_y bumped_z halfway_x halfway_y halfway_z light_distance) <= 80 /
+      9007199254740992.
 
 Definition colour_accuracy__phong : Prop :=
   forall bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu : R,
@@ -352,7 +377,9 @@ Definition colour_accuracy__phong : Prop :=
   Rabs towards_y <= / 1099511627776 + 1 ->
   Rabs towards_z <= / 1099511627776 + 1 ->
   Rabs mu <= / 1099511627776 + 1 ->
-  Rabs (phong_highlight_float64.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu - phong_highlight.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y towards_z mu) <= 56 / 9007199254740992.
+  Rabs (phong_highlight_float64.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y
+      towards_z mu - phong_highlight.specular_base bumped_x bumped_y bumped_z view_x view_y view_z towards_x towards_y
+      towards_z mu) <= 56 / 9007199254740992.
 
 Definition colour_accuracy__share_red : Prop :=
   forall red light_red albedo_red kd ks mu specular : R,
@@ -371,7 +398,9 @@ Definition colour_accuracy__share_red : Prop :=
   specular >= 0 ->
   light_red <= 2 ^ 20 ->
   albedo_red <= 2 ^ 20 ->
-  Rabs (light_term_float64.lit_red red light_red albedo_red kd ks mu specular - light_term.lit_red red light_red albedo_red kd ks mu specular) <= 8 / 9007199254740992 * (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red) + / 1000000000000000000000000000000.
+  Rabs (light_term_float64.lit_red red light_red albedo_red kd ks mu specular - light_term.lit_red red light_red
+      albedo_red kd ks mu specular) <= 8 / 9007199254740992 * (light_red * (albedo_red * kd * (Rmax 0 mu) + ks *
+      specular) + red) + / 1000000000000000000000000000000.
 
 Definition colour_accuracy__share_green : Prop :=
   forall green light_green albedo_green kd ks mu specular : R,
@@ -390,7 +419,9 @@ Definition colour_accuracy__share_green : Prop :=
   specular >= 0 ->
   light_green <= 2 ^ 20 ->
   albedo_green <= 2 ^ 20 ->
-  Rabs (light_term_float64.lit_green green light_green albedo_green kd ks mu specular - light_term.lit_green green light_green albedo_green kd ks mu specular) <= 8 / 9007199254740992 * (green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular)) + / 1000000000000000000000000000000.
+  Rabs (light_term_float64.lit_green green light_green albedo_green kd ks mu specular - light_term.lit_green green
+      light_green albedo_green kd ks mu specular) <= 8 / 9007199254740992 * (green + light_green * (albedo_green * kd *
+      (Rmax 0 mu) + ks * specular)) + / 1000000000000000000000000000000.
 
 Definition colour_accuracy__share_blue : Prop :=
   forall blue light_blue albedo_blue kd ks mu specular : R,
@@ -409,7 +440,9 @@ Definition colour_accuracy__share_blue : Prop :=
   specular >= 0 ->
   light_blue <= 2 ^ 20 ->
   albedo_blue <= 2 ^ 20 ->
-  Rabs (light_term_float64.lit_blue blue light_blue albedo_blue kd ks mu specular - light_term.lit_blue blue light_blue albedo_blue kd ks mu specular) <= 8 / 9007199254740992 * (blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular)) + / 1000000000000000000000000000000.
+  Rabs (light_term_float64.lit_blue blue light_blue albedo_blue kd ks mu specular - light_term.lit_blue blue light_blue
+      albedo_blue kd ks mu specular) <= 8 / 9007199254740992 * (blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks
+      * specular)) + / 1000000000000000000000000000000.
 
 Definition colour_accuracy__clip : Prop :=
   forall color : R,
@@ -425,7 +458,9 @@ Definition straddling__value : Prop :=
   1 - k_u * (delta + epsilon) >= 0 ->
   1 - k_u * (epsilon - delta) >= 0 ->
   epsilon <> 0 /\
-  (1 / 2) * (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * (delta + epsilon))))) - (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * (delta - epsilon))))))) / epsilon = (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon.
+  (1 / 2) * (Rabs ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (k_u * (delta + epsilon))))) - (Rabs ((sin (PI * ((1 / 2) *
+      1))) * (sin (PI * (k_u * (delta - epsilon))))))) / epsilon = (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u))
+      / epsilon.
 
 Definition straddling__at_the_crease : Prop :=
   forall epsilon k_u : R,
@@ -444,12 +479,14 @@ Definition straddling__every_crease : Prop :=
 Definition straddling__slope_after : Prop :=
   forall delta k_u : R,
   1 * (sin (delta * PI * k_u)) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI * ((1 / 2) * 1))) = 1 * PI * k_u * (cos (delta * PI * k_u)).
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI *
+      ((1 / 2) * 1))) = 1 * PI * k_u * (cos (delta * PI * k_u)).
 
 Definition straddling__slope_before : Prop :=
   forall delta k_u : R,
   -(sin (delta * PI * k_u)) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI * ((1 / 2) * 1))) = -PI * k_u * (cos (delta * PI * k_u)).
+  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI *
+      ((1 / 2) * 1))) = -PI * k_u * (cos (delta * PI * k_u)).
 
 Definition seed_truncation_slope__descends : Prop :=
   ~ (
@@ -471,14 +508,25 @@ Definition truncation_bound__sine : Prop :=
   (sin (v * PI * k_v)) * (cos (u * PI * k_u)) + 1 >= 0 /\
   PI * k_u > 0 /\
   (PI * k_u) ^ 3 > 0 /\
-  (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) = (-(PI * k_u) ^ 3) * (sin (v * PI * k_v)) * (cos (u * PI * k_u)) /\
+  (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) = (-(PI * k_u) ^ 3) * (sin (v * PI *
+      k_v)) * (cos (u * PI * k_u)) /\
   (PI * k_u) ^ 3 - (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
   (PI * k_u) ^ 3 + (Derive_n (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 u) >= 0 /\
-  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) = (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0.
+  epsilon * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon))))
+      * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u)) =
+      (sin (v * PI * k_v)) * (cos (u * PI * k_u)) * (sin (epsilon * PI * k_u) - PI * epsilon * k_u) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin
+      (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R =>
+      (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI *
+      (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin
+      (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 + 1 * ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v *
+      v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI *
+      (k_u * u))) * (sin (PI * (k_v * v)))) u)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 - ((1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))
+      - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon - (Derive (fun u : R => (sin (PI * (k_u *
+      u))) * (sin (PI * (k_v * v)))) u)) >= 0.
 
 Definition truncation_bound__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -493,14 +541,25 @@ Definition truncation_bound__sine_in_v : Prop :=
   (sin (u * PI * k_u)) * (cos (v * PI * k_v)) + 1 >= 0 /\
   PI * k_v > 0 /\
   (PI * k_v) ^ 3 > 0 /\
-  (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) = (-(PI * k_v) ^ 3) * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
+  (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) = (-(PI * k_v) ^ 3) * (sin (u * PI *
+      k_u)) * (cos (v * PI * k_v)) /\
   (PI * k_v) ^ 3 - (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
   (PI * k_v) ^ 3 + (Derive_n (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) 3 v) >= 0 /\
-  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) = (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0.
+  epsilon * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v *
+      (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v)) =
+      (sin (u * PI * k_u)) * (cos (v * PI * k_v)) * (sin (epsilon * PI * k_v) - PI * epsilon * k_v) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon +
+      v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin
+      (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon +
+      v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin
+      (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 + 1 * (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) -
+      (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI *
+      (k_u * u))) * (sin (PI * (k_v * v)))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * k_v ^ 3 - (((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin
+      (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => (sin (PI * (k_u *
+      u))) * (sin (PI * (k_v * v)))) v)) >= 0.
 
 Definition truncation_bound__rings : Prop :=
   forall epsilon k_v v : R,
@@ -518,11 +577,17 @@ Definition truncation_bound__rings : Prop :=
   (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) = (-(PI * 2 * k_v) ^ 3) * (cos (v * 2 * PI * k_v)) /\
   (PI * 2 * k_v) ^ 3 - (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
   (PI * 2 * k_v) ^ 3 + (Derive_n (fun v : R => sin (PI * (2 * k_v * v))) 3 v) >= 0 /\
-  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v * 2 * PI * k_v)) /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
-  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0 /\
-  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0.
+  epsilon * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive
+      (fun v : R => sin (PI * (2 * k_v * v))) v)) = (sin (epsilon * PI * 2 * k_v) - 2 * PI * epsilon * k_v) * (cos (v *
+      2 * PI * k_v)) /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI *
+      (2 * k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  epsilon * (1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 *
+      k_v * (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v))) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 + 1 * ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v *
+      (v - epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0 /\
+  1 * (1 / 6) * PI ^ 3 * epsilon ^ 2 * 8 * k_v ^ 3 - ((sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v -
+      epsilon))))) / (2 * epsilon) - (Derive (fun v : R => sin (PI * (2 * k_v * v))) v)) >= 0.
 
 Definition truncation_bound__ridges_u_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -535,8 +600,11 @@ Definition truncation_bound__ridges_u_above : Prop :=
   epsilon <> 0 /\
   ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
   ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = 1 * (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u -
+      epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = 1 * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI *
+      (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = 1 * (Derive (fun u : R => (sin (PI
+      * (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_u_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -549,8 +617,11 @@ Definition truncation_bound__ridges_u_below : Prop :=
   epsilon <> 0 /\
   ex_derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u /\
   ex_derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u /\
-  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
-  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = -(Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u).
+  (1 / 2) * (Rabs ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (k_u * (u -
+      epsilon)))) * (sin (PI * (k_v * v)))))) / epsilon = -(1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI *
+      (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon /\
+  (Derive (fun u : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) u) = -(Derive (fun u : R => (sin (PI *
+      (k_u * u))) * (sin (PI * (k_v * v)))) u).
 
 Definition truncation_bound__ridges_v_above : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -563,8 +634,11 @@ Definition truncation_bound__ridges_v_above : Prop :=
   2 * epsilon <> 0 /\
   ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
   ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
-  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = 1 * (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
+  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v
+      * (v - epsilon))))))) / (2 * epsilon) = 1 * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin
+      (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = 1 * (Derive (fun v : R => (sin (PI
+      * (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__ridges_v_below : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -577,8 +651,11 @@ Definition truncation_bound__ridges_v_below : Prop :=
   2 * epsilon <> 0 /\
   ex_derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v /\
   ex_derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v /\
-  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))))) / (2 * epsilon) = -((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
-  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = -(Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v).
+  (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v))))) - (Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v
+      * (v - epsilon))))))) / (2 * epsilon) = -((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI *
+      (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) /\
+  (Derive (fun v : R => Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v))))) v) = -(Derive (fun v : R => (sin (PI *
+      (k_u * u))) * (sin (PI * (k_v * v)))) v).
 
 Definition truncation_bound__apart : Prop :=
   forall frequency quotient slope : R,
@@ -662,7 +739,11 @@ Definition seed_bump_as_displacement__parallel : Prop :=
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   sin_phi <> 0 ->
-  normal_z * (m_x * (-beta) * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_y * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi)) + normal_x * (m_y * (-beta) * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_z * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi)) + normal_y * (m_z * (-beta) * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_x * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u / sin_phi)) = 0).
+  normal_z * (m_x * (-beta) * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_y * (e_phi_x * h_v
+      + e_theta_x * (1 / 2) * h_u / sin_phi)) + normal_x * (m_y * (-beta) * (e_phi_z * h_v + e_theta_z * (1 / 2) * h_u /
+      sin_phi) - (-1) * beta * m_z * (e_phi_y * h_v + e_theta_y * (1 / 2) * h_u / sin_phi)) + normal_y * (m_z * (-beta)
+      * (e_phi_x * h_v + e_theta_x * (1 / 2) * h_u / sin_phi) - (-1) * beta * m_x * (e_phi_z * h_v + e_theta_z * (1 / 2)
+      * h_u / sin_phi)) = 0).
 
 Definition enclosing_rules__sum : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -678,7 +759,8 @@ Definition enclosing_rules__sum : Prop :=
   Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
   float64 (enclosed_sum_float64.total_error x x_error y y_error) /\
   0 <= enclosed_sum_float64.total_error x x_error y y_error /\
-  Rabs (enclosed_sum_float64.total x y - (x_exact + y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sum_float64.total_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_sum_float64.total x y - (x_exact + y_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_sum_float64.total_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__product : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -696,7 +778,8 @@ Definition enclosing_rules__product : Prop :=
   y_error <= 2 ^ 60 ->
   float64 (enclosed_product_float64.product_error x x_error y y_error) /\
   0 <= enclosed_product_float64.product_error x x_error y y_error /\
-  Rabs (enclosed_product_float64.product x y - (x_exact * y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_product_float64.product_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_product_float64.product x y - (x_exact * y_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_product_float64.product_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__quotient : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -715,7 +798,8 @@ Definition enclosing_rules__quotient : Prop :=
   y_exact <> 0 /\
   float64 (enclosed_quotient_float64.quotient_error x x_error y y_error) /\
   0 <= enclosed_quotient_float64.quotient_error x x_error y y_error /\
-  Rabs (enclosed_quotient_float64.quotient x y - (x_exact / y_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_quotient_float64.quotient_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_quotient_float64.quotient x y - (x_exact / y_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_quotient_float64.quotient_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__root : Prop :=
   forall slack x x_error x_exact : R,
@@ -730,7 +814,8 @@ Definition enclosing_rules__root : Prop :=
   x_exact >= 0 /\
   float64 (enclosed_root_float64.root_error x x_error) /\
   0 <= enclosed_root_float64.root_error x x_error /\
-  Rabs (enclosed_root_float64.root x - (sqrt x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_root_float64.root_error x x_error / 2 ^ 53).
+  Rabs (enclosed_root_float64.root x - (sqrt x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_root_float64.root_error x
+      x_error / 2 ^ 53).
 
 Definition enclosing_rules__floor : Prop :=
   forall slack x x_error x_exact : R,
@@ -743,7 +828,8 @@ Definition enclosing_rules__floor : Prop :=
   x_error <= 2 ^ 60 ->
   float64 (enclosed_floor_float64.below_error x x_error) /\
   0 <= enclosed_floor_float64.below_error x x_error /\
-  Rabs (enclosed_floor_float64.below x - (IZR (Int_part x_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_floor_float64.below_error x x_error / 2 ^ 53).
+  Rabs (enclosed_floor_float64.below x - (IZR (Int_part x_exact))) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_floor_float64.below_error x x_error / 2 ^ 53).
 
 Definition enclosing_rules__nearest : Prop :=
   forall slack x x_error x_exact : R,
@@ -756,7 +842,8 @@ Definition enclosing_rules__nearest : Prop :=
   x_error <= 2 ^ 60 ->
   float64 (enclosed_nearest_float64.nearest_error x x_error) /\
   0 <= enclosed_nearest_float64.nearest_error x x_error /\
-  Rabs (enclosed_nearest_float64.nearest x - (rint x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_nearest_float64.nearest_error x x_error / 2 ^ 53).
+  Rabs (enclosed_nearest_float64.nearest x - (rint x_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_nearest_float64.nearest_error x x_error / 2 ^ 53).
 
 Definition enclosing_rules__selection : Prop :=
   forall slack left left_error left_exact right right_error right_exact x x_error x_exact y y_error y_exact : R,
@@ -780,7 +867,9 @@ Definition enclosing_rules__selection : Prop :=
   Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
   float64 (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error) /\
   0 <= enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error /\
-  Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right right_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_selection_float64.chosen left right x y - ((if Rlt_dec left_exact right_exact then x_exact else
+      y_exact))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_selection_float64.chosen_error left left_error right
+      right_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__sine : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -800,7 +889,8 @@ Definition enclosing_rules__sine : Prop :=
   (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
   float64 (enclosed_sine_float64.sine_error x x_error y y_error) /\
   0 <= enclosed_sine_float64.sine_error x x_error y y_error /\
-  Rabs (enclosed_sine_float64.sine x y - (sin (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_sine_float64.sine_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_sine_float64.sine x y - (sin (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_sine_float64.sine_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__cosine : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -820,7 +910,8 @@ Definition enclosing_rules__cosine : Prop :=
   (10 ^ 285 * (Rabs (x * y)) >= 1 \/ x * y = 0) ->
   float64 (enclosed_cosine_float64.cosine_error x x_error y y_error) /\
   0 <= enclosed_cosine_float64.cosine_error x x_error y y_error /\
-  Rabs (enclosed_cosine_float64.cosine x y - (cos (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_cosine_float64.cosine_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_cosine_float64.cosine x y - (cos (PI * (x_exact * y_exact)))) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_cosine_float64.cosine_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__angle : Prop :=
   forall slack x x_error x_exact y y_error y_exact : R,
@@ -837,7 +928,8 @@ Definition enclosing_rules__angle : Prop :=
   x ^ 2 + y ^ 2 >= / 1024 ->
   float64 (enclosed_angle_float64.angle_error x x_error y y_error) /\
   0 <= enclosed_angle_float64.angle_error x x_error y y_error /\
-  Rabs (enclosed_angle_float64.angle x y - (atan2pi y_exact x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_angle_float64.angle_error x x_error y y_error / 2 ^ 53).
+  Rabs (enclosed_angle_float64.angle x y - (atan2pi y_exact x_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_angle_float64.angle_error x x_error y y_error / 2 ^ 53).
 
 Definition enclosing_rules__exponential : Prop :=
   forall slack x x_error x_exact : R,
@@ -852,7 +944,8 @@ Definition enclosing_rules__exponential : Prop :=
   (10 ^ 285 * (Rabs x) >= 1 \/ x = 0) ->
   float64 (enclosed_exponential_float64.exponential_error x x_error) /\
   0 <= enclosed_exponential_float64.exponential_error x x_error /\
-  Rabs (enclosed_exponential_float64.exponential x - (exp x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_exponential_float64.exponential_error x x_error / 2 ^ 53).
+  Rabs (enclosed_exponential_float64.exponential x - (exp x_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_exponential_float64.exponential_error x x_error / 2 ^ 53).
 
 Definition enclosing_rules__logarithm : Prop :=
   forall slack x x_error x_exact : R,
@@ -867,7 +960,8 @@ Definition enclosing_rules__logarithm : Prop :=
   10 ^ 285 * x >= 1 ->
   float64 (enclosed_logarithm_float64.logarithm_error x x_error) /\
   0 <= enclosed_logarithm_float64.logarithm_error x x_error /\
-  Rabs (enclosed_logarithm_float64.logarithm x - (ln x_exact)) <= slack * (1 + 1 / 2 ^ 49) * (enclosed_logarithm_float64.logarithm_error x x_error / 2 ^ 53).
+  Rabs (enclosed_logarithm_float64.logarithm x - (ln x_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_logarithm_float64.logarithm_error x x_error / 2 ^ 53).
 
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
@@ -890,8 +984,12 @@ Definition central_difference_of_sine__sine_in_u : Prop :=
   epsilon <> 0 /\
   PI * k_u <> 0 /\
   epsilon * PI * k_u <> 0 /\
-  2 * epsilon * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = 2 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) / (PI * k_u) * (sin (epsilon * PI * k_u)) /\
-  (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u) * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))).
+  2 * epsilon * (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u -
+      epsilon)))) * (sin (PI * (k_v * v)))) / epsilon = 2 * PI * k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v))) /
+      (PI * k_u) * (sin (epsilon * PI * k_u)) /\
+  (1 / 2) * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * (u - epsilon)))) * (sin (PI
+      * (k_v * v)))) / epsilon = (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u) * PI * k_u * (cos (PI * (k_u * u))) *
+      (sin (PI * (k_v * v))).
 
 Definition central_difference_of_sine__sine_in_v : Prop :=
   forall epsilon k_u k_v u v : R,
@@ -902,8 +1000,12 @@ Definition central_difference_of_sine__sine_in_v : Prop :=
   2 * epsilon <> 0 /\
   PI * k_v <> 0 /\
   epsilon * PI * k_v <> 0 /\
-  2 * epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) = 2 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) / (PI * k_v) * (sin (epsilon * PI * k_v)) /\
-  ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v - epsilon))))) / (2 * epsilon) = (sin (epsilon * PI * k_v)) / (epsilon * PI * k_v) * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))).
+  2 * epsilon * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v
+      * (v - epsilon))))) / (2 * epsilon) = 2 * PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (k_u * u))) / (PI * k_v)
+      * (sin (epsilon * PI * k_v)) /\
+  ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * (v -
+      epsilon))))) / (2 * epsilon) = (sin (epsilon * PI * k_v)) / (epsilon * PI * k_v) * PI * k_v * (cos (PI * (k_v *
+      v))) * (sin (PI * (k_u * u))).
 
 Definition central_difference_of_sine__rings_in_v : Prop :=
   forall epsilon k_v v : R,
@@ -914,8 +1016,10 @@ Definition central_difference_of_sine__rings_in_v : Prop :=
   2 * epsilon <> 0 /\
   PI * 2 * k_v <> 0 /\
   epsilon * PI * 2 * k_v <> 0 /\
-  2 * epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = 2 * 2 * PI * k_v * (cos (PI * (2 * k_v * v))) / (PI * 2 * k_v) * (sin (epsilon * PI * 2 * k_v)) /\
-  (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = (sin (epsilon * PI * 2 * k_v)) / (epsilon * PI * 2 * k_v) * 2 * PI * k_v * (cos (PI * (2 * k_v * v))).
+  2 * epsilon * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = 2 * 2
+      * PI * k_v * (cos (PI * (2 * k_v * v))) / (PI * 2 * k_v) * (sin (epsilon * PI * 2 * k_v)) /\
+  (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * (v - epsilon))))) / (2 * epsilon) = (sin (epsilon * PI *
+      2 * k_v)) / (epsilon * PI * 2 * k_v) * 2 * PI * k_v * (cos (PI * (2 * k_v * v))).
 
 Definition central_difference_of_sine__cosine : Prop :=
   forall epsilon k_u u : R,
@@ -923,7 +1027,8 @@ Definition central_difference_of_sine__cosine : Prop :=
   k_u > 0 ->
   2 * epsilon <> 0 /\
   epsilon * PI * k_u <> 0 /\
-  (cos (PI * k_u * (epsilon + u)) - (cos (PI * k_u * (u - epsilon)))) / (2 * epsilon) = (-PI) * k_u * (sin (u * PI * k_u)) * (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u).
+  (cos (PI * k_u * (epsilon + u)) - (cos (PI * k_u * (u - epsilon)))) / (2 * epsilon) = (-PI) * k_u * (sin (u * PI *
+      k_u)) * (sin (epsilon * PI * k_u)) / (epsilon * PI * k_u).
 
 Definition seed_orientation__left_handed : Prop :=
   ~ (
@@ -945,7 +1050,9 @@ Definition seed_orientation__left_handed : Prop :=
 Definition hit_of_a__solves : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -955,7 +1062,9 @@ Definition hit_of_a__solves : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -969,7 +1078,9 @@ Definition hit_of_a__solves : Prop :=
 Definition hit_of_a__near : Prop :=
   forall eye radius t x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -978,7 +1089,9 @@ Definition hit_of_a__near : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   (eye * (1 - t) + 0) ^ 2 + (t * y + 0) ^ 2 + (t * x + 0) ^ 2 + 0 = radius ^ 2 ->
   x ^ 2 + y ^ 2 >= 0 /\
@@ -994,7 +1107,9 @@ Definition hit_of_a__near : Prop :=
 Definition hit_of_a__misses : Prop :=
   forall eye radius t x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -1002,7 +1117,9 @@ Definition hit_of_a__misses : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a < 0 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -1024,8 +1141,12 @@ Definition gradients__sine : Prop :=
   h_v = PI * k_v * (sin (u * PI * k_u)) * (cos (v * PI * k_v)) /\
   h_u = (Derive (fun u : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) u) /\
   h_v = (Derive (fun v : R => (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) v) /\
-  PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_u * (sin (epsilon * PI * k_u)) + PI * k_u * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_u) - 1) /\
-  PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = h_v * (sin (epsilon * PI * k_v)) + PI * k_v * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (epsilon * PI * k_v) - 1).
+  PI * k_u * ((sin (PI * (k_u * (epsilon + u)))) * (sin (PI * (k_v * v))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v *
+      v)))) = h_u * (sin (epsilon * PI * k_u)) + PI * k_u * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos
+      (epsilon * PI * k_u) - 1) /\
+  PI * k_v * ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (epsilon + v)))) - (sin (PI * (k_u * u))) * (sin (PI * (k_v *
+      v)))) = h_v * (sin (epsilon * PI * k_v)) + PI * k_v * (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos
+      (epsilon * PI * k_v) - 1).
 
 Definition gradients__rings : Prop :=
   forall epsilon k_v u v : R,
@@ -1037,7 +1158,8 @@ Definition gradients__rings : Prop :=
   h_v = 2 * PI * k_v * (cos (v * 2 * PI * k_v)) /\
   h_u = (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) /\
   h_v = (Derive (fun v : R => sin (PI * (2 * k_v * v))) v) /\
-  2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = h_v * (sin (epsilon * 2 * PI * k_v)) + 2 * PI * k_v * (sin (PI * (2 * k_v * v))) * (cos (epsilon * 2 * PI * k_v) - 1).
+  2 * PI * k_v * (sin (PI * (2 * k_v * (epsilon + v))) - (sin (PI * (2 * k_v * v)))) = h_v * (sin (epsilon * 2 * PI *
+      k_v)) + 2 * PI * k_v * (sin (PI * (2 * k_v * v))) * (cos (epsilon * 2 * PI * k_v) - 1).
 
 Definition gradients__ridges_above : Prop :=
   forall k_u k_v u v : R,
@@ -1121,7 +1243,8 @@ Definition specular_lipschitz__blinn : Prop :=
   halfway_length ^ 2 = halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y ->
   halfway_length <> 0 /\
   halfway_length ^ 2 <> 0 /\
-  halfway_length * (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = halfway_z * n_z + halfway_x * n_x + halfway_y * n_y /\
+  halfway_length * (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = halfway_z * n_z + halfway_x
+      * n_x + halfway_y * n_y /\
   (halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y) / (halfway_length ^ 2) = 1.
 
 Definition specular_lipschitz__gram : Prop :=
@@ -1129,16 +1252,35 @@ Definition specular_lipschitz__gram : Prop :=
   n_z * n_z + n_x * n_x + n_y * n_y = 1 ->
   m_z * m_z + m_x * m_x + m_y * m_y = 1 ->
   omega_z * omega_z + omega_x * omega_x + omega_y * omega_y = 1 ->
-  (n_z * (m_x * omega_y - m_y * omega_x) + n_x * (m_y * omega_z - m_z * omega_y) + n_y * (m_z * omega_x - m_x * omega_z)) ^ 2 = (m_z * omega_z + m_x * omega_x + m_y * omega_y) * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) * (m_z * n_z + m_x * n_x + m_y * n_y) + 1 - (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - (m_z * omega_z + m_x * omega_x + m_y * omega_y) ^ 2 - (m_z * n_z + m_x * n_x + m_y * n_y) ^ 2.
+  (n_z * (m_x * omega_y - m_y * omega_x) + n_x * (m_y * omega_z - m_z * omega_y) + n_y * (m_z * omega_x - m_x *
+      omega_z)) ^ 2 = (m_z * omega_z + m_x * omega_x + m_y * omega_y) * 2 * (n_z * omega_z + n_x * omega_x + n_y *
+      omega_y) * (m_z * n_z + m_x * n_x + m_y * n_y) + 1 - (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - (m_z *
+      omega_z + m_x * omega_x + m_y * omega_y) ^ 2 - (m_z * n_z + m_x * n_x + m_y * n_y) ^ 2.
 
 Definition specular_lipschitz__mirror : Prop :=
   forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z view_x view_y view_z : R,
   n_z * n_z + n_x * n_x + n_y * n_y = 1 ->
   m_z * m_z + m_x * m_x + m_y * m_y = 1 ->
-  (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x)) * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x)) + (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y)) * (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y)) + (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z)) * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z)) = 4 * ((m_z * omega_z + m_x * omega_x + m_y * omega_y) ^ 2 + (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - 2 * (m_z * n_z + m_x * n_x + m_y * n_y) * (m_z * omega_z + m_x * omega_x + m_y * omega_y) * (n_z * omega_z + n_x * omega_x + n_y * omega_y)) /\
-  (n_z - m_z) * (n_z - m_z) + (n_x - m_x) * (n_x - m_x) + (n_y - m_y) * (n_y - m_y) = 2 - 2 * (m_z * n_z + m_x * n_x + m_y * n_y) /\
-  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) * (n_x * view_x + n_y * view_y + n_z * view_z) = view_z * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z) + view_x * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x) + view_y * (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y) /\
-  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (m_x * view_x + m_y * view_y + m_z * view_z) = view_z * (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z) + view_x * (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x) + view_y * (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y).
+  (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y
+      * omega_y) - omega_x)) * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x - (m_x * 2 * (m_z *
+      omega_z + m_x * omega_x + m_y * omega_y) - omega_x)) + (n_y * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y)
+      - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y)) * (n_y * 2 * (n_z * omega_z +
+      n_x * omega_x + n_y * omega_y) - omega_y - (m_y * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y))
+      + (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 * (m_z * omega_z + m_x * omega_x
+      + m_y * omega_y) - omega_z)) * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_z - (m_z * 2 *
+      (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_z)) = 4 * ((m_z * omega_z + m_x * omega_x + m_y * omega_y)
+      ^ 2 + (n_z * omega_z + n_x * omega_x + n_y * omega_y) ^ 2 - 2 * (m_z * n_z + m_x * n_x + m_y * n_y) * (m_z *
+      omega_z + m_x * omega_x + m_y * omega_y) * (n_z * omega_z + n_x * omega_x + n_y * omega_y)) /\
+  (n_z - m_z) * (n_z - m_z) + (n_x - m_x) * (n_x - m_x) + (n_y - m_y) * (n_y - m_y) = 2 - 2 * (m_z * n_z + m_x * n_x +
+      m_y * n_y) /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (n_x * omega_x + n_y * omega_y + n_z * omega_z) * (n_x *
+      view_x + n_y * view_y + n_z * view_z) = view_z * (n_z * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) -
+      omega_z) + view_x * (n_x * 2 * (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_x) + view_y * (n_y * 2 *
+      (n_z * omega_z + n_x * omega_x + n_y * omega_y) - omega_y) /\
+  -omega_x * view_x - omega_y * view_y - omega_z * view_z + 2 * (m_x * omega_x + m_y * omega_y + m_z * omega_z) * (m_x *
+      view_x + m_y * view_y + m_z * view_z) = view_z * (m_z * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) -
+      omega_z) + view_x * (m_x * 2 * (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_x) + view_y * (m_y * 2 *
+      (m_z * omega_z + m_x * omega_x + m_y * omega_y) - omega_y).
 
 Definition specular_lipschitz__twice : Prop :=
   forall a apart b c turned : R,
@@ -1255,7 +1397,8 @@ Definition squared_highlight__cosine : Prop :=
   let halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 in
   let along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z in
   let light_scale := (if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0) in
-  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z) in
+  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x -
+      bumped_y * view_y - bumped_z * view_z) in
   let to_light_x_plain := light_x - point_x in
   let to_light_y_plain := light_y - point_y in
   let to_light_z_plain := light_z - point_z in
@@ -1293,7 +1436,8 @@ Definition squared_highlight__opposite : Prop :=
   let halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 in
   let along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z in
   let light_scale := (if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0) in
-  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z) in
+  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x -
+      bumped_y * view_y - bumped_z * view_z) in
   light_distance > 0 ->
   halfway_x = 0 ->
   halfway_y = 0 ->
@@ -1307,18 +1451,24 @@ Definition hit_of_b__quadratic : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye t x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 - ball_radius ^ 2 = (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2 + t ^ 2 * ((-eye) * (-eye) + x * x + y * y) - 2 * t * toward_b /\
-  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 - ball_radius ^ 2
+      = (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2 + t ^ 2 *
+      ((-eye) * (-eye) + x * x + y * y) - 2 * t * toward_b /\
+  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 -
+      ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
 
 Definition hit_of_b__solves : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
   let hits_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then 1 else 0) in
-  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+      toward_b) in
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   discriminant_b >= 0 ->
   toward_b > 0 ->
@@ -1326,21 +1476,25 @@ Definition hit_of_b__solves : Prop :=
   Rmax 0 discriminant_b >= 0 /\
   root_b + toward_b <> 0 /\
   hits_b = 1 /\
-  (eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 /\
+  (eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 =
+      ball_radius ^ 2 /\
   t_b > 0.
 
 Definition hit_of_b__near : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+      toward_b) in
   eye > 0 ->
   discriminant_b >= 0 ->
   toward_b > 0 ->
   ball_on > 0 ->
-  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 ->
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2
+     ->
   Rmax 0 discriminant_b >= 0 /\
   root_b + toward_b <> 0 /\
   (-eye) * (-eye) + x * x + y * y > 0 /\
@@ -1352,11 +1506,13 @@ Definition hit_of_b__behind : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let hits_b := (if both (both (Rlt_dec 0 ball_on) (Rle_dec 0 discriminant_b)) (Rlt_dec 0 toward_b) then 1 else 0) in
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   toward_b <= 0 ->
-  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2 ->
+  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2
+     ->
   t < 0 /\
   hits_b = 0.
 
@@ -1364,9 +1520,11 @@ Definition hit_of_b__outward : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b + toward_b) in
+  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
+      toward_b) in
   let moment_x := distance * y - ball_center_y * eye in
   let moment_y := ball_center_x * eye - distance * x in
   let moment_z := ball_center_x * y - ball_center_y * x in
@@ -1406,7 +1564,8 @@ Definition hit_of_b__outward : Prop :=
 Definition seed_quadratic_of_b__constant : Prop :=
   ~ (
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
-  ball_center_z ^ 2 + ball_center_y ^ 2 + ball_center_x ^ 2 + 0 - ball_radius ^ 2 = (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2).
+  ball_center_z ^ 2 + ball_center_y ^ 2 + ball_center_x ^ 2 + 0 - ball_radius ^ 2 = (eye - ball_center_z) ^ 2 + (0 -
+      ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2).
 
 Definition ridges_on_creases__crease_in_u : Prop :=
   forall k_u k_v m to_u v : R,
@@ -1421,10 +1580,14 @@ Definition ridges_on_creases__crease_in_u : Prop :=
   Rabs (sin (PI * (k_u * (m / k_u - to_u)))) >= sin (to_u * PI * k_u) /\
   sin (to_u * PI * k_u) >= Rabs (sin (PI * (k_u * (m / k_u - to_u)))) /\
   Rabs (sin (PI * (k_u * (m / k_u - to_u)))) = sin (to_u * PI * k_u) /\
-  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
-  Rabs ((sin (PI * (k_u * (m / k_u - to_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI * k_v))) /\
-  to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) >= Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2).
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v *
+      PI * k_v))) /\
+  Rabs ((sin (PI * (k_u * (m / k_u - to_u)))) * (sin (PI * (k_v * v)))) = (sin (to_u * PI * k_u)) * (Rabs (sin (v * PI *
+      k_v))) /\
+  to_u * PI * k_u * (Rabs (sin (v * PI * k_v))) >= Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v *
+      v)))) /\
+  Rabs ((sin (PI * (k_u * (1 * to_u + m / k_u)))) * (sin (PI * (k_v * v)))) >= to_u * PI * k_u * (Rabs (sin (v * PI *
+      k_v))) * (1 - (1 / 6) * PI ^ 2 * k_u ^ 2 * to_u ^ 2).
 
 Definition ridges_on_creases__crease_in_v : Prop :=
   forall k_u k_v m to_v u : R,
@@ -1439,10 +1602,14 @@ Definition ridges_on_creases__crease_in_v : Prop :=
   Rabs (sin (PI * (k_v * (m / k_v - to_v)))) >= sin (to_v * PI * k_v) /\
   sin (to_v * PI * k_v) >= Rabs (sin (PI * (k_v * (m / k_v - to_v)))) /\
   Rabs (sin (PI * (k_v * (m / k_v - to_v)))) = sin (to_v * PI * k_v) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (m / k_v - to_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
-  to_v * PI * k_v * (Rabs (sin (u * PI * k_u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) /\
-  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) >= to_v * PI * k_v * (Rabs (sin (u * PI * k_u))) * (1 - (1 / 6) * PI ^ 2 * k_v ^ 2 * to_v ^ 2).
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u *
+      PI * k_u))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (m / k_v - to_v))))) = (sin (to_v * PI * k_v)) * (Rabs (sin (u * PI *
+      k_u))) /\
+  to_v * PI * k_v * (Rabs (sin (u * PI * k_u))) >= Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m /
+      k_v))))) /\
+  Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * (1 * to_v + m / k_v))))) >= to_v * PI * k_v * (Rabs (sin (u * PI *
+      k_u))) * (1 - (1 / 6) * PI ^ 2 * k_v ^ 2 * to_v ^ 2).
 
 Definition ridges_on_creases__differ : Prop :=
   forall angle left right slope : R,
@@ -1467,8 +1634,10 @@ Definition gradient_accuracy__sine : Prop :=
   v <= 1 ->
   Rabs k_v <= 1048576 ->
   (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
-  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
-  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1
+      (Rabs k_u)) /\
+  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1
+      (Rabs k_v)).
 
 Definition gradient_accuracy__ridges : Prop :=
   forall u v k_u k_v : R,
@@ -1484,8 +1653,10 @@ Definition gradient_accuracy__ridges : Prop :=
   v <= 1 ->
   Rabs k_v <= 1048576 ->
   (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
-  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_u)) /\
-  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs k_v)).
+  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax
+      1 (Rabs k_u)) /\
+  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 9007199254740992 * PI * (Rmax
+      1 (Rabs k_v)).
 
 Definition gradient_accuracy__rings : Prop :=
   forall v k_v : R,
@@ -1495,7 +1666,8 @@ Definition gradient_accuracy__rings : Prop :=
   v <= 1 ->
   Rabs k_v <= 1048576 ->
   (10 ^ 285 * (Rabs (k_v * v)) >= 1 \/ k_v * v = 0) ->
-  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs (2 * k_v))).
+  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 9007199254740992 * PI * (Rmax 1 (Rabs (2 *
+      k_v))).
 
 Definition rounded_powers__three_roundings_of_one : Prop :=
   forall first growth second third unit : R,
@@ -1521,13 +1693,15 @@ Definition rounded_powers__square : Prop :=
   excess + first >= 0 ->
   excess - second >= 0 ->
   excess + second >= 0 ->
-  (2 * imaginary_part * real_part) ^ 2 + ((real_part - imaginary_part) * (imaginary_part + real_part)) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
+  (2 * imaginary_part * real_part) ^ 2 + ((real_part - imaginary_part) * (imaginary_part + real_part)) ^ 2 =
+      (imaginary_part ^ 2 + real_part ^ 2) ^ 2 /\
   excess ^ 2 - first ^ 2 >= 0 /\
   excess ^ 2 - second ^ 2 >= 0 /\
   excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) ^ 2 >= off_first ^ 2 + off_second ^ 2.
 
 Definition rounded_powers__product : Prop :=
-  forall excess first fourth imaginary_part off_first off_second other_imaginary other_real real_part second third unit : R,
+  forall excess first fourth imaginary_part off_first off_second other_imaginary other_real real_part second third unit :
+    R,
   unit >= 0 ->
   excess = (unit + 1) ^ 3 - 1 ->
   off_first = first * other_real * real_part - imaginary_part * other_imaginary * second ->
@@ -1540,15 +1714,19 @@ Definition rounded_powers__product : Prop :=
   third + unit ^ 2 + 2 * unit >= 0 ->
   unit ^ 2 + 2 * unit - fourth >= 0 ->
   fourth + unit ^ 2 + 2 * unit >= 0 ->
-  (other_real * real_part - imaginary_part * other_imaginary) ^ 2 + (imaginary_part * other_real + other_imaginary * real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) /\
+  (other_real * real_part - imaginary_part * other_imaginary) ^ 2 + (imaginary_part * other_real + other_imaginary *
+      real_part) ^ 2 = (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) /\
   (unit ^ 2 + 2 * unit) ^ 2 - first ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - second ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - third ^ 2 >= 0 /\
   (unit ^ 2 + 2 * unit) ^ 2 - fourth ^ 2 >= 0 /\
-  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_imaginary) ^ 2 + (other_real * real_part) ^ 2) >= off_first ^ 2 /\
-  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_real) ^ 2 + (other_imaginary * real_part) ^ 2) >= off_second ^ 2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_imaginary) ^ 2 + (other_real * real_part) ^ 2) >= off_first ^
+      2 /\
+  2 * (unit ^ 2 + 2 * unit) ^ 2 * ((imaginary_part * other_real) ^ 2 + (other_imaginary * real_part) ^ 2) >= off_second
+      ^ 2 /\
   excess ^ 2 >= 2 * (unit ^ 2 + 2 * unit) ^ 2 /\
-  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) >= off_first ^ 2 + off_second ^ 2.
+  excess ^ 2 * (imaginary_part ^ 2 + real_part ^ 2) * (other_imaginary ^ 2 + other_real ^ 2) >= off_first ^ 2 +
+      off_second ^ 2.
 
 Definition rounded_powers__power : Prop :=
   forall excess most most_other off off_first off_second other_size own size : R,
@@ -1612,10 +1790,14 @@ Definition roundoff_bound__in_u : Prop :=
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
   2 * epsilon * (growth * h_u - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 * epsilon * (growth * h_u - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 * epsilon * (growth * h_u - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_u - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_u - mean >= 0.
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 *
+      epsilon * (growth * h_u - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 *
+      epsilon * (growth * h_u - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_u - mean)
+      >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_u - mean >=
+     0.
 
 Definition roundoff_bound__in_v : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
@@ -1645,10 +1827,14 @@ Definition roundoff_bound__in_v : Prop :=
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
   2 * epsilon * (growth * h_v - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 * epsilon * (growth * h_v - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 * epsilon * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_v - mean >= 0.
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 *
+      epsilon * (growth * h_v - mean) >= 0 /\
+  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 *
+      epsilon * (growth * h_v - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_v - mean)
+      >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_v - mean >=
+     0.
 
 Definition roundoff_bound__clamped : Prop :=
   forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
@@ -1680,10 +1866,14 @@ Definition roundoff_bound__clamped : Prop :=
   excess * steepest - mean * (growth - 1) >= 0 /\
   excess * steepest + mean * (growth - 1) >= 0 /\
   (epsilon + v) * (growth * h_v - mean) = growth * (off_plus - off_minus) + mean * (epsilon + v) * (growth - 1) /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) - (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) + (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) - (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) + growth * h_v - mean >= 0.
+  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) -
+      (epsilon + v) * (growth * h_v - mean) >= 0 /\
+  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) +
+      (epsilon + v) * (growth * h_v - mean) >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) - (growth * h_v - mean)
+      >= 0 /\
+  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) + growth * h_v - mean >=
+     0.
 
 Definition roundoff_bound__two_roundings : Prop :=
   forall first growth second unit : R,
@@ -1721,18 +1911,30 @@ Definition seed_step_in_beta__verifies : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
   normal_z * normal_z + normal_x * normal_x + normal_y * normal_y = 1 ->
   g_z * normal_z + g_x * normal_x + g_y * normal_y = 0 ->
-  (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2 >= 0 ->
-  sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2) <> 0 ->
+  (g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 /
+      10000000)) + normal_z) ^ 2 >= 0 ->
+  sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta +
+      (1 / 10000000)) + normal_z) ^ 2) <> 0 ->
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 ->
   sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 ->
-  (1 / 1000000000000) >= Rabs (((g_x * (beta + (1 / 10000000)) + normal_x) / sqrt ((g_x * (beta + (1 / 10000000)) + normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2) - (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / ((1 / 10000000)) - (g_x - (beta * g_x + normal_x) * (g_x * (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_y * (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_z * (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2))).
+  (1 / 1000000000000) >= Rabs (((g_x * (beta + (1 / 10000000)) + normal_x) / sqrt ((g_x * (beta + (1 / 10000000)) +
+      normal_x) ^ 2 + (g_y * (beta + (1 / 10000000)) + normal_y) ^ 2 + (g_z * (beta + (1 / 10000000)) + normal_z) ^ 2) -
+      (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z +
+      normal_z) ^ 2)) / ((1 / 10000000)) - (g_x - (beta * g_x + normal_x) * (g_x * (beta * g_x + normal_x) / sqrt ((beta
+      * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_y * (beta * g_y + normal_y)
+      / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) + g_z * (beta *
+      g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2))
+      / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) / sqrt ((beta *
+      g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2))).
 
 Definition lagrange_identity__of_b : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  discriminant_b = toward_b ^ 2 - ((eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 -
+      ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y).
 
 Definition lagrange_identity__of_shadow : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z : R,
@@ -1744,8 +1946,10 @@ Definition lagrange_identity__of_shadow : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2).
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
+      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y *
+      offset_y - body_radius ^ 2).
 
 Definition shadow_out_of_reach__within : Prop :=
   forall ball_radius share to_ball_x to_ball_y to_ball_z : R,
@@ -1761,17 +1965,22 @@ Definition shadow_out_of_reach__cone : Prop :=
   distance ^ 2 = axis_z * axis_z + axis_x * axis_x + axis_y * axis_y ->
   wander ^ 2 = aside_z * aside_z + aside_x * aside_x + aside_y * aside_y ->
   product = aside_z * axis_z + aside_x * axis_x + aside_y * axis_y ->
-  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) * (aside_y * axis_x - aside_x * axis_y) + (aside_x * axis_z - aside_z * axis_x) * (aside_x * axis_z - aside_z * axis_x) + (aside_z * axis_y - aside_y * axis_z) * (aside_z * axis_y - aside_y * axis_z) /\
+  distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) * (aside_y * axis_x - aside_x *
+      axis_y) + (aside_x * axis_z - aside_z * axis_x) * (aside_x * axis_z - aside_z * axis_x) + (aside_z * axis_y -
+      aside_y * axis_z) * (aside_z * axis_y - aside_y * axis_z) /\
   distance ^ 2 * wander ^ 2 - product ^ 2 >= 0 /\
   distance * wander >= 0 /\
   distance * wander + product >= 0 /\
-  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) = (distance - wander) ^ 2 + 2 * (distance * wander + product) /\
+  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y +
+      axis_y) = (distance - wander) ^ 2 + 2 * (distance * wander + product) /\
   distance - wander > body_radius /\
   (distance - wander) ^ 2 > body_radius ^ 2 /\
-  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y + axis_y) > body_radius ^ 2.
+  (aside_z + axis_z) * (aside_z + axis_z) + (aside_x + axis_x) * (aside_x + axis_x) + (aside_y + axis_y) * (aside_y +
+      axis_y) > body_radius ^ 2.
 
 Definition shadow_out_of_reach__quadratic : Prop :=
-  forall ball_center_x ball_center_y ball_center_z ball_radius body_radius center_x center_y center_z light_x light_y light_z share : R,
+  forall ball_center_x ball_center_y ball_center_z ball_radius body_radius center_x center_y center_z light_x light_y
+    light_z share : R,
   let from_body_x := light_x - center_x in
   let from_body_y := light_y - center_y in
   let from_body_z := light_z - center_z in
@@ -1781,7 +1990,9 @@ Definition shadow_out_of_reach__quadratic : Prop :=
   let at_light := from_body_x ^ 2 - body_radius ^ 2 + from_body_y ^ 2 + from_body_z ^ 2 in
   let half_slope := along_x * from_body_x + along_y * from_body_y + along_z * from_body_z - ball_radius * body_radius in
   let curvature := along_x ^ 2 + along_y ^ 2 + along_z ^ 2 - ball_radius ^ 2 in
-  (along_z * share + from_body_z) * (along_z * share + from_body_z) + (along_x * share + from_body_x) * (along_x * share + from_body_x) + (along_y * share + from_body_y) * (along_y * share + from_body_y) - (ball_radius * share + body_radius) ^ 2 = at_light + share * (curvature * share + 2 * half_slope).
+  (along_z * share + from_body_z) * (along_z * share + from_body_z) + (along_x * share + from_body_x) * (along_x * share
+      + from_body_x) + (along_y * share + from_body_y) * (along_y * share + from_body_y) - (ball_radius * share +
+      body_radius) ^ 2 = at_light + share * (curvature * share + 2 * half_slope).
 
 Definition shadow_out_of_reach__turns_before : Prop :=
   forall bend low share slope : R,
@@ -1936,21 +2147,31 @@ Definition pole__rings : Prop :=
   g_y = 2 * PI * k_v * (sin theta) /\
   g_z = 0 * 2 * PI * k_v /\
   g_z * g_z + g_x * g_x + g_y * g_y = (2 * PI * k_v) ^ 2 /\
-  (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) * (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) + (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) * (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) + (g_y - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) * (g_y - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) = (4 * PI * k_v) ^ 2.
+  (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) * (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0
+      * 0)) + (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) * (g_x
+      - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) + (g_y - (2 * PI *
+      k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) * (g_y - (2 * PI * k_v * (cos (PI *
+      (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) = (4 * PI * k_v) ^ 2.
 
 Definition pole__surface_gradient : Prop :=
   forall k_u theta : R,
-  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos theta) in
-  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
-  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2.
+  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos
+      theta) in
+  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2))
+      in
+  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
+      ^ 2.
 
 Definition pole__surface_gradient_differs : Prop :=
   forall k_u theta : R,
-  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos theta) in
-  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2)) in
+  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos
+      theta) in
+  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2))
+      in
   (1 - (1 / 4) * k_u ^ 2) ^ 2 > 0 ->
   (sin (k_u * (theta + PI) / 2)) ^ 2 > 0 ->
-  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2 /\
+  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
+      ^ 2 /\
   ((1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2) ^ 2 > 0 /\
   (surface_x * surface_x + surface_y * surface_y - (1 / 4) * k_u ^ 2) ^ 2 > 0.
 
@@ -1970,8 +2191,10 @@ Definition pole__surface_gradient_2 : Prop :=
 
 Definition pole__surface_gradient_minus_2 : Prop :=
   forall theta : R,
-  let surface_x := (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (-(sin theta)) + (sin ((-2 * (theta + PI)) / 2)) * (cos theta) in
-  let surface_y := (sin theta) * (sin ((-2 * (theta + PI)) / 2)) + (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (cos theta) in
+  let surface_x := (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (-(sin theta)) + (sin ((-2 * (theta + PI)) / 2)) * (cos
+      theta) in
+  let surface_y := (sin theta) * (sin ((-2 * (theta + PI)) / 2)) + (-2 / 2) * (cos ((-2 * (theta + PI)) / 2)) * (cos
+      theta) in
   surface_x = 0 /\
   surface_y = 1.
 
@@ -1985,7 +2208,8 @@ Definition pole__polynomial : Prop :=
   forall n : nat,
   sin ((INR n) * phi) = (chebyshev n) * (sin phi) /\
   sin (phi * (INR n + 1)) = (following n) * (sin phi) /\
-  (sin (PI * ((INR n) * phi / PI))) * (sin (PI * (2 * (theta + PI) / (2 * PI)))) = (chebyshev n) * (-(sin phi) * (sin theta)).
+  (sin (PI * ((INR n) * phi / PI))) * (sin (PI * (2 * (theta + PI) / (2 * PI)))) = (chebyshev n) * (-(sin phi) * (sin
+      theta)).
 
 Definition sine_is_smooth_everywhere__one_limit : Prop :=
   ~ (
@@ -1998,7 +2222,8 @@ Definition seed_pole_rows__beside : Prop :=
   (m - 128) * (m - 127) >= 0 ->
   (n - 109) * (n - 108) >= 0 ->
   (n - 110) * (n - 107) <= 0 ->
-  ((1 / 10000) * (4 / 3)) ^ 2 > (5 / 3) * (((2 * m - 256 + 1) / 256) ^ 2 + 0 + ((-2 * n - 1 + 256) / 256 + (-3 / 20)) ^ 2)).
+  ((1 / 10000) * (4 / 3)) ^ 2 > (5 / 3) * (((2 * m - 256 + 1) / 256) ^ 2 + 0 + ((-2 * n - 1 + 256) / 256 + (-3 / 20)) ^
+      2)).
 
 Definition ridges_at_crossings__crossing : Prop :=
   forall k_u k_v m n to_u to_v : R,
@@ -2008,8 +2233,10 @@ Definition ridges_at_crossings__crossing : Prop :=
   sin (PI * n) = 0 ->
   k_u <> 0 /\
   k_v <> 0 /\
-  (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 = ((sin (to_u * PI * k_u)) * (sin (to_v * PI * k_v))) ^ 2 /\
-  ((sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2) ^ 2 >= 4 * (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 /\
+  (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) * (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 = ((sin (to_u * PI * k_u))
+      * (sin (to_v * PI * k_v))) ^ 2 /\
+  ((sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2) ^ 2 >= 4 * (Rabs ((sin (PI * (k_u * (to_u + m / k_u)))) *
+      (sin (PI * (k_v * (to_v + n / k_v)))))) ^ 2 /\
   (to_u * PI * k_u) ^ 2 + (to_v * PI * k_v) ^ 2 >= (sin (to_u * PI * k_u)) ^ 2 + (sin (to_v * PI * k_v)) ^ 2.
 
 Definition ridges_at_crossings__flat : Prop :=
@@ -2027,7 +2254,8 @@ Definition ridges_differentiable__one_slope : Prop :=
   ~ (
   forall k_u k_v u v : R,
   sin (u * PI * k_u) = 0 ->
-  Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))))).
+  Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = -(Rabs (k_u * (cos (PI * (k_u * u))) * (sin (PI * (k_v
+      * v)))))).
 
 Definition best_step__least : Prop :=
   forall best epsilon rounding truncation : R,
@@ -2095,7 +2323,8 @@ Definition clamped_difference_of_odd__second_order : Prop :=
   let v_plus := Rmin 1 (epsilon + v) in
   let v_minus := Rmax (v - epsilon) 0 in
   let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := bend_plus * (epsilon + v) ^ 3 / 24 + (epsilon + v) * (bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) + slope) in
+  let h_v_plus := bend_plus * (epsilon + v) ^ 3 / 24 + (epsilon + v) * (bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) *
+      v ^ 2) + slope) in
   let h_v_minus := 0 in
   let h_v := (h_v_plus - h_v_minus) / span_v in
   epsilon > 0 ->
@@ -2121,23 +2350,44 @@ Definition clamped_difference_of_odd__second_order_sharp : Prop :=
   v - epsilon < 0 ->
   epsilon + v <= 1 ->
   epsilon + v - 0 <> 0 /\
-  ((1 / 6) * (epsilon + v) ^ 3 - (1 / 6) * 0 ^ 3) / (epsilon + v - 0) - (1 / 2) * v ^ 2 = 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2).
+  ((1 / 6) * (epsilon + v) ^ 3 - (1 / 6) * 0 ^ 3) / (epsilon + v - 0) - (1 / 2) * v ^ 2 = 1 * ((1 / 6) * epsilon ^ 2 +
+      (1 / 3) * epsilon * v - (1 / 3) * v ^ 2).
 
 Definition displaced_normal__product : Prop :=
   forall beta h h_phi h_theta phi phi_0 theta theta_0 : R,
   theta = theta_0 ->
   phi = phi_0 ->
   sin phi > 0 ->
-  ex_derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi /\
-  ex_derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta /\
+  ex_derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0))
+      + 1)) phi /\
+  ex_derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta
+     /\
   ex_derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi /\
-  ex_derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta /\
+  ex_derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta -
+      theta_0)) + 1)) theta /\
   sin phi <> 0 /\
-  ex_derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta /\
-  ex_derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi /\
-  (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) - (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta * (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
-  (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) phi) - (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos phi)) theta) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
-  (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) - (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) = (beta * h + 1) * (sin phi) * ((beta * h + 1) * (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
+  ex_derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta -
+      theta_0)) + 1)) theta /\
+  ex_derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0))
+      + 1)) phi /\
+  (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) +
+      1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) * (cos
+      phi)) theta) - (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta *
+      (theta - theta_0)) + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta -
+      theta_0)) + 1) * (cos phi)) phi) = (beta * h + 1) * (sin phi) * ((sin phi) * (cos theta) * (beta * h + 1) - beta *
+      (h_phi * (cos phi) * (cos theta) + h_theta * (-(sin theta)) / (sin phi))) /\
+  (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0))
+      + 1)) theta) * (Derive (fun phi : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1) *
+      (cos phi)) phi) - (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta *
+      (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta -
+      theta_0)) + 1) * (cos phi)) theta) = (beta * h + 1) * (sin phi) * ((sin phi) * (sin theta) * (beta * h + 1) - beta
+      * (h_phi * (sin theta) * (cos phi) + h_theta * (cos theta) / (sin phi))) /\
+  (Derive (fun theta : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta * (theta - theta_0))
+      + 1)) theta) * (Derive (fun phi : R => (sin phi) * (cos theta) * (beta * (h_phi * (phi - phi_0) + h + h_theta *
+      (theta - theta_0)) + 1)) phi) - (Derive (fun phi : R => (sin phi) * (sin theta) * (beta * (h_phi * (phi - phi_0) +
+      h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi *
+      (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) = (beta * h + 1) * (sin phi) * ((beta * h + 1) *
+      (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
 
 Definition displaced_normal__chart_scale : Prop :=
   forall h_u h_v phi theta : R,
@@ -2194,13 +2444,25 @@ Definition displaced_normal__first_order : Prop :=
   cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
   sin_phi > 0 ->
   sin_phi <> 0 /\
-  lift * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x = (-beta ^ 2) * h * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) /\
-  lift * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y = (-beta ^ 2) * h * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) /\
-  lift * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z = (-beta ^ 2) * h * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) /\
-  (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) + (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) + (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) = h_phi ^ 2 + (h_theta / sin_phi) ^ 2 /\
-  displaced_y * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_y * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) - normal_z * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) /\
-  displaced_z * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_z * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) - normal_x * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) /\
-  displaced_x * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_x * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) - normal_y * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)).
+  lift * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x = (-beta ^ 2) * h *
+      (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) /\
+  lift * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y = (-beta ^ 2) * h *
+      (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) /\
+  lift * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z = (-beta ^ 2) * h *
+      (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) /\
+  (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) + (e_phi_x *
+      h_phi + e_theta_x * h_theta / sin_phi) * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) + (e_phi_y * h_phi +
+      e_theta_y * h_theta / sin_phi) * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) = h_phi ^ 2 + (h_theta /
+      sin_phi) ^ 2 /\
+  displaced_y * (1 * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) - displaced_z * (1 * normal_y
+      - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_y * (e_phi_z * h_phi +
+      e_theta_z * h_theta / sin_phi) - normal_z * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) /\
+  displaced_z * (1 * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) - displaced_x * (1 * normal_z
+      - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_z * (e_phi_x * h_phi +
+      e_theta_x * h_theta / sin_phi) - normal_x * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi)) /\
+  displaced_x * (1 * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi)) - displaced_y * (1 * normal_x
+      - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)) = (-beta ^ 2) * h * (normal_x * (e_phi_y * h_phi +
+      e_theta_y * h_theta / sin_phi) - normal_y * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi)).
 
 Definition unit_length__g_is_tangent : Prop :=
   forall cos_phi cos_theta h_u h_v sin_phi sin_theta : R,
@@ -2244,7 +2506,9 @@ Definition unit_length__length : Prop :=
 Definition stable_frame__angles : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -2259,7 +2523,9 @@ Definition stable_frame__angles : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -2302,14 +2568,18 @@ Definition stable_frame__seed_frame : Prop :=
 Definition silhouette_of_a__quadratic : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
   tangent_squared <> 0 /\
@@ -2318,14 +2588,18 @@ Definition silhouette_of_a__quadratic : Prop :=
 Definition silhouette_of_a__inside : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   rho <= rho_silhouette ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -2338,14 +2612,18 @@ Definition silhouette_of_a__inside : Prop :=
 Definition silhouette_of_a__only_inside : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -2356,7 +2634,9 @@ Definition silhouette_of_a__only_inside : Prop :=
 Definition silhouette_of_a__in_front : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -2365,7 +2645,9 @@ Definition silhouette_of_a__in_front : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -2378,14 +2660,18 @@ Definition silhouette_of_a__in_front : Prop :=
 Definition silhouette_of_a__tangent : Prop :=
   forall eye radius x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   (eye ^ 2 - radius ^ 2) * (x ^ 2 + y ^ 2) = eye ^ 2 * radius ^ 2 ->
   x ^ 2 + y ^ 2 >= 0 /\
   tangent_squared >= 0 /\
@@ -2393,8 +2679,11 @@ Definition silhouette_of_a__tangent : Prop :=
   eye ^ 2 <> 0 /\
   discriminant_a = 0 /\
   rho ^ 2 = rho_silhouette ^ 2 /\
-  eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * (1 - radius ^ 2 / (eye ^ 2)) * x * (1 - radius ^ 2 / (eye ^ 2)) + y * (1 - radius ^ 2 / (eye ^ 2)) * y * (1 - radius ^ 2 / (eye ^ 2)) = radius ^ 2 /\
-  (-eye) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * x * (1 - radius ^ 2 / (eye ^ 2)) + y * y * (1 - radius ^ 2 / (eye ^ 2)) = 0 /\
+  eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * (1 - radius ^ 2 / (eye ^ 2))
+      * x * (1 - radius ^ 2 / (eye ^ 2)) + y * (1 - radius ^ 2 / (eye ^ 2)) * y * (1 - radius ^ 2 / (eye ^ 2)) = radius
+      ^ 2 /\
+  (-eye) * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) + x * x * (1 - radius ^ 2 / (eye ^ 2)) + y * y * (1 - radius ^ 2 /
+      (eye ^ 2)) = 0 /\
   eye * eye * (1 - (1 - radius ^ 2 / (eye ^ 2))) = radius ^ 2.
 
 Definition seed_covers_the_view__covers : Prop :=
@@ -2405,7 +2694,8 @@ Definition seed_covers_the_view__covers : Prop :=
   y <= 2 ->
   (1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10)) > (1 / 4) * 35 /\
   ((1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10))) ^ 2 > (1225 / 16) /\
-  ((1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10))) ^ 2 - (0 + ((1 / 2)) ^ 2 + ((1 / 2)) ^ 2 + ((13 / 10)) ^ 2 - ((8 / 25)) ^ 2) * (x * x + y * y + (-4) * (-4)) > 0.
+  ((1 / 2) * x + (1 / 2) * y + 4 * (4 - (13 / 10))) ^ 2 - (0 + ((1 / 2)) ^ 2 + ((1 / 2)) ^ 2 + ((13 / 10)) ^ 2 - ((8 /
+      25)) ^ 2) * (x * x + y * y + (-4) * (-4)) > 0.
 
 Definition seed_covers_the_view__before : Prop :=
   forall b d : R,
@@ -2436,24 +2726,29 @@ Definition seam__parity : Prop :=
 Definition seam__sine : Prop :=
   forall k_u k_v u v : R,
   let h_jump := (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) in
-  let slope_jump := PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) in
+  let slope_jump := PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) *
+      (sin (PI * (k_v * v))) in
   h_jump = (-(sin (PI * k_u))) * (sin (PI * (k_v * v))) /\
   slope_jump = PI * k_u * (1 - (cos (PI * k_u))) * (sin (PI * (k_v * v))) /\
-  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * k_u)) * (cos (u * PI * k_u)) * (sin (PI * (k_v * v))) + (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (PI * k_u)).
+  (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * k_u)) * (cos (u * PI * k_u)) * (sin (PI * (k_v *
+      v))) + (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))) * (cos (PI * k_u)).
 
 Definition seam__even : Prop :=
   forall k_u k_v u v : R,
   cos (PI * k_u) = 1 ->
   (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
-  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
-  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (0 * k_u))) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (1 * k_u))) = 0 /\
+  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v *
+      v))) = 0 /\
+  PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (0 * k_u))) - PI * k_v * (cos (PI * (k_v * v))) * (sin (PI * (1 *
+      k_u))) = 0 /\
   (sin (PI * (k_u * (u + 1)))) * (sin (PI * (k_v * v))) = (sin (PI * (k_u * u))) * (sin (PI * (k_v * v))).
 
 Definition seam__odd : Prop :=
   forall k_u k_v v : R,
   cos (PI * k_u) = -1 ->
   (sin (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - (sin (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 0 /\
-  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v * v))) = 2 * PI * k_u * (sin (PI * (k_v * v))).
+  PI * k_u * (cos (PI * (0 * k_u))) * (sin (PI * (k_v * v))) - PI * k_u * (cos (PI * (1 * k_u))) * (sin (PI * (k_v *
+      v))) = 2 * PI * k_u * (sin (PI * (k_v * v))).
 
 Definition seam__ridges : Prop :=
   forall k_u k_v v : R,
@@ -2466,16 +2761,21 @@ Definition seam__ridges : Prop :=
 Definition seam__ridges_crease : Prop :=
   forall k_u k_v step v : R,
   sin (PI * k_u) = 0 ->
-  (Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v))))) ^ 2 = (sin (step * PI * k_u)) ^ 2 * (sin (PI * (k_v * v))) ^ 2 /\
-  (Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v))))) ^ 2 = (Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v))))) ^ 2 /\
-  Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v)))) /\
-  Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))).
+  (Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v))))) ^ 2 = (sin (step * PI * k_u)) ^ 2 * (sin (PI * (k_v * v)))
+      ^ 2 /\
+  (Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v))))) ^ 2 = (Rabs ((sin (PI * (k_u * step))) * (sin (PI *
+      (k_v * v))))) ^ 2 /\
+  Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v *
+      v)))) /\
+  Rabs ((sin (PI * (k_u * (1 - step)))) * (sin (PI * (k_v * v)))) >= Rabs ((sin (PI * (k_u * step))) * (sin (PI * (k_v *
+      v)))).
 
 Definition seam__ridges_jump : Prop :=
   forall k_u k_v v : R,
   (sin (PI * k_u)) ^ 2 > 0 ->
   (sin (PI * (k_v * v))) ^ 2 > 0 ->
-  -(Rabs ((sin (PI * (0 * k_u))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (1 * k_u))) * (sin (PI * (k_v * v)))))) > 0.
+  -(Rabs ((sin (PI * (0 * k_u))) * (sin (PI * (k_v * v)))) - (Rabs ((sin (PI * (1 * k_u))) * (sin (PI * (k_v * v)))))) >
+     0.
 
 Definition seam__rings : Prop :=
   forall k_v u v : R,
@@ -2492,10 +2792,15 @@ Definition occlusion_by_signs__quadratic : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  (point_z + s * segment_z - center_z) ^ 2 + (point_y + s * segment_y - center_y) ^ 2 + (point_x + s * segment_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
-  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + segment_squared - 2 * toward_center /\
-  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2) /\
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
+      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  (point_z + s * segment_z - center_z) ^ 2 + (point_y + s * segment_y - center_y) ^ 2 + (point_x + s * segment_x -
+      center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y -
+      body_radius ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
+  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z *
+      offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + segment_squared - 2 * toward_center /\
+  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y *
+      offset_y - body_radius ^ 2) /\
   segment_squared >= 0.
 
 Definition occlusion_by_signs__program : Prop :=
@@ -2508,8 +2813,10 @@ Definition occlusion_by_signs__program : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  let occluded := (if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0 toward_center) then 1 else 0) in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
+      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  let occluded := (if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0
+      toward_center) then 1 else 0) in
   shadow_discriminant >= 0 ->
   toward_center > 0 ->
   toward_center < segment_squared ->
@@ -2553,41 +2860,66 @@ Definition occlusion_by_signs__only_if : Prop :=
 Definition silhouette_of_b__conic : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
   let distance := eye - ball_center_z in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  discriminant_b = eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + y * 2 * ball_center_y * eye * (eye - ball_center_z) + x * 2 * ball_center_x * eye * (eye - ball_center_z) + y ^ 2 * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + x ^ 2 * (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) + y * x * 2 * ball_center_x * ball_center_y /\
-  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 = ((eye - ball_center_z) ^ 2 - ball_radius ^ 2) * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) /\
-  ball_center_x * eye * (eye - ball_center_z) * (ball_center_x * ball_center_y * ball_center_y * eye * (eye - ball_center_z) - ball_center_x * eye * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye - ball_center_z)) + (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_y * eye * (eye - ball_center_z)) ^ 2) - ball_center_x * ball_center_y * (ball_center_x * ball_center_y * eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - ball_center_x * ball_center_y * eye ^ 2 * (eye - ball_center_z) ^ 2) = ball_radius ^ 2 * eye ^ 2 * (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) ^ 2.
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  discriminant_b = eye ^ 2 * ((eye - ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z)
+      ^ 2 - ball_radius ^ 2)) + y * 2 * ball_center_y * eye * (eye - ball_center_z) + x * 2 * ball_center_x * eye * (eye
+      - ball_center_z) + y ^ 2 * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2
+      - ball_radius ^ 2)) + x ^ 2 * (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z)
+      ^ 2 - ball_radius ^ 2)) + y * x * 2 * ball_center_x * ball_center_y /\
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) *
+      (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) -
+      (ball_center_x * ball_center_y) ^ 2 = ((eye - ball_center_z) ^ 2 - ball_radius ^ 2) * (ball_center_x ^ 2 +
+      ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) /\
+  ball_center_x * eye * (eye - ball_center_z) * (ball_center_x * ball_center_y * ball_center_y * eye * (eye -
+      ball_center_z) - ball_center_x * eye * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye -
+      ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye - ball_center_z)) + (ball_center_x ^ 2 - (ball_center_x ^ 2 +
+      ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (eye ^ 2 * ((eye - ball_center_z) ^ 2 -
+      (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 -
+      (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_y * eye *
+      (eye - ball_center_z)) ^ 2) - ball_center_x * ball_center_y * (ball_center_x * ball_center_y * eye ^ 2 * ((eye -
+      ball_center_z) ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) -
+      ball_center_x * ball_center_y * eye ^ 2 * (eye - ball_center_z) ^ 2) = ball_radius ^ 2 * eye ^ 2 * (ball_center_x
+      ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) ^ 2.
 
 Definition silhouette_of_b__ellipse : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 > ball_radius ^ 2 ->
   ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
-  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 > 0.
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) *
+      (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) -
+      (ball_center_x * ball_center_y) ^ 2 > 0.
 
 Definition silhouette_of_b__parabola : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 = ball_radius ^ 2 ->
   ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
-  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2 = 0.
+  (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) *
+      (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) -
+      (ball_center_x * ball_center_y) ^ 2 = 0.
 
 Definition silhouette_of_b__hyperbola : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye : R,
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   (eye - ball_center_z) ^ 2 < ball_radius ^ 2 ->
   ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2 > 0 /\
-  0 > (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) * (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) - (ball_center_x * ball_center_y) ^ 2.
+  0 > (ball_center_x ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) *
+      (ball_center_y ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2)) -
+      (ball_center_x * ball_center_y) ^ 2.
 
 Definition silhouette_of_b__branch : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_radius eye x y : R,
   let distance := eye - ball_center_z in
   let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 - (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
+  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
+      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
   eye > 0 ->
   (eye - ball_center_z) ^ 2 + (0 - ball_center_y) ^ 2 + (0 - ball_center_x) ^ 2 + 0 > ball_radius ^ 2 ->
   discriminant_b = 0 ->
-  toward_b ^ 2 = (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) * ((-eye) * (-eye) + x * x + y * y) /\
+  toward_b ^ 2 = (ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2) * ((-eye) *
+      (-eye) + x * x + y * y) /\
   (-eye) * (-eye) + x * x + y * y > 0 /\
   toward_b ^ 2 > 0.
 
@@ -2597,18 +2929,22 @@ Definition silhouette_of_b__all_seen : Prop :=
   ball_radius > 0 ->
   distance >= ball_radius ->
   distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 > 0 ->
-  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2
+      - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
   distance > 0 /\
   distance * eye > 0 /\
   (distance - ball_radius) * (ball_radius + distance) >= 0 /\
   x ^ 2 + y ^ 2 >= 0 /\
-  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2)) >= 0 /\
+  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 +
+      ball_center_y ^ 2)) >= 0 /\
   (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
   eye ^ 2 > 0 /\
   eye ^ 2 * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) > 0 /\
-  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x
+      * x + ball_center_y * y) ^ 2 /\
   (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
-  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance
+      * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
   2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye > 0 /\
   distance * eye + ball_center_x * x + ball_center_y * y > 0.
 
@@ -2618,18 +2954,22 @@ Definition silhouette_of_b__none_seen : Prop :=
   ball_radius > 0 ->
   -distance >= ball_radius ->
   distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 > 0 ->
-  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 >= (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2
+      - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) ->
   -distance > 0 /\
   distance * (-eye) > 0 /\
   (-ball_radius - distance) * (ball_radius - distance) >= 0 /\
   x ^ 2 + y ^ 2 >= 0 /\
-  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 + ball_center_y ^ 2)) >= 0 /\
+  (x ^ 2 + y ^ 2) * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2 - (ball_center_x ^ 2 +
+      ball_center_y ^ 2)) >= 0 /\
   (ball_center_x ^ 2 + ball_center_y ^ 2) * (x ^ 2 + y ^ 2) >= (ball_center_x * x + ball_center_y * y) ^ 2 /\
   eye ^ 2 > 0 /\
   eye ^ 2 * (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) > 0 /\
-  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x * x + ball_center_y * y) ^ 2 /\
+  (distance ^ 2 + ball_center_x ^ 2 + ball_center_y ^ 2 - ball_radius ^ 2) * (eye ^ 2 + x ^ 2 + y ^ 2) > (ball_center_x
+      * x + ball_center_y * y) ^ 2 /\
   (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 > 0 /\
-  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
+  (distance * eye + ball_center_x * x + ball_center_y * y) ^ 2 - (ball_center_x * x + ball_center_y * y) ^ 2 = distance
+      * eye * (2 * (distance * eye + ball_center_x * x + ball_center_y * y) - distance * eye) /\
   distance * eye - 2 * (distance * eye + ball_center_x * x + ball_center_y * y) > 0 /\
   0 > distance * eye + ball_center_x * x + ball_center_y * y.
 
@@ -2646,17 +2986,26 @@ Definition crease_error_area__tent : Prop :=
   1 - (cos (epsilon * PI * k_u)) >= 0 /\
   PI * k_u > 0 /\
   epsilon * PI * k_u > 0 /\
-  epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) = epsilon * PI * k_u * (1 - (cos (delta * PI * k_u))) - (delta * PI * k_u - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u))) /\
+  epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI
+      * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) = epsilon * PI * k_u * (1 - (cos (delta * PI *
+      k_u))) - (delta * PI * k_u - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u))) /\
   epsilon * PI * k_u - PI * delta * k_u >= 0 /\
   (epsilon * PI * k_u) ^ 2 - (delta * PI * k_u) ^ 2 >= 0 /\
   (epsilon * PI * k_u) ^ 3 / 6 - (delta * PI * k_u - (sin (delta * PI * k_u))) >= 0 /\
   (epsilon * PI * k_u) ^ 2 / 2 - (1 - (cos (delta * PI * k_u))) >= 0 /\
   (1 - (cos (epsilon * PI * k_u))) * (sin (delta * PI * k_u)) >= 0 /\
   (epsilon * PI * k_u) ^ 3 / 2 - (1 - (cos (epsilon * PI * k_u))) * (sin (delta * PI * k_u)) >= 0 /\
-  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - PI * epsilon * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
-  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) + epsilon * PI * k_u * ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
-  (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0 /\
-  (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon) + (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) >= 0.
+  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - PI * epsilon * k_u * ((sin (delta * PI *
+      k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI *
+      k_u) * (1 - delta / epsilon)) >= 0 /\
+  epsilon * PI * k_u * (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) + epsilon * PI * k_u * ((sin (delta * PI *
+      k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI *
+      k_u) * (1 - delta / epsilon)) >= 0 /\
+  (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) - ((sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) /
+      epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI * k_u * 1 / (PI * k_u) * (1 - delta / epsilon)) >= 0
+      /\
+  (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI *
+      k_u * 1 / (PI * k_u) * (1 - delta / epsilon) + (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) >= 0.
 
 Definition crease_error_area__mirrored : Prop :=
   forall delta epsilon k_u : R,
@@ -2664,7 +3013,8 @@ Definition crease_error_area__mirrored : Prop :=
   let after := PI * k_u * (cos ((-delta) * PI * k_u)) in
   epsilon > 0 ->
   epsilon <> 0 /\
-  after + difference = PI * k_u * (cos (delta * PI * k_u)) - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon.
+  after + difference = PI * k_u * (cos (delta * PI * k_u)) - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) /
+      epsilon.
 
 Definition crease_error_area__tents : Prop :=
   forall delta epsilon k_u : R,
@@ -2674,7 +3024,8 @@ Definition crease_error_area__tents : Prop :=
   ex_derive (fun delta : R => (delta - epsilon) ^ 3 / (3 * epsilon ^ 2)) delta /\
   epsilon <> 0 /\
   PI * k_u <> 0 /\
-  (Derive (fun delta : R => (delta - epsilon) ^ 3 / (3 * epsilon ^ 2)) delta) = ((-PI * k_u * (1 - delta / epsilon)) / (PI * k_u)) ^ 2 /\
+  (Derive (fun delta : R => (delta - epsilon) ^ 3 / (3 * epsilon ^ 2)) delta) = ((-PI * k_u * (1 - delta / epsilon)) /
+      (PI * k_u)) ^ 2 /\
   (epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3 = epsilon / 3.
 
 Definition crease_error_area__mean_of_a_square : Prop :=
@@ -2684,7 +3035,8 @@ Definition crease_error_area__mean_of_a_square : Prop :=
   4 * PI * k_v <> 0 /\
   ex_derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v /\
   (Derive (fun v : R => v / 2 - (1 / 4) / (PI * k_v) * (sin (v * 2 * PI * k_v))) v) = (sin (v * PI * k_v)) ^ 2 /\
-  1 / 2 - (1 / 4) / (PI * k_v) * (sin (1 * 2 * PI * k_v)) - (0 / 2 - (1 / 4) / (PI * k_v) * (sin (0 * 2 * PI * k_v))) = (1 / 2).
+  1 / 2 - (1 / 4) / (PI * k_v) * (sin (1 * 2 * PI * k_v)) - (0 / 2 - (1 / 4) / (PI * k_v) * (sin (0 * 2 * PI * k_v))) =
+      (1 / 2).
 
 Definition crease_error_area__in_u : Prop :=
   forall epsilon k_u : R,
@@ -2692,15 +3044,21 @@ Definition crease_error_area__in_u : Prop :=
   epsilon > 0 ->
   3 * epsilon ^ 2 <> 0 /\
   epsilon * k_u >= 0 /\
-  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 -
+      epsilon) ^ 3) >= 0 /\
   PI * k_u > 0 /\
   epsilon * k_u >= 0 /\
-  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 -
+      epsilon) ^ 3) >= 0 /\
   (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= 0 /\
-  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u)) ^ 2 /\
-  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) /\
-  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
-  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u).
+  (1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 -
+      epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u)) ^ 2 /\
+  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0
+      - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) /\
+  (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u) >= sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon)
+      ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
+  sqrt ((1 / 2) * 2 * k_u * (PI * k_u) ^ 2 * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0
+      - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_u * sqrt (epsilon * k_u).
 
 Definition crease_error_area__in_v : Prop :=
   forall epsilon k_v : R,
@@ -2708,15 +3066,21 @@ Definition crease_error_area__in_v : Prop :=
   epsilon > 0 ->
   3 * epsilon ^ 2 <> 0 /\
   epsilon * (k_v - 1) >= 0 /\
-  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0
+      - epsilon) ^ 3) >= 0 /\
   PI * k_v > 0 /\
   epsilon * (k_v - 1) >= 0 /\
-  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) >= 0 /\
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0
+      - epsilon) ^ 3) >= 0 /\
   (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= 0 /\
-  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1))) ^ 2 /\
-  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) /\
-  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
-  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)).
+  (1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0
+      - epsilon) ^ 3) = ((1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1))) ^ 2 /\
+  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^
+      2) * (0 - epsilon) ^ 3)) >= (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) /\
+  (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)) >= sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon
+      - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^ 2) * (0 - epsilon) ^ 3)) /\
+  sqrt ((1 / 2) * 2 * (PI * k_v) ^ 2 * (k_v - 1) * ((epsilon - epsilon) ^ 3 / (3 * epsilon ^ 2) - (1 / 3) / (epsilon ^
+      2) * (0 - epsilon) ^ 3)) = (1 / 3) * sqrt 3 * PI * k_v * sqrt (epsilon * (k_v - 1)).
 
 Definition bump_is_not_displacement__only_where_flat : Prop :=
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
@@ -2819,9 +3183,11 @@ Definition bump_is_not_displacement__angle : Prop :=
   sin_phi > 0 ->
   sin_phi <> 0 /\
   2 * PI * sin_phi <> 0 /\
-  displaced_z * m_z + displaced_x * m_x + displaced_y * m_y = lift - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin_phi) + h_v ^ 2 / PI) /\
+  displaced_z * m_z + displaced_x * m_x + displaced_y * m_y = lift - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin_phi) + h_v ^ 2
+      / PI) /\
   m_z * m_z + m_x * m_x + m_y * m_y = beta ^ 2 * (h_u ^ 2 + h_v ^ 2) + 1 /\
-  displaced_z * displaced_z + displaced_x * displaced_x + displaced_y * displaced_y = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u / (2 * PI * sin_phi)) ^ 2) + lift ^ 2.
+  displaced_z * displaced_z + displaced_x * displaced_x + displaced_y * displaced_y = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u
+      / (2 * PI * sin_phi)) ^ 2) + lift ^ 2.
 
 Definition attached_shadow__in_light : Prop :=
   ~ (
@@ -2861,12 +3227,18 @@ Definition normal_by_beta__derivative : Prop :=
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 >= 0 /\
   sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2) <> 0 /\
   (beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2 > 0 /\
-  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
-  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
-  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta /\
-  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_x /\
-  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_y /\
-  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 + (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_z.
+  ex_derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta /\
+  ex_derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta /\
+  ex_derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta /\
+  (Derive (fun beta : R => (beta * g_x + normal_x) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_x /\
+  (Derive (fun beta : R => (beta * g_y + normal_y) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_y /\
+  (Derive (fun beta : R => (beta * g_z + normal_z) / sqrt ((beta * g_x + normal_x) ^ 2 + (beta * g_y + normal_y) ^ 2 +
+      (beta * g_z + normal_z) ^ 2)) beta) = bumped_by_beta_z.
 
 Definition normal_by_beta__tangent_to_directions : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -2902,7 +3274,10 @@ Definition angle_of_the_bump__angle : Prop :=
   m_length <> 0 /\
   m_length * (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) = 1 /\
   bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y > 0 /\
-  (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z - bumped_z * normal_x) * (bumped_x * normal_z - bumped_z * normal_x) + (bumped_z * normal_y - bumped_y * normal_z) * (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) * (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) ^ 2.
+  (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z -
+      bumped_z * normal_x) * (bumped_x * normal_z - bumped_z * normal_x) + (bumped_z * normal_y - bumped_y * normal_z) *
+      (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) * (bumped_z *
+      normal_z + bumped_x * normal_x + bumped_y * normal_y) ^ 2.
 
 Definition normal_limits__small_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2920,12 +3295,16 @@ Definition normal_limits__small_beta : Prop :=
   m_x ^ 2 + m_y ^ 2 + m_z ^ 2 >= 0 /\
   m_length <> 0 /\
   g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
-  (bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y) >= 0 /\
-  m_length * ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)) = 2 * (m_length - 1) /\
-  beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) - ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)) >= 0 /\
+  (bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y)
+      * (bumped_y - normal_y) >= 0 /\
+  m_length * ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y
+      - normal_y) * (bumped_y - normal_y)) = 2 * (m_length - 1) /\
+  beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) - ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x -
+      normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)) >= 0 /\
   w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   w >= 0 /\
-  w >= sqrt ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y) * (bumped_y - normal_y)).
+  w >= sqrt ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y -
+      normal_y) * (bumped_y - normal_y)).
 
 Definition normal_limits__large_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2946,17 +3325,33 @@ Definition normal_limits__large_beta : Prop :=
   m_length <> 0 /\
   g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
   sqrt (g_z * g_z + g_x * g_x + g_y * g_y) <> 0 /\
-  (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) >= 0 /\
+  (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y *
+      g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x *
+      g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) >= 0 /\
   sqrt (g_z * g_z + g_x * g_x + g_y * g_y) > 0 /\
   w > 0 /\
   w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   m_length ^ 2 = w ^ 2 + 1 /\
   m_length >= w /\
-  m_length * (bumped_z * 1 * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * 1 * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_y * 1 * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
-  m_length * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
-  m_length * (m_length + w) * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
-  1 >= w ^ 2 * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
-  1 >= w * sqrt ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
+  m_length * (bumped_z * 1 * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * 1 * g_x / sqrt (g_z * g_z + g_x
+      * g_x + g_y * g_y) + bumped_y * 1 * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
+  m_length * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x *
+      g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y /
+      sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
+  m_length * (m_length + w) * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z
+      * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x /
+      sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) *
+      (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
+  1 >= w ^ 2 * ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x *
+      g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y /
+      sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
+  1 >= w * sqrt ((bumped_z - g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - g_z / sqrt (g_z * g_z + g_x *
+      g_x + g_y * g_y)) + (bumped_x - g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - g_x / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) + (bumped_y - g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - g_y /
+      sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
 
 Definition normal_limits__large_negative_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z w : R,
@@ -2977,17 +3372,33 @@ Definition normal_limits__large_negative_beta : Prop :=
   m_length <> 0 /\
   g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
   sqrt (g_z * g_z + g_x * g_x + g_y * g_y) <> 0 /\
-  (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) >= 0 /\
+  (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x *
+      g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x /
+      sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) *
+      (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) >= 0 /\
   sqrt (g_z * g_z + g_x * g_x + g_y * g_y) > 0 /\
   w > 0 /\
   w ^ 2 = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) /\
   m_length ^ 2 = w ^ 2 + 1 /\
   m_length >= w /\
-  m_length * (bumped_z * (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_y * (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
-  m_length * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
-  m_length * (m_length + w) * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
-  1 >= w ^ 2 * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
-  1 >= w * sqrt ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
+  m_length * (bumped_z * (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y) + bumped_x * (-1) * g_x / sqrt (g_z * g_z
+      + g_x * g_x + g_y * g_y) + bumped_y * (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) = w /\
+  m_length * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x -
+      (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x +
+      g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 * (m_length - w) /\
+  m_length * (m_length + w) * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) *
+      g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y *
+      g_y)) * (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z *
+      g_z + g_x * g_x + g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) = 2 /\
+  1 >= w ^ 2 * ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z
+      * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x -
+      (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x +
+      g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))) /\
+  1 >= w * sqrt ((bumped_z - (-1) * g_z / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_z - (-1) * g_z / sqrt (g_z
+      * g_z + g_x * g_x + g_y * g_y)) + (bumped_x - (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) * (bumped_x -
+      (-1) * g_x / sqrt (g_z * g_z + g_x * g_x + g_y * g_y)) + (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x +
+      g_y * g_y)) * (bumped_y - (-1) * g_y / sqrt (g_z * g_z + g_x * g_x + g_y * g_y))).
 
 Definition normal_limits__zero_beta : Prop :=
   forall beta g_x g_y g_z normal_x normal_y normal_z : R,
@@ -3052,8 +3463,10 @@ Definition shadow_line_moves_within__shadow_line : Prop :=
   g_z * g_z + g_x * g_x + g_y * g_y - (g_z * towards_z + g_x * towards_x + g_y * towards_y) ^ 2 >= 0 /\
   w ^ 2 - (beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y)) ^ 2 >= 0 /\
   beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + w >= 0 /\
-  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > 0 /\
-  m_length * (bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y) = beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y /\
+  beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y
+      * towards_y > 0 /\
+  m_length * (bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y) = beta * (g_z * towards_z + g_x *
+      towards_x + g_y * towards_y) + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y /\
   bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y > 0.
 
 Definition normalising_is_lipschitz__normalise : Prop :=
@@ -3065,10 +3478,12 @@ Definition normalising_is_lipschitz__normalise : Prop :=
   length_b ^ 2 = b_z * b_z + b_x * b_x + b_y * b_y ->
   product = a_z * b_z + a_x * b_x + a_y * b_y ->
   apart ^ 2 = (a_z - b_z) * (a_z - b_z) + (a_x - b_x) * (a_x - b_x) + (a_y - b_y) * (a_y - b_y) ->
-  turned ^ 2 = (a_z / length_a - b_z / length_b) * (a_z / length_a - b_z / length_b) + (a_x / length_a - b_x / length_b) * (a_x / length_a - b_x / length_b) + (a_y / length_a - b_y / length_b) * (a_y / length_a - b_y / length_b) ->
+  turned ^ 2 = (a_z / length_a - b_z / length_b) * (a_z / length_a - b_z / length_b) + (a_x / length_a - b_x / length_b)
+      * (a_x / length_a - b_x / length_b) + (a_y / length_a - b_y / length_b) * (a_y / length_a - b_y / length_b) ->
   length_a <> 0 /\
   length_b <> 0 /\
-  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x * b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z - a_z * b_y) * (a_y * b_z - a_z * b_y) /\
+  length_a ^ 2 * length_b ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x *
+      b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z - a_z * b_y) * (a_y * b_z - a_z * b_y) /\
   length_a ^ 2 * length_b ^ 2 - product ^ 2 >= 0 /\
   length_a * length_b - 1 >= 0 /\
   length_a * length_b - product >= 0 /\
@@ -3089,7 +3504,9 @@ Definition normalising_is_lipschitz__moved : Prop :=
   other_m_x = beta * other_g_x + normal_x ->
   other_m_y = beta * other_g_y + normal_y ->
   other_m_z = beta * other_g_z + normal_z ->
-  (m_z - other_m_z) * (m_z - other_m_z) + (m_x - other_m_x) * (m_x - other_m_x) + (m_y - other_m_y) * (m_y - other_m_y) = beta ^ 2 * ((g_z - other_g_z) * (g_z - other_g_z) + (g_x - other_g_x) * (g_x - other_g_x) + (g_y - other_g_y) * (g_y - other_g_y)).
+  (m_z - other_m_z) * (m_z - other_m_z) + (m_x - other_m_x) * (m_x - other_m_x) + (m_y - other_m_y) * (m_y - other_m_y)
+      = beta ^ 2 * ((g_z - other_g_z) * (g_z - other_g_z) + (g_x - other_g_x) * (g_x - other_g_x) + (g_y - other_g_y) *
+      (g_y - other_g_y)).
 
 Definition kink_loci__projection : Prop :=
   forall cos_phi cos_theta eye radius sin_phi sin_theta t x y : R,
@@ -3183,7 +3600,9 @@ Definition kink_loci__elsewhere_below : Prop :=
 Definition visible_iff__visible : Prop :=
   forall eye radius t x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -3192,7 +3611,9 @@ Definition visible_iff__visible : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
   eye * eye * (1 - t) / radius >= radius ->
@@ -3216,7 +3637,9 @@ Definition visible_iff__visible : Prop :=
 Definition visible_iff__hidden : Prop :=
   forall eye radius t x y : R,
   let rho_raw := sqrt (x ^ 2 + y ^ 2) in
-  let rho := (if Rle_dec ((1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye) rho_raw then rho_raw else 0) in
+  let rho := (if Rle_dec ((1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye) rho_raw then rho_raw else 0) in
   let tangent_squared := (eye - radius) * (eye + radius) in
   let rho_silhouette := eye * radius / sqrt tangent_squared in
   let discriminant_a := tangent_squared * (rho_silhouette - rho) * (rho + rho_silhouette) in
@@ -3225,7 +3648,9 @@ Definition visible_iff__hidden : Prop :=
   eye > 0 ->
   radius > 0 ->
   eye > radius ->
-  rho_raw >= (1 / 1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000) * eye ->
+  rho_raw >= (1 /
+      1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
+      * eye ->
   discriminant_a >= 0 ->
   eye * (1 - t) * eye * (1 - t) + t * x * t * x + t * y * t * y = radius ^ 2 ->
   eye * eye * (1 - t) / radius < radius ->
@@ -3255,16 +3680,34 @@ Definition shadow_along_a_row__row : Prop :=
   let offset_y := center_y - point_y in
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  ex_derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z - 0)) x /\
-  shadow_discriminant = body_radius ^ 2 * (light_z ^ 2 + light_x ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * (body_radius ^ 2 * light_x + (0 * (light_x - center_x) - (light_z - center_z)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (0 * (light_y - center_y) + 0 * (light_z - center_z)) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (0 * (light_x - center_x) + 1 * (light_y - center_y)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) - ((center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) + (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) * (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0)) * (center_y * light_x - center_x * light_y - (y * (light_x - center_x) - 0))) /\
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
+      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  ex_derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z -
+      0)) x /\
+  shadow_discriminant = body_radius ^ 2 * (light_z ^ 2 + light_x ^ 2 + (light_y - y) ^ 2) + x ^ 2 * (body_radius ^ 2 -
+      (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2) - 2 * x * (body_radius ^ 2 * light_x + (0 * (light_x -
+      center_x) - (light_z - center_z)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) +
+      (0 * (light_y - center_y) + 0 * (light_z - center_z)) * (center_z * light_y - center_y * light_z - (0 * (light_y -
+      center_y) - y * (light_z - center_z))) + (0 * (light_x - center_x) + 1 * (light_y - center_y)) * (center_y *
+      light_x - center_x * light_y - (y * (light_x - center_x) - 0))) - ((center_x * light_z - center_z * light_x - (0 *
+      (light_z - center_z) - 0)) * (center_x * light_z - center_z * light_x - (0 * (light_z - center_z) - 0)) +
+      (center_z * light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) * (center_z *
+      light_y - center_y * light_z - (0 * (light_y - center_y) - y * (light_z - center_z))) + (center_y * light_x -
+      center_x * light_y - (y * (light_x - center_x) - 0)) * (center_y * light_x - center_x * light_y - (y * (light_x -
+      center_x) - 0))) /\
   segment_squared = light_z ^ 2 + light_x ^ 2 + x ^ 2 - 2 * light_x * x + (light_y - y) ^ 2 /\
-  (Derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z - 0)) x) = 2 * x - light_x - center_x.
+  (Derive (fun x : R => (center_x - x) * (light_x - x) + (center_y - y) * (light_y - y) + (center_z - 0) * (light_z -
+      0)) x) = 2 * x - light_x - center_x.
 
 Definition shadow_along_a_row__leading : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
-  ex_derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x /\
-  (Derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) * (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x) = 2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2).
+  ex_derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y -
+      y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) *
+      (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x /\
+  (Derive_n (fun x : R => body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((center_y -
+      y) * (light_x - x) - (center_x - x) * (light_y - y)) ^ 2 - ((center_x - x) * (light_z - 0) - (center_z - 0) *
+      (light_x - x)) ^ 2 - ((center_z - 0) * (light_y - y) - (center_y - y) * (light_z - 0)) ^ 2) 2 x) = 2 *
+      (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2).
 
 Definition shadow_along_a_row__away : Prop :=
   forall center_x center_y center_z light_x light_y light_z x y : R,
@@ -3279,7 +3722,8 @@ Definition shadow_along_a_row__away : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)).
+  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) +
+      (light_y - center_y) * (y - light_y)).
 
 Definition shadow_of_b_on_floor__conic : Prop :=
   forall body_radius center_x center_y center_z foot_x foot_y light_x light_y light_z x y : R,
@@ -3293,35 +3737,76 @@ Definition shadow_of_b_on_floor__conic : Prop :=
   let offset_y := center_y - point_y in
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 - (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
+  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
+      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
   foot_x = 0 ->
   foot_y = 0 ->
-  ex_derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_x /\
-  ex_derive (fun foot_y : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_y /\
-  shadow_discriminant = ((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2) * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) /\
-  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y * (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) = x * (Derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_x) + y * (Derive (fun foot_y : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_y) + body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2 /\
-  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = ((light_z - center_z) ^ 2 - body_radius ^ 2) * ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2).
+  ex_derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) -
+      ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) *
+      (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y -
+      foot_y) * (light_z - 0)) ^ 2) foot_x /\
+  ex_derive (fun foot_y : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) -
+      ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) *
+      (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y -
+      foot_y) * (light_z - 0)) ^ 2) foot_y /\
+  shadow_discriminant = ((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y -
+      center_y) * (y - light_y)) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x -
+      center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2) * ((0 - light_z) * (0 - light_z) + (x -
+      light_x) * (x - light_x) + (y - light_y) * (y - light_y)) /\
+  shadow_discriminant - x ^ 2 * ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x -
+      center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - 2 * x * y *
+      (light_x - center_x) * (light_y - center_y) - y ^ 2 * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z
+      - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) -
+      body_radius ^ 2)) = x * (Derive (fun foot_x : R => body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y)
+      ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^
+      2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y -
+      foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_x) + y * (Derive (fun foot_y : R => body_radius ^ 2 *
+      ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) * (light_x - foot_x)
+      - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) - (center_z - 0) * (light_x
+      - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z - 0)) ^ 2) foot_y) +
+      body_radius ^ 2 * ((light_x - foot_x) ^ 2 + (light_y - foot_y) ^ 2 + (light_z - 0) ^ 2) - ((center_y - foot_y) *
+      (light_x - foot_x) - (center_x - foot_x) * (light_y - foot_y)) ^ 2 - ((center_x - foot_x) * (light_z - 0) -
+      (center_z - 0) * (light_x - foot_x)) ^ 2 - ((center_z - 0) * (light_y - foot_y) - (center_y - foot_y) * (light_z -
+      0)) ^ 2 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x)
+      + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z -
+      center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y -
+      center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = ((light_z - center_z) ^ 2 -
+      body_radius ^ 2) * ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) +
+      (light_y - center_y) * (light_y - center_y) - body_radius ^ 2).
 
 Definition shadow_of_b_on_floor__ellipse : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
   (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 > body_radius ^ 2 ->
-  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
-  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 > 0.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) *
+      (light_y - center_y) - body_radius ^ 2 > 0 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x)
+      + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z -
+      center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y -
+      center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 > 0.
 
 Definition shadow_of_b_on_floor__parabola : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
   (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 = body_radius ^ 2 ->
-  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
-  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = 0.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) *
+      (light_y - center_y) - body_radius ^ 2 > 0 /\
+  ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x)
+      + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z -
+      center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y -
+      center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2 = 0.
 
 Definition shadow_of_b_on_floor__hyperbola : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z : R,
   (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 > body_radius ^ 2 ->
   (light_z - center_z) ^ 2 < body_radius ^ 2 ->
-  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2 > 0 /\
-  0 > ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2.
+  (light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y) *
+      (light_y - center_y) - body_radius ^ 2 > 0 /\
+  0 > ((light_x - center_x) ^ 2 - ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x -
+      center_x) + (light_y - center_y) * (light_y - center_y) - body_radius ^ 2)) * ((light_y - center_y) ^ 2 -
+      ((light_z - center_z) * (light_z - center_z) + (light_x - center_x) * (light_x - center_x) + (light_y - center_y)
+      * (light_y - center_y) - body_radius ^ 2)) - ((light_x - center_x) * (light_y - center_y)) ^ 2.
 
 Definition shadow_of_b_on_floor__away : Prop :=
   forall center_x center_y center_z light_x light_y light_z x y : R,
@@ -3336,7 +3821,8 @@ Definition shadow_of_b_on_floor__away : Prop :=
   let offset_z := center_z - point_z in
   let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
   let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) + (light_y - center_y) * (y - light_y)).
+  segment_squared - toward_center = -((light_z - center_z) * (0 - light_z) + (light_x - center_x) * (x - light_x) +
+      (light_y - center_y) * (y - light_y)).
 
 Definition shadow_of_b_on_floor__all_seen : Prop :=
   forall body_radius center_x center_y center_z light_x light_y light_z x y : R,
@@ -3344,19 +3830,31 @@ Definition shadow_of_b_on_floor__all_seen : Prop :=
   body_radius > 0 ->
   light_z - center_z >= body_radius ->
   (light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 > 0 ->
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >=
+      ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2
+      + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
   light_z - center_z > 0 /\
   light_z * (light_z - center_z) > 0 /\
   (light_z - center_z - body_radius) * (body_radius + light_z - center_z) >= 0 /\
   (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
-  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
-  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x -
+      light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x -
+      light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   light_z ^ 2 > 0 /\
-  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0 /\
-  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z)) /\
-  2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z) > 0 /\
+  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0
+    /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x
+      - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y -
+      light_y)) ^ 2 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 -
+      ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 -
+      ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z)
+      * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y -
+      light_y)) - light_z * (light_z - center_z)) /\
+  2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) -
+      light_z * (light_z - center_z) > 0 /\
   light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y) > 0.
 
 Definition shadow_of_b_on_floor__none_seen : Prop :=
@@ -3365,40 +3863,70 @@ Definition shadow_of_b_on_floor__none_seen : Prop :=
   body_radius > 0 ->
   -(light_z - center_z) >= body_radius ->
   (light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 > 0 ->
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >= ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 >=
+      ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2
+      + (x - light_x) ^ 2 + (y - light_y) ^ 2) ->
   -(light_z - center_z) > 0 /\
   (-light_z) * (light_z - center_z) > 0 /\
   (-body_radius - (light_z - center_z)) * (body_radius - (light_z - center_z)) >= 0 /\
   (x - light_x) ^ 2 + (y - light_y) ^ 2 >= 0 /\
-  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
-  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2 - ((center_x -
+      light_x) ^ 2 + (center_y - light_y) ^ 2)) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= 0 /\
+  ((center_x - light_x) ^ 2 + (center_y - light_y) ^ 2) * ((x - light_x) ^ 2 + (y - light_y) ^ 2) >= ((center_x -
+      light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
   light_z ^ 2 > 0 /\
-  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0 /\
-  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
-  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 - ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z) * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) - light_z * (light_z - center_z)) /\
-  light_z * (light_z - center_z) - 2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) > 0 /\
+  light_z ^ 2 * ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) > 0
+    /\
+  ((light_z - center_z) ^ 2 + (center_x - light_x) ^ 2 + (center_y - light_y) ^ 2 - body_radius ^ 2) * (light_z ^ 2 + (x
+      - light_x) ^ 2 + (y - light_y) ^ 2) > ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y -
+      light_y)) ^ 2 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 -
+      ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 > 0 /\
+  (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 -
+      ((center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y)) ^ 2 = light_z * (light_z - center_z)
+      * (2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y -
+      light_y)) - light_z * (light_z - center_z)) /\
+  light_z * (light_z - center_z) - 2 * (light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) +
+      (center_y - light_y) * (y - light_y)) > 0 /\
   0 > light_z * (light_z - center_z) + (center_x - light_x) * (x - light_x) + (center_y - light_y) * (y - light_y).
 
 Definition image_derivative__mu : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z :
+    R,
   s = 0 ->
-  ex_derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) s /\
-  (Derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) s) = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z.
+  ex_derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y)
+      + towards_z * (bumped_by_beta_z * s + bumped_z)) s /\
+  (Derive (fun s : R => towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) +
+      towards_z * (bumped_by_beta_z * s + bumped_z)) s) = bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y +
+      bumped_by_beta_z * towards_z.
 
 Definition image_derivative__blinn : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z halfway_length halfway_x halfway_y halfway_z s : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z halfway_length halfway_x halfway_y
+    halfway_z s : R,
   halfway_length > 0 ->
   s = 0 ->
   halfway_length <> 0 /\
-  ex_derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y) + halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s /\
-  (Derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y) + halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s) = (bumped_by_beta_x * halfway_x + bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
+  ex_derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y)
+      + halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s /\
+  (Derive (fun s : R => (halfway_x * (bumped_by_beta_x * s + bumped_x) + halfway_y * (bumped_by_beta_y * s + bumped_y) +
+      halfway_z * (bumped_by_beta_z * s + bumped_z)) / halfway_length) s) = (bumped_by_beta_x * halfway_x +
+      bumped_by_beta_y * halfway_y + bumped_by_beta_z * halfway_z) / halfway_length.
 
 Definition image_derivative__phong : Prop :=
-  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z view_x view_y view_z : R,
+  forall bumped_by_beta_x bumped_by_beta_y bumped_by_beta_z bumped_x bumped_y bumped_z s towards_x towards_y towards_z
+    view_x view_y view_z : R,
   s = 0 ->
-  ex_derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s /\
-  (Derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x * (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) + view_z * (bumped_by_beta_z * s + bumped_z))) s) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 * (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z).
+  ex_derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x *
+      (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z
+      * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) +
+      view_z * (bumped_by_beta_z * s + bumped_z))) s /\
+  (Derive (fun s : R => -towards_x * view_x - towards_y * view_y - towards_z * view_z + 2 * (towards_x *
+      (bumped_by_beta_x * s + bumped_x) + towards_y * (bumped_by_beta_y * s + bumped_y) + towards_z * (bumped_by_beta_z
+      * s + bumped_z)) * (view_x * (bumped_by_beta_x * s + bumped_x) + view_y * (bumped_by_beta_y * s + bumped_y) +
+      view_z * (bumped_by_beta_z * s + bumped_z))) s) = 2 * (bumped_by_beta_x * towards_x + bumped_by_beta_y * towards_y
+      + bumped_by_beta_z * towards_z) * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) + 2 *
+      (bumped_by_beta_x * view_x + bumped_by_beta_y * view_y + bumped_by_beta_z * view_z) * (bumped_x * towards_x +
+      bumped_y * towards_y + bumped_z * towards_z).
 
 Definition image_derivative__power_rule : Prop :=
   forall slope x : R,
@@ -3418,22 +3946,28 @@ Definition image_derivative__lit_shiny : Prop :=
   specular_base > 0 ->
   s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
-  ex_derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s /\
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta *
+      s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 1 * mu /\
   Rmax 0 specular_base = 1 * specular_base /\
-  (Derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 1 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta *
+      s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0
+      specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__lit_dull : Prop :=
   forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu > 0 ->
   specular_base < 0 ->
   s = 0 ->
-  ex_derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta * s)) + red) s /\
+  ex_derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta *
+      s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 1 * mu /\
   Rmax 0 specular_base = 0 * specular_base /\
-  (Derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (ks * 0 * (raised + raised_by_beta * s) + albedo_red * kd * 1 * (mu + mu_by_beta *
+      s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0
+      specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_shiny : Prop :=
   forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
@@ -3441,22 +3975,28 @@ Definition image_derivative__unlit_shiny : Prop :=
   specular_base > 0 ->
   s = 0 ->
   raised_by_beta * specular_base = base_by_beta * raised * shininess ->
-  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s /\
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta *
+      s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 0 * mu /\
   Rmax 0 specular_base = 1 * specular_base /\
-  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 1 * (raised + raised_by_beta *
+      s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0
+      specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__unlit_dull : Prop :=
   forall albedo_red base_by_beta kd ks light_red mu mu_by_beta raised raised_by_beta red s shininess specular_base : R,
   mu < 0 ->
   specular_base < 0 ->
   s = 0 ->
-  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta * s)) + red) s /\
+  ex_derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta *
+      s)) + red) s /\
   (specular_base > 0 -> specular_base <> 0) /\
   Rmax 0 mu = 0 * mu /\
   Rmax 0 specular_base = 0 * specular_base /\
-  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta * s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0 specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
+  (Derive (fun s : R => light_red * (albedo_red * kd * 0 * (mu + mu_by_beta * s) + ks * 0 * (raised + raised_by_beta *
+      s)) + red) s) = light_red * (albedo_red * ((if Rlt_dec 0 mu then kd * mu_by_beta else 0)) + (if Rlt_dec 0
+      specular_base then base_by_beta * ks * shininess * raised / specular_base else 0)).
 
 Definition image_derivative__inside : Prop :=
   forall color term_by_beta : R,
@@ -3496,8 +4036,10 @@ Definition difference_bound__light_0 : Prop :=
   step * kd * albedo_red * light_red + kd * albedo_red * light_red * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_red * q * step - ks * light_red * (specular - other_specular) >= 0 /\
   ks * light_red * q * step + ks * light_red * (specular - other_specular) >= 0 /\
-  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) - (light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
-  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) + light_red * (albedo_red * kd * (Rmax 0 mu) + ks * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
+  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) - (light_red * (albedo_red * kd * (Rmax 0 mu) + ks
+      * specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
+  so_far + step * (kd * albedo_red * light_red + q * ks * light_red) + light_red * (albedo_red * kd * (Rmax 0 mu) + ks *
+      specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
 Definition difference_bound__light_1 : Prop :=
   forall albedo_green before green kd ks light_green mu other_mu other_specular q so_far specular step : R,
@@ -3518,8 +4060,12 @@ Definition difference_bound__light_1 : Prop :=
   step * kd * albedo_green * light_green + kd * albedo_green * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_green * q * step - ks * light_green * (specular - other_specular) >= 0 /\
   ks * light_green * q * step + ks * light_green * (specular - other_specular) >= 0 /\
-  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) - (green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
-  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) + green + light_green * (albedo_green * kd * (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
+  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) - (green + light_green * (albedo_green * kd *
+      (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks *
+      other_specular))) >= 0 /\
+  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) + green + light_green * (albedo_green * kd *
+      (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks *
+      other_specular)) >= 0.
 
 Definition difference_bound__light_2 : Prop :=
   forall albedo_blue before blue kd ks light_blue mu other_mu other_specular q so_far specular step : R,
@@ -3540,8 +4086,11 @@ Definition difference_bound__light_2 : Prop :=
   step * kd * albedo_blue * light_blue + kd * albedo_blue * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
   ks * light_blue * q * step - ks * light_blue * (specular - other_specular) >= 0 /\
   ks * light_blue * q * step + ks * light_blue * (specular - other_specular) >= 0 /\
-  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) - (blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular))) >= 0 /\
-  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) + blue + light_blue * (albedo_blue * kd * (Rmax 0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
+  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) - (blue + light_blue * (albedo_blue * kd * (Rmax
+      0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular))) >=
+      0 /\
+  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) + blue + light_blue * (albedo_blue * kd * (Rmax
+      0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
 Definition difference_bound__clip : Prop :=
   forall bound_on first second : R,
@@ -3573,7 +4122,8 @@ Definition pixels_off_the_pole__raster_above : Prop :=
   n <= 108 ->
   (2 * m - 255) ^ 2 >= 1 /\
   (1083 - 10 * n) ^ 2 >= 9 /\
-  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
+  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 /
+      (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
 
 Definition pixels_off_the_pole__raster_below : Prop :=
   forall m n : R,
@@ -3581,7 +4131,8 @@ Definition pixels_off_the_pole__raster_below : Prop :=
   n >= 109 ->
   (2 * m - 255) ^ 2 >= 1 /\
   (1083 - 10 * n) ^ 2 >= 9 /\
-  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
+  ((5 / 4) * 4 * 1 / (sqrt (1 + 4) * sqrt (4 - 1)) * ((-2 * n - 1 + 256) / 256 + (-3 / 20))) ^ 2 + ((5 / 4) * 4 * 1 /
+      (sqrt (1 + 4) * sqrt (4 - 1)) * (2 * m - 256 + 1) / 256) ^ 2 + 0 >= (34 / 15) / 65536.
 
 Definition pixels_off_the_pole__linear : Prop :=
   forall cos_phi eye radius sin_phi : R,
@@ -3637,8 +4188,13 @@ Definition visible_parallels__count : Prop :=
 
 Definition shadow_of_a_on_floor__of_a : Prop :=
   forall body_radius light_x light_y light_z x y : R,
-  body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((light_z - 0) * (0 - x) - (0 - 0) * (light_x - x)) ^ 2 - ((0 - 0) * (light_y - y) - (light_z - 0) * (0 - y)) ^ 2 - ((light_x - x) * (0 - y) - (light_y - y) * (0 - x)) ^ 2 = body_radius ^ 2 * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y - light_y) * (y - light_y)) + (light_x * x + light_y * y) ^ 2 - (x ^ 2 + y ^ 2) * (light_z * light_z + light_x * light_x + light_y * light_y).
+  body_radius ^ 2 * ((light_x - x) ^ 2 + (light_y - y) ^ 2 + (light_z - 0) ^ 2) - ((light_z - 0) * (0 - x) - (0 - 0) *
+      (light_x - x)) ^ 2 - ((0 - 0) * (light_y - y) - (light_z - 0) * (0 - y)) ^ 2 - ((light_x - x) * (0 - y) - (light_y
+      - y) * (0 - x)) ^ 2 = body_radius ^ 2 * ((0 - light_z) * (0 - light_z) + (x - light_x) * (x - light_x) + (y -
+      light_y) * (y - light_y)) + (light_x * x + light_y * y) ^ 2 - (x ^ 2 + y ^ 2) * (light_z * light_z + light_x *
+      light_x + light_y * light_y).
 
 Definition shadow_of_a_on_floor__behind_a : Prop :=
   forall light_x light_y light_z x y : R,
-  (light_x - x) * (0 - x) + (light_y - y) * (0 - y) + (0 - 0) * (light_z - 0) = x ^ 2 + y ^ 2 - light_x * x - light_y * y.
+  (light_x - x) * (0 - x) + (light_y - y) * (0 - y) + (0 - 0) * (light_z - 0) = x ^ 2 + y ^ 2 - light_x * x - light_y *
+    y.

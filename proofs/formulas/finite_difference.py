@@ -4,7 +4,9 @@ u wraps around the seam, v is clamped to [0, 1]; ε is used as given. Where v ±
 is one-sided and divides by the clamped span. Domain: 0 < ε ≤ 1/2.
 """
 
-from sympy import And, Max, Min, floor
+from collections.abc import Iterable
+
+from sympy import And, Expr, Max, Min, Symbol, floor
 
 from proofs.engine.program import Program, evaluated
 from proofs.engine.vectors import real, where
@@ -29,7 +31,7 @@ def _wrapped(moved):
     return moved - floor(moved)
 
 
-def _moved(names, step):
+def neighbours(names: Iterable[Symbol], step: Expr) -> dict[Symbol, Expr]:
     """Return the lines of u ± step, wrapped around the seam, and of v ± step, clamped at the poles."""
     moved = (_wrapped(u + step), _wrapped(u - step), Min(1, v + step), Max(0, v - step))
     return dict(zip(names, moved, strict=True))
@@ -41,7 +43,8 @@ def _heights(field, names, moved):
     return {name: field.at(*sample) for name, sample in zip(names, samples, strict=True)}
 
 
-_steps = _moved(NEAR, epsilon) | {span_v: where(And(v + epsilon <= 1, v - epsilon >= 0), 2 * epsilon, v_plus - v_minus)}
+_span = where(And(v + epsilon <= 1, v - epsilon >= 0), 2 * epsilon, v_plus - v_minus)
+_steps = neighbours(NEAR, epsilon) | {span_v: _span}
 
 
 @evaluated
@@ -77,7 +80,7 @@ def central4(field: HeightField) -> Program:
     """Return (8 (h(u + ε) − h(u − ε)) − (h(u + 2ε) − h(u − 2ε)))/12ε; near a pole, central in v. 8 evaluations."""
     lines = {
         **_steps,
-        **_moved(FAR, 2 * epsilon),
+        **neighbours(FAR, 2 * epsilon),
         **_heights(field, NEAR_HEIGHTS, NEAR),
         **_heights(field, FAR_HEIGHTS, FAR),
         near_difference_u: h_u_plus - h_u_minus,  # named, or 8 is multiplied in and equal heights do not cancel

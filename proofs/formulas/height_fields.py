@@ -10,18 +10,18 @@ from typing import Any
 from mpmath import iv, mpmathify, workdps
 from sympy import (
     Abs,
-    DiracDelta,
     Dummy,
     Expr,
     Function,
     Heaviside,
+    Max,
+    Min,
     Mul,
     Piecewise,
     Rational,
     S,
-    cancel,
-    denom,
     diff,
+    floor,
     ordered,
     sign,
     sqrt,
@@ -46,8 +46,30 @@ PERIODIC = [
 """Points at which an entry's height at u = 1 has to be that at u = 0, unless it has a seam: k_u is even, k_v whole."""
 
 
-def _is_straight(factor):
-    return isinstance(factor, sinpi) and not any(diff(factor.args[0], c).has(u, v) for c in (u, v))
+_CHOICES = (Abs, sign, Max, Min, Piecewise, floor)
+
+
+def _zeros_and_values(choice):
+    """Return (the expressions at whose zeros a choice changes, the values that it chooses from)."""
+    first, *_ = values = choice.args
+    match choice:
+        case Piecewise():
+            relations = {relation for _, condition in values for relation in condition.atoms(Relational)}
+            return [relation.lhs - relation.rhs for relation in relations], [value for value, _ in values]
+        case Max() | Min():
+            return [one - other for one, other in combinations(values, 2)], values
+        case floor():
+            return [sinpi(first)], ((whole := Dummy(real=True)), whole + 1)
+    return [first], (first, -first) if isinstance(choice, Abs) else (S.One, S.NegativeOne)
+
+
+class _Size(Function):
+    """|x| of a real x: SymPy's own slope of it is long where it does not know that x is real."""
+
+    is_real = True
+
+    def fdiff(self, argindex: int = 1) -> Expr:
+        return sign(self.args[0])
 
 
 @dataclass(frozen=True)
@@ -55,7 +77,7 @@ class HeightField:
     """A height field, by its expression, from which all the rest is derived.
 
     name: identifier. expression: h in u, v, k_u, k_v. seam: whether h may differ at u = 0 and u = 1 where k_u is even
-    and k_v whole. Raises ValueError where the name or the expression is not allowed, or the creases are not known.
+    and k_v whole. Raises ValueError where the name or the expression is not allowed.
 
     >>> from proofs.formulas.height_fields import HeightField, k_u, sinpi, u
     >>> waves = HeightField("waves", abs(sinpi(k_u * u)))
@@ -81,7 +103,6 @@ class HeightField:
             raise self._refused(f"{error}") from None
         if not self.seam:
             self._check_ends()
-        self.creases  # noqa: B018  (refused where they are not known)
 
     @workdps(DIGITS)
     def _check_ends(self):
@@ -89,7 +110,10 @@ class HeightField:
         for at in PERIODIC:
             first, last = (float(value(*map(mpmathify, (end, *at.values())))) for end in (0, 1))
             if not abs(first - last) < 1e-12:
-                raise self._refused(f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True")
+                raise self._refused(
+                    f"it is {first:.3g} at u = 0 and {last:.3g} at u = 1, {at}, without seam=True: "
+                    "let u stand in sines and cosines of 2*pi*u, 4*pi*u and so on, or give seam=True"
+                )
 
     def largest(self, ku: Any = CHART[k_u], kv: Any = CHART[k_v]) -> list[float]:
         """Return upper bounds of |h|, |∂h/∂u| and |∂h/∂v|, at wave numbers or in intervals of them.
@@ -109,12 +133,18 @@ class HeightField:
         """Return h at another place of the chart."""
         return self.expression.xreplace({u: at_u, v: at_v})
 
-    @evaluated
     def gradient(self) -> tuple[Expr, Expr]:
         """Return (∂h/∂u, ∂h/∂v) by differentiation; valid off the creases, with sign 0 = 0 on them."""
-        slopes = (diff(self.expression, coordinate) for coordinate in (u, v))
-        without_jumps = (slope.replace(DiracDelta, lambda *_: S.Zero) for slope in slopes)
-        return tuple(s.replace(Heaviside, lambda x, _: (1 + sign(x)) / 2) for s in without_jumps)
+        return self._slopes
+
+    @cached_property
+    @evaluated
+    def _slopes(self):
+        levels = {level: Dummy(real=True) for level in self.expression.atoms(sign, floor)}
+        put_back = {fixed: level for level, fixed in levels.items()}
+        sizes = self.expression.xreplace(levels).replace(Abs, _Size)
+        slopes = (diff(sizes, c).replace(_Size, Abs).xreplace(put_back) for c in (u, v))
+        return tuple(slope.replace(Heaviside, lambda x, _: (1 + sign(x)) / 2) for slope in slopes)
 
     @property
     def depends_on_u(self) -> bool:
@@ -124,22 +154,24 @@ class HeightField:
     @cached_property
     @evaluated
     def creases(self) -> tuple[Expr, ...]:
-        """The factors sinpi(w), w linear in u and v, at whose zeros a slope of h jumps, or h itself.
+        """The factors at whose zeros a slope of h, or h itself, may jump: those of its choices, and sinpi(w) of ⌊w⌋.
 
-        Raises ValueError where one may jump elsewhere.
+        One is left out that is not 0 on the chart, or that is squared in what a choice changes: the slopes agree there.
         """
-        piecewise = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2))).rewrite(Piecewise)
-        jumping = []
-        for choice in ordered(piecewise.atoms(Piecewise)):
-            zeros = {relation.lhs - relation.rhs for relation in choice.atoms(Relational)}
+        expression = self.expression.replace(cospi, lambda w: sinpi(w + Rational(1, 2)))
+        marks = {choice: Dummy(real=True) for choice in ordered(expression.atoms(*_CHOICES))}
+        flat = {choice: mark for choice, mark in marks.items() if isinstance(choice, floor | sign)}
+        marked, jumping = expression.xreplace(marks), []
+        for choice, mark in marks.items():
+            zeros, values = _zeros_and_values(choice)
             factors = {part.as_base_exp()[0] for zero in zeros for part in Mul.make_args(zero)}
-            for (one, _), (other, _) in combinations(choice.args, 2):
-                apart = piecewise.xreplace({choice: one}) - piecewise.xreplace({choice: other})
-                jumps = [f for f in ordered(factors) if denom(cancel(apart / f**2)).has(u, v)]  # elsewhere slopes agree
-                if jumps and (len(zeros) > 1 or apart.has(Piecewise) or not all(map(_is_straight, jumps))):
-                    allowed = "creases have to be where sinpi or cospi of a u + b v + c is 0, whatever else holds"
-                    raise self._refused(f"{allowed}; one may be where {jumps[0]} = 0")
-                jumping += jumps
+            for sides in combinations([value.xreplace(marks) for value in values], 2):
+                one, other = (marked.xreplace({mark: side}) for side in sides)
+                powers = (one - other).as_powers_dict()  # 1 - 1, of a choice in another, of which nothing is known
+                for factor in ordered(factors):
+                    squared = max(powers[side * factor.xreplace(marks)] for side in (1, -1)) >= 2
+                    if not squared and factor.xreplace(flat).has(u, v) and 0 in enclosure(factor, CHART):
+                        jumping.append(factor)
         return tuple(dict.fromkeys(jumping))
 
     @cached_property

@@ -80,8 +80,6 @@ class KernelPrinter(StrPrinter):
             return f"1.0 / {self.parenthesize(1 / expr, PRECEDENCE['Mul'], strict=True)}"
         if exponent.is_Integer:
             return " * ".join([self.parenthesize(base, PRECEDENCE["Mul"])] * int(exponent))
-        if exponent.is_Rational:
-            raise ValueError(f"no back end prints the power {expr}")
         return f"power({self._print(base)}, {self._print(exponent)})"
 
     def _call(self, name, arguments):

@@ -1,13 +1,15 @@
 """Formulas as text: a printer whose text reads back as it was, and a reader of a list of allowed parts.
 
-A text from a file, a command line or a picture may be anybody's. It has to be short and of few letters; Python's parser
-makes a tree of it, of which nothing is run: a walk makes SymPy's expression of the nodes that it knows.
+Functions by other names are the caller's. A text from a file, a command line or a picture may be anybody's. It has to
+be short and of few letters; Python's parser makes a tree of it, of which nothing is run: a walk makes SymPy's
+expression of the nodes that it knows.
 """
 
 import ast
 import operator
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
@@ -28,6 +30,9 @@ from sympy import (
     S,
     Symbol,
     Tuple,
+    exp,
+    floor,
+    log,
     pi,
     sign,
     sqrt,
@@ -39,16 +44,17 @@ from sympy.printing.str import StrPrinter
 from proofs.engine.functions import FUNCTIONS
 from proofs.engine.program import evaluated
 from proofs.engine.registry import not_allowed
+from proofs.engine.vectors import where
 
 LONGEST, DEEPEST, LARGEST_POWER, LARGEST_NUMBER = 2000, 40, 64, 2**256
 MOST_OPERATIONS, OF_A_FUNCTION = 1000, 10  # more would take a compiler many seconds
-MOST_CHOICES = 16  # abs and sign are 1, another of n parts n(n − 1), each four times as many inside another choice
+MOST_CHOICES = 40  # abs and sign are 1, another of n parts n(n − 1), each twice as many inside another choice
 _CALLED = {function.text or function.kernel: function.made for function in FUNCTIONS if function.enclosed}
-_OF_ONE = {name: made for name, made in _CALLED.items() if made not in (Abs, sign, Max, Min)} | {"sqrt": sqrt}
-_CHOICES = {name: made for name, made in _CALLED.items() if name not in _OF_ONE} | {"Piecewise": Piecewise}
+_PLAIN = {name: made for name, made in _CALLED.items() if made not in (Abs, sign, Max, Min)} | {"sqrt": sqrt}
+_CHOICES = {name: made for name, made in _CALLED.items() if name not in _PLAIN} | {"Piecewise": Piecewise}
 _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
-_LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/()<>=&|]*")
+_LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/%^()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
 _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
@@ -56,8 +62,8 @@ _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, 
 class _Reader:
     """A reader of one text."""
 
-    def __init__(self, text: str, names: Mapping[str, Symbol]):
-        self.text, self.names = text, {**names, "pi": pi}
+    def __init__(self, text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable]):
+        self.text, self.names, self.calls = text, {**names, "pi": pi, "E": S.Exp1}, {**_PLAIN, **calls}
         self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:
@@ -72,6 +78,7 @@ class _Reader:
         if allowed < len(self.text):
             raise self.refused(f"no formula has the letter {self.text[allowed]!r}")
         try:
+            self.text = re.sub(r"\b(np|numpy|math|sp|sympy)\.", "", self.text).replace("^", "**")
             tree = ast.parse(self.text, mode="eval")
         except _BROKEN as error:
             raise self.refused(f"it is no formula ({getattr(error, 'msg', type(error).__name__)})") from None
@@ -107,19 +114,21 @@ class _Reader:
                 return Add(*self._chained(node, ast.Add, ast.Sub, lambda part: -part, depth))
             case ast.BinOp(_, ast.Mult() | ast.Div(), _):
                 return Mul(*self._chained(node, ast.Mult, ast.Div, lambda part: 1 / part, depth))
+            case ast.BinOp(one, ast.Mod(), other):
+                return remainder(self.read(one, depth), self.read(other, depth))
             case ast.BinOp(base, ast.Pow(), power):
-                return Pow(self.read(base, depth), self._power(self.read(power, depth), node))
-            case ast.Call(ast.Name(name), [argument], []) if name in _OF_ONE:
-                return _OF_ONE[name](self.read(argument, depth))
+                base, power = self.read(base, depth), self.read(power, depth)
+                return Pow(base, self._power(power, node)) if power.is_number else exp(power * log(base))
+            case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in self.calls:
+                return self.calls[name](*[self.read(argument, depth) for argument in arguments])
             case ast.Call(ast.Name(name), [_, *_] as arguments, []) if name in _CHOICES:
-                self.choices += max(1, len(arguments) * (len(arguments) - 1)) * 4**self.inside
-                if self.choices > MOST_CHOICES:
-                    raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
-                self.inside += 1
-                kind = Tuple if name == "Piecewise" else Expr
-                choice = _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
-                self.inside -= 1
-                return choice
+                with self.choice(len(arguments)):
+                    kind = Tuple if name == "Piecewise" else Expr
+                    return _CHOICES[name](*[self.read(argument, depth, kind) for argument in arguments])
+            case ast.IfExp(test, one, other) | ast.Call(ast.Name("where"), [test, one, other], []):
+                with self.choice(2):
+                    values = self.read(one, depth), self.read(other, depth)
+                    return where(self.read(test, depth, Boolean), *values)
             case ast.Tuple([value, condition]):
                 return Tuple(self.read(value, depth), self.read(condition, depth, Boolean))
             case ast.Constant(True):
@@ -129,8 +138,19 @@ class _Reader:
                 return And(*sides) if isinstance(connective, ast.BitAnd) else Or(*sides)
             case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
                 return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
-        allowed = ", ".join([*self.names, *_OF_ONE, *_CHOICES])
-        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / **, {allowed}")
+        known = [*self.names.items(), *self.calls.items(), *_CHOICES.items()]
+        allowed = ", ".join({thing: name for name, thing in known}.values())  # of several names the last
+        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / % ** ^, {allowed}")
+
+    @contextmanager
+    def choice(self, parts: int) -> Iterator[None]:
+        """Count a choice of so many parts around those that are read within. Raises ValueError above MOST_CHOICES."""
+        self.choices += max(1, parts * (parts - 1)) * 2**self.inside
+        if self.choices > MOST_CHOICES:
+            raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
+        self.inside += 1
+        yield
+        self.inside -= 1
 
     def _chained(self, node, join, part_from, inverse, depth):
         """Return the terms of a sum, or the factors of a product: all at once, or SymPy would multiply some out."""
@@ -146,9 +166,8 @@ class _Reader:
 
     def _power(self, power, node):
         """Return the exponent of a node, or refuse it."""
-        if not (power.is_Integer and abs(power) <= LARGEST_POWER) and abs(power) != S.Half:
-            allowed = f"whole and at most {LARGEST_POWER}, or a half"
-            raise self.refused(f"a power in {self.text_of(node)[:60]} is not {allowed}")
+        if not (power.is_Rational and abs(power) <= LARGEST_POWER):
+            raise self.refused(f"a power in {self.text_of(node)[:60]} is no number of at most {LARGEST_POWER}")
         return power
 
     def _bounded(self, value, node):
@@ -190,15 +209,22 @@ def check_operations(name: str, value: object, expressions: Iterable[Basic]) -> 
         raise not_allowed(name, value, f"at most {MOST_OPERATIONS} operations, slopes included, and here are {count}")
 
 
+def remainder(number: Expr, divisor: Expr) -> Expr:
+    """Return what is left of a number by a divisor, with the divisor's sign."""
+    return number - divisor * floor(number / divisor)
+
+
 @evaluated
-def parse_expression(text: str, names: Mapping[str, Symbol]) -> Expr:
-    """Return the SymPy expression of a text: numbers, names, π, + - * / ** and the functions that have kernels.
+def parse_expression(text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable] = {}) -> Expr:
+    """Return the SymPy expression of a text: numbers, names, π, e, + - * / % ** and the functions that have kernels.
+
+    calls: further functions, which make an expression of those.
 
     A decimal is the exact fraction that it says. Raises ValueError, in one sentence, on anything else.
     """
     if not isinstance(text, str):
         raise not_allowed("expression", text, "a text")
-    return _Reader(text.strip(), names).expression()
+    return _Reader(text.strip(), names, calls).expression()
 
 
 def expression_text(expression: Expr, names: Mapping[str, Symbol]) -> str:

@@ -78,6 +78,7 @@ OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
+    "--linear": NAME | {"help": "float32 or float64: linear light in such numbers, in a .tif, and not sRGB bytes"},
     "--by": several(NAME)
     | {"help": "draw the slope by a number of the scene instead, such as beta or lights[0].position[2]; several: .npz"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
@@ -123,7 +124,7 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
         either = group.add_mutually_exclusive_group() if field.name == "field" else group
         either.add_argument(f"--{option}", dest=field.name, help=text, **kind)
         if field.name == "field":
-            text = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sinpi(k_u*u))'"
+            text = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sin(pi*k_u*u))'"
             either.add_argument("--field-expression", metavar="FORMULA", help=text)
             group.add_argument("--field-seam", action="store_true", help="let it differ at u = 0 and u = 1")
 
@@ -144,7 +145,7 @@ def scene_of(options: Namespace) -> Scene:
         return replace(scene, **values, field=field_from_record({"name": name, "expression": text, "seam": seam}))
     except ValueError as error:  # in the words of Python, and by a name that nobody gave
         told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
-        raise ValueError(told) from None
+        raise ValueError(re.sub("^(expression|field = --field-expression)", "field-expression", told)) from None
 
 
 def size_of(options: Namespace, size: int) -> tuple[int, int]:

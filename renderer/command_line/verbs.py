@@ -3,9 +3,10 @@
 import os
 import sys
 import warnings
-from argparse import Namespace
+from argparse import Namespace, RawDescriptionHelpFormatter
 from collections.abc import Sequence
 from dataclasses import fields
+from inspect import cleandoc
 from pathlib import Path
 
 import renderer
@@ -41,6 +42,7 @@ OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # of a pictu
 def draw_image(options: Namespace) -> None:
     """Draw one picture, whole in memory or streamed to a file."""
     target = _checked_out(options.out)
+    files.check_linear(options.linear, target)
     bounds = None if options.bounds is None else checked_target(options.bounds, (".npz",), "bounds")
     if bounds and bounds.resolve() == target.resolve():
         raise not_allowed("bounds", options.bounds, "another file than --out")
@@ -67,9 +69,9 @@ def draw_image(options: Namespace) -> None:
             else:
                 files.write_png(target, views.derivative_view(slope, *by))
         elif options.out == PIPE:
-            sys.stdout.buffer.write(frame._repr_png_())
+            sys.stdout.buffer.write(frame.to_png())
         else:
-            frame.save(target)
+            frame.save(target, options.linear)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:
@@ -154,6 +156,18 @@ VERBS: dict[str, tuple] = {
     "sweep": (print_sweep, OF_SWEEP),
     "doctor": (diagnose, {}),
 }
+EXAMPLES = {
+    "image": """examples:
+  %(prog)s --out bump.png
+  %(prog)s --again bump.png --out again.png
+  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta 0.1 --out golf.png""",
+    "views": """example:
+  %(prog)s --field sine --eps 1e-2 --out views""",
+    "sweep": """examples:
+  %(prog)s --field sine --eps 1e-2 1e-4 --no-facts
+  %(prog)s --field sine,ridges --beta 0.1,0.35 --size 64,128 --checkpoint kept.jsonl --csv table.csv""",
+    "doctor": None,
+}
 
 
 def _parser(prog, arguments):
@@ -163,7 +177,9 @@ def _parser(prog, arguments):
     parser.add_argument("--version", action="version", version=version, help="say the version, and end")
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="|".join(VERBS))
     for name, (run, verb_options) in VERBS.items():
-        verb = verbs.add_parser(name, help=str(run.__doc__).splitlines()[0], description=run.__doc__)
+        told = cleandoc(str(run.__doc__))
+        shown = {"description": told, "epilog": EXAMPLES[name], "formatter_class": RawDescriptionHelpFormatter}
+        verb = verbs.add_parser(name, help=told.splitlines()[0], **shown)
         if verb_options and name in arguments:
             for option, of_argparse in verb_options.items():
                 verb.add_argument(option, **of_argparse)

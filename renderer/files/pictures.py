@@ -12,7 +12,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from renderer.checks import extra
+from renderer.checks import check_choice, extra, not_allowed
 from renderer.threads import run_bands
 from renderer.whole_files import whole_file, write_whole
 
@@ -21,7 +21,8 @@ try:
 except ImportError:  # no wheel for this processor: the same pixels, more slowly
     import zlib  # type: ignore[no-redef]
 
-PICTURE_SUFFIXES = (".png", ".tif", ".tiff", ".npz", ".npy")
+TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
+PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
 BAND = 2**19  # bytes that are filtered and deflated at a time
@@ -111,6 +112,14 @@ def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> byt
     return b"".join(_parts(image, text, threads))
 
 
+def check_linear(linear: str | None, path: Path) -> None:
+    """Raise ValueError unless a picture of linear light in such numbers is a TIFF; None: there is none."""
+    if linear is not None:
+        check_choice("linear", linear, LINEAR)
+        if path.suffix.lower() not in TIFF:
+            raise not_allowed("linear", linear, "given with a .tif")
+
+
 def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
     """Write the PNG of `png_of`; the file appears whole or not at all."""
     write_whole(Path(path), *_parts(image, text))
@@ -144,7 +153,7 @@ def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarr
 
 
 def write_tiff(path: str | Path, image: np.ndarray) -> None:
-    """Write a uint8 picture, (height, width, 3), as a TIFF. Raises ModuleNotFoundError without the extra `tiff`."""
+    """Write a picture, (height, width, 3), as a TIFF of its numbers. Raises ModuleNotFoundError without `tiff`."""
     with extra("tiff"):
         import tifffile
     with whole_file(path) as name:

@@ -3,11 +3,16 @@
 They alone let SymPy and the proofs be imported where something is drawn.
 """
 
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from sympy import Expr
+
 from proofs.engine.half_turns import cospi as cospi, sinpi as sinpi
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField as HeightField
+from proofs.engine.program import put
+from proofs.formulas import height_fields
+from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
 from proofs.printers.python import print_function
 from proofs.printers.text import check_operations
@@ -15,12 +20,41 @@ from renderer.checks import check_kind, not_allowed
 from renderer.generate import programs
 from renderer.generate.custom_printer import OwnPrinter, exact_waves, made
 from renderer.generate.kernels import field_entry
-from renderer.generate.reader import expression_text, parse_expression
+from renderer.generate.reader import as_spelled, expression_text, parse_expression
 
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
-def made_field(field: HeightField) -> str | HeightField:
+@dataclass(frozen=True)
+class HeightField(height_fields.HeightField):
+    """A height field, by its formula as it comes to mind: an expression of SymPy, or a text.
+
+    name: identifier. expression: h in u, v, k_u, k_v, by any symbols of these names. seam: whether h may differ at
+    u = 0 and u = 1 where k_u is even and k_v whole. Raises ValueError where the name or the formula is not allowed.
+
+    >>> from renderer import HeightField
+    >>> HeightField("dunes", "0.1*sin(8*pi*u)^2").expression
+    sinpi(8*u)**2/10
+    """
+
+    expression: Any
+
+    def __post_init__(self):
+        if isinstance(self.expression, str):
+            put(self, expression=parse_expression(self.expression))
+            check_operations("field", self.name, [self.expression] * 2)  # slopes take as many or more, and long
+        elif isinstance(self.expression, Expr):
+            put(self, expression=as_spelled(self.expression))
+        else:
+            wall = "heights in an array have no formula, and what that costs is told on the page Two frontiers, priced"
+            raise self._refused(f"an expression of SymPy, or its text; {wall}")
+        try:
+            super().__post_init__()
+        except RecursionError:
+            raise not_allowed("field", self.name, "a formula that is nested less deep") from None
+
+
+def made_field(field: height_fields.HeightField) -> str | height_fields.HeightField:
     """Return a field once its kernels are made, or the name of the chapter's that it is.
 
     Raises ValueError where the chapter has another formula by its name, or the field is not allowed.
@@ -82,8 +116,6 @@ def from_record(record: dict[str, Any]) -> HeightField:
     name = check_kind("field.name", record["name"], str)
     expression = check_kind("field.expression", record["expression"], str)
     seam = check_kind("field.seam", record.get("seam", False), bool)
-    parsed = parse_expression(expression)
-    check_operations("field", name, [parsed] * 2)  # slopes take as many or more, and long to be taken
-    field = HeightField(name, parsed, seam)
+    field = HeightField(name, expression, seam)
     _text_of(field)
     return field

@@ -7,7 +7,7 @@ from typing import Any
 
 from mpmath import iv
 from mpmath.libmp import to_float
-from sympy import Expr, Rational, S
+from sympy import Expr, Rational
 from sympy.printing.precedence import precedence
 
 from proofs.formulas.height_fields import HeightField
@@ -32,7 +32,7 @@ class OwnPrinter(KernelPrinter):
         """Return the text of a constant as the float64 nearest to it, with its error where an enclosure leaves two."""
         usual, iv.dps = iv.dps, 4 * DIGITS
         try:
-            low, high = (to_float(end, rnd="n") for end in enclosure(constant, {S.Exp1: iv.e})._mpi_)
+            low, high = (to_float(end, rnd="n") for end in enclosure(constant, {})._mpi_)
         finally:
             iv.dps = usual
         return f"Constant({low!r}{f', {2 * (high - low) + math.ulp(low)!r}' if low < high else ''})"

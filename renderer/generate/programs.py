@@ -1,5 +1,7 @@
 """The programs of `proofs/` that become kernels, by name."""
 
+from functools import cache
+
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
@@ -91,6 +93,7 @@ def height_evaluations(method: str, field: HeightField) -> int:
     return sum(symbol in finite_difference.HEIGHTS for symbol, _ in lines)
 
 
+@cache
 def field_programs(field: HeightField) -> dict[str, Program]:
     """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
     programs = {

@@ -225,8 +225,10 @@ class Tracer:
         changed = getattr(builder, operation)(builder.bitcast(number.vector, integer), integer([other] * self.lanes))
         return Value(self, builder.bitcast(changed, self.vector))
 
-    def where(self, mask: Mask, value: Value | float, otherwise: Value | float) -> Value:
-        """Return the selection of `renderer.operations.where`."""
+    def where(self, mask: Mask | bool, value: Value | float, otherwise: Value | float) -> Value:
+        """Return the selection of `renderer.operations.where`; mask: a truth value, where literals are compared."""
+        if isinstance(mask, bool):
+            return self.value(value if mask else otherwise)
         return Value(self, self.builder.select(*(self.value(part).vector for part in (mask, value, otherwise))))
 
     def variable(self, value: Value | float) -> Variable:

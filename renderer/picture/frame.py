@@ -127,18 +127,37 @@ class Frame:
     def __repr__(self) -> str:
         return f"Frame({self.raster}, {self.method}, {self.scene})"
 
-    def _repr_png_(self):
-        """Return the PNG that a notebook shows."""
-        return pictures.png_of(to_bytes(self.rgb), self._record())
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(height, width, 3), as of `rgb`."""
+        return *self.raster.shape, 3
+
+    def __sub__(self, other: "Frame") -> np.ndarray:
+        """Return the difference of `rgb` from another frame's. Raises ValueError where its shape is another."""
+        if check_kind("frame", other, Frame).shape != self.shape:
+            raise not_allowed("frame", other, f"one of the shape {self.shape}")
+        return self.rgb - other.rgb
+
+    @property
+    def srgb(self) -> np.ndarray:
+        """(height, width, 3) uint8: the sRGB bytes that a screen shows, and a `.png` has."""
+        return to_bytes(self.rgb)
+
+    def to_png(self) -> bytes:
+        """Return the PNG that `save` writes."""
+        return pictures.png_of(self.srgb, self._record())
+
+    _repr_png_ = to_png  # which a notebook shows
 
     def _record(self):
         """Return the text by which the picture can be drawn again."""
         return text_of(self.shot)
 
-    def save(self, path: str | Path) -> None:
+    def save(self, path: str | Path, linear: str | None = None) -> None:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
-        `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`: the same bytes, with the extra `tiff`. `.npy`: `rgb`, float64.
+        `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`, with the extra `tiff`: the same bytes, or linear light in
+        numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64.
         `.npz`: `rgb`, `chambers`, `surface_data`, `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method
         and the raster: `python -m renderer image --again FILE` draws them again, unless a field of one's own has no
         text.
@@ -146,16 +165,17 @@ class Frame:
         Raises ValueError on another name, or one that cannot be written.
         """
         path = checked_target(path, pictures.PICTURE_SUFFIXES, "path")
+        pictures.check_linear(linear, path)
         match path.suffix.lower():
             case ".png":
-                pictures.write_png(path, to_bytes(self.rgb), self._record())
+                pictures.write_png(path, self.srgb, self._record())
             case ".npz":
                 arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
             case _:
-                pictures.write_tiff(path, to_bytes(self.rgb))
+                pictures.write_tiff(path, self.rgb.astype(linear) if linear else self.srgb)
 
     @property
     def bounded(self) -> bool:
@@ -281,9 +301,17 @@ class Frame:
         if not self.scene.lights:
             raise not_allowed("light", light, "none, as the scene has no light")
         light = check_whole("light", light, len(self.scene.lights) - 1, low=0)
-        normal = bumped_normal(*self.planes_on_a, self.scene.beta)
+        normal = self._normal_on_a()
         point, position = point_on_a(*self.planes_on_a[:4], self.scene.radius), self.scene.lights[light].position
         return self._plane(light_cosine(*point, *position, *normal), np.nan)
+
+    @property
+    def normal(self) -> np.ndarray:
+        """(height, width, 3) float64: the bumped normal N' by the frame's method, of length 1; NaN off A."""
+        return np.stack([self._plane(part, np.nan) for part in self._normal_on_a()], axis=-1)
+
+    def _normal_on_a(self):
+        return bumped_normal(*self.planes_on_a, self.scene.beta)
 
     def _plane(self, values, off_a, kind=np.float64):
         plane = np.full(self.raster.shape, off_a, kind)
@@ -303,7 +331,10 @@ class Frame:
 
     @property
     def kink(self) -> np.ndarray:
-        """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A."""
+        """(height, width) bool: a crease factor of the field is below 0.03 in magnitude, or the pole; False off A.
+
+        There is a crease where a factor of sines is 0; where any other expression is, there may be one.
+        """
         return self._plane(self.data_on_a["kink"] == 1.0, False, bool)
 
     @property
@@ -313,5 +344,8 @@ class Frame:
 
     @property
     def straddling(self) -> np.ndarray:
-        """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact."""
+        """(height, width) bool: a crease lies strictly within ε of the pixel in u or in v; False if exact.
+
+        One that is no line of zeros of sines is found by the signs of its factor at the difference's heights.
+        """
         return self._plane(self.data_on_a["straddling"] == 1.0 if self.method.eps else False, False, bool)

@@ -87,13 +87,23 @@ def sweep(
     method: str = "central",
     threads: int | None = None,
 ) -> list[SweepRow]:
-    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. Raises ValueError as `render`."""
+    """Return a SweepRow for every ε in `steps`: `method` against the exact gradient. Raises ValueError as `render`.
+
+    >>> from renderer import Scene, records, sweep
+    >>> [row["flips"] for row in records(sweep(Scene(field="sine"), 16, 16, [1e-2, 1e-3]))]
+    [0, 0]
+    """
     check_kind("steps", steps, Iterable, "a sequence of numbers")  # type: ignore[type-abstract]
     return list(compared([Task(scene, difference(method, eps), width, height) for eps in steps], threads))
 
 
 def records(results: Results) -> list[dict[str, Any]]:
-    """Return the rows of `sweep`, or the {Task: row} of `renderer.command_line.grid.run`, as dicts."""
+    """Return the rows of `sweep`, or the {Task: row} of `renderer.command_line.grid.run`, as dicts.
+
+    >>> from renderer import Scene, records, sweep
+    >>> [*records(sweep(Scene(), 8, 8, [1e-3]))[0]][:5]
+    ['eps', 'largest', 'rms', 'flips', 'straddling']
+    """
     if not isinstance(results, dict):
         return [asdict(row) for row in results]
     return [

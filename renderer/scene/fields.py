@@ -22,7 +22,8 @@ def check_field(name: str, value: Any, choices: Iterable[str]) -> Any:
     if isinstance(value, str):
         return str(check_choice(name, value, choices))
     makers = _makers()
-    return makers.made_field(value) if isinstance(value, makers.HeightField) else check_choice(name, value, choices)
+    is_field = isinstance(value, makers.height_fields.HeightField)
+    return makers.made_field(value) if is_field else check_choice(name, value, choices)
 
 
 def check_size(field: Any, ku: float, kv: float, beta: float) -> None:

@@ -1,7 +1,7 @@
 """The scene and its lights, checked when they are made."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -17,8 +17,10 @@ if TYPE_CHECKING:
     from proofs.formulas.height_fields import HeightField
 
     Field: TypeAlias = str | HeightField
-else:  # no SymPy is imported
-    Field = Any
+    Triple: TypeAlias = Sequence[float]
+    Lights: TypeAlias = Sequence["Light"]
+else:  # no SymPy is imported, and of a sequence a tuple is kept
+    Field, Triple, Lights = Any, tuple, tuple
 
 MODELS = tuple(LIGHT_MODELS)
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
@@ -37,8 +39,8 @@ class Light:
     Light(position=(0.0, 0.0, 5.0), color=(1.0, 1.0, 1.0))
     """
 
-    position: tuple
-    color: tuple | None = (1.0, 1.0, 1.0)
+    position: Triple
+    color: Triple | None = (1.0, 1.0, 1.0)
 
     def __post_init__(self):
         object.__setattr__(self, "position", check_triple("light.position", self.position))
@@ -90,22 +92,22 @@ class Scene:
     radius: float = _given(1.0, "radius of sphere A", check_number, 1e-60, 1e60)
     eye: float = _given(4.0, "height of the eye", check_number)
     ball: bool = _given(True, "leave sphere B out", check_truth)
-    ball_center: tuple = _given((0.5, 0.5, 1.3), "centre of sphere B", check_triple)
+    ball_center: Triple = _given((0.5, 0.5, 1.3), "centre of sphere B", check_triple)
     ball_radius: float = _given(0.32, "radius of sphere B", check_number)
     floor: bool = _given(True, "leave the floor out", check_truth)
-    lights: tuple = _given(
+    lights: Lights = _given(
         DEFAULT_LIGHTS, "a light, in place of the default two; repeat it for more, at most five", _check_lights
     )
-    ambient: tuple = _given((0.15, 0.15, 0.16), "colour of the ambient light", check_triple, 0.0, 1e6)
-    albedo_a: tuple = _given((0.63, 0.19, 0.16), "albedo of sphere A", check_triple, 0.0, 1.0)
-    albedo_b: tuple = _given((0.33, 0.44, 0.62), "albedo of sphere B", check_triple, 0.0, 1.0)
+    ambient: Triple = _given((0.15, 0.15, 0.16), "colour of the ambient light", check_triple, 0.0, 1e6)
+    albedo_a: Triple = _given((0.63, 0.19, 0.16), "albedo of sphere A", check_triple, 0.0, 1.0)
+    albedo_b: Triple = _given((0.33, 0.44, 0.62), "albedo of sphere B", check_triple, 0.0, 1.0)
     ka: float = _given(0.1, "ambient weight", check_number, 0.0, 1e6)
     kd: float = _given(0.7, "diffuse weight", check_number, 0.0, 1e6)
     ks: float = _given(0.5, "specular weight", check_number, 0.0, 1e6)
     shininess: float = _given(32.0, "exponent of the highlight", check_number, 1e-3, 1e6)
     model: str = _given("blinn", f"model of light: {', '.join(MODELS)}", check_choice, MODELS)
     floor_tint: float = _given(0.25, "how much red and green the floor lacks", check_number, 0.0, 1.0)
-    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_field, FIELDS)  # noqa: RUF009
+    field: Field = _given("ridges", f"height field: {', '.join(FIELDS)}", check_field, FIELDS)
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
@@ -206,7 +208,7 @@ class Geometry(NamedTuple):
 
     eye: float
     radius: float
-    ball: tuple[float, float, float, float]
+    ball: tuple[float, ...]
     ball_on: float
     floor_on: float
     lights: tuple

@@ -36,15 +36,17 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         x, y = np.broadcast_arrays(np.asarray(u, np.float64), np.asarray(v, np.float64))
     except (TypeError, ValueError):
         raise not_allowed("(u, v)", (u, v), "numbers, or arrays of shapes that go together") from None
-    inside = (x >= 0) & (x < 1) & (y >= 0) & (y <= 1)
+    inside = (x >= 0) & (x <= 1) & (y >= 0) & (y <= 1)
     if not inside.all():
-        raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u in [0, 1), v in [0, 1]")
+        raise ValueError(f"(u, v) = ({x[~inside][0]}, {y[~inside][0]}) is not allowed: u and v in [0, 1]")
     return x, y
 
 
 @np.errstate(all="ignore")
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
-    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart.
+    """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart, [0, 1]².
+
+    At u = 1 the formula is taken there, though the sphere's meridian is u = 0.
 
     >>> from renderer import Scene, height_at
     >>> height_at(Scene(field="sine"), [0.0, 0.0625], 0.125).tolist()
@@ -59,7 +61,7 @@ def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
 def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
-    u ∈ [0, 1), v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
+    u and v ∈ [0, 1], else ValueError; so too where `render` refuses the method for the scene.
 
     >>> from renderer import Scene, central, exact, gradient_at
     >>> for method in (exact(), central(1e-3)):

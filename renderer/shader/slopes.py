@@ -25,7 +25,7 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
     Where the picture needs no gradient, or no highlight, its slope may. Raises ValueError on what has no slope.
     """
     scene, names = shot.scene, check_items("derivatives", names, NUMBERS)
-    on = {"ball_": scene.ball, "albedo_b": scene.ball, "floor_tint": scene.floor}
+    on: dict[str, Any] = {"ball_": scene.ball, "albedo_b": scene.ball, "floor_tint": scene.floor}
     on |= {f"lights[{number}]": light.color for number, light in enumerate(scene.lights)}
     for name, (front, is_on) in product(names, on.items()):
         if not is_on and str(name).startswith(front):
