@@ -259,8 +259,12 @@ class Frame:
     @property
     def moves_boundaries(self) -> tuple[str, ...]:
         """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
-        gated = ("beta", "ku", "kv") if self.scene.model == "blinn_gated" else ()  # where a highlight ends at once
-        return tuple(name for name in self._by if name.startswith(BOUNDARIES + gated) or "position" in name)
+        moving = BOUNDARIES
+        if self.scene.model == "blinn_gated":  # where a highlight ends at once
+            moving += ("beta", "ku", "kv")
+        if not isinstance(field_kernels(self.scene.field)["straddling"](0.3, 0.3, 1.0, 1.0, 0.1), float):
+            moving += ("ku", "kv")  # a crease, where the colour jumps
+        return tuple(name for name in self._by if name.startswith(moving) or "position" in name)
 
     @property
     def chambers(self) -> np.ndarray:
