@@ -85,7 +85,7 @@ def violations(tab, mode="light", place="html"):
     """Return the faults that axe-core finds, if it is installed, where all that is folded is open."""
     if not AXE.is_file():
         return []
-    tab.evaluate("document.querySelectorAll('details').forEach(fold => fold.open = true)")
+    tab.evaluate("unfold(document); document.querySelectorAll('details').forEach(fold => fold.open = true)")
     tab.evaluate(ALIKE)
     next_frame(tab)
     tab.add_script_tag(path=AXE)
