@@ -87,7 +87,7 @@ OVER_POINTS = (
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
-    *(kernels.sinpi, kernels.cospi, kernels.exp, kernels.log),
+    *(kernels.sinpi, kernels.cospi, kernels.exp, kernels.log, kernels.atan2pi),
     *(kernel_of(method) for method in HEIGHT_EVALUATIONS for kernel_of in (points_of, slopes_of)),
 )
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1

@@ -411,6 +411,13 @@ def bumped_normal(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, beta):
     return bumped_x, bumped_y, bumped_z
 
 
+def surface_slopes(sin_phi, radius, h_u, h_v):
+    arc = -pi * radius
+    slope_theta = where(sin_phi > 0.0, 0.5 * h_u / (arc * sin_phi), 0.0)
+    slope_phi = where(sin_phi > 0.0, h_v / arc, 0.0)
+    return slope_theta, slope_phi
+
+
 def light_cosine(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z):
     to_light_x = light_x - point_x
     to_light_y = light_y - point_y
@@ -422,6 +429,11 @@ def light_cosine(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x,
     towards_z = light_scale * to_light_z
     mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
     return mu
+
+
+def height_of_light(point_x, point_y, point_z, light_x, light_y, light_z, normal_x, normal_y, normal_z):
+    above = normal_x * (light_x - point_x) + normal_y * (light_y - point_y) + normal_z * (light_z - point_z)
+    return above
 
 
 def blinn(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):
@@ -471,6 +483,44 @@ def phong(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped
     towards_z = light_scale * to_light_z
     mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
     specular_base = maximum(0.0, 2.0 * mu * (bumped_x * view_x + bumped_y * view_y + bumped_z * view_z) - towards_x * view_x - towards_y * view_y - towards_z * view_z)
+    return mu, specular_base
+
+
+def blinn_gated(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):
+    to_light_x = light_x - point_x
+    to_light_y = light_y - point_y
+    to_light_z = light_z - point_z
+    light_distance = sqrt(to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z)
+    light_scale = 1.0 / light_distance
+    towards_x = light_scale * to_light_x
+    towards_y = light_scale * to_light_y
+    towards_z = light_scale * to_light_z
+    mu = bumped_x * towards_x + bumped_y * towards_y + bumped_z * towards_z
+    halfway_x = towards_x + view_x
+    halfway_y = towards_y + view_y
+    halfway_z = towards_z + view_z
+    halfway_length = sqrt(halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z)
+    ungated = where(halfway_length > 0.0, maximum(0.0, (bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z) / halfway_length), 0.0)
+    specular_base = where(mu > 0.0, ungated, 0.0)
+    return mu, specular_base
+
+
+def blinn_gated_squared(point_x, point_y, point_z, light_x, light_y, light_z, bumped_x, bumped_y, bumped_z, view_x, view_y, view_z):
+    to_light_x = light_x - point_x
+    to_light_y = light_y - point_y
+    to_light_z = light_z - point_z
+    distance_squared = to_light_x * to_light_x + to_light_y * to_light_y + to_light_z * to_light_z
+    light_distance = sqrt(distance_squared)
+    halfway_x = light_distance * view_x + to_light_x
+    halfway_y = light_distance * view_y + to_light_y
+    halfway_z = light_distance * view_z + to_light_z
+    halfway_squared = halfway_x * halfway_x + halfway_y * halfway_y + halfway_z * halfway_z
+    along_light = bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z
+    along_halfway = maximum(0.0, bumped_x * halfway_x + bumped_y * halfway_y + bumped_z * halfway_z)
+    light_scale = where(halfway_squared > 0.0, 1.0 / (halfway_squared * light_distance), 0.0)
+    mu = where(halfway_squared > 0.0, along_light * halfway_squared * light_scale, -bumped_x * view_x - bumped_y * view_y - bumped_z * view_z)
+    ungated = along_halfway * along_halfway * light_distance * light_scale
+    specular_base = where(mu > 0.0, ungated, 0.0)
     return mu, specular_base
 
 
@@ -684,6 +734,7 @@ FIELDS = {
         "straddling": straddling_sine,
         "gradient_from_factors": gradient_from_factors_sine,
         "wave_numbers": wave_numbers_sine,
+        "level_without": ("k_u", "k_v"),
         "forward": forward, "central": central, "central4": central4,
         "height_evaluations": {"forward": 3, "central": 4, "central4": 8},
     },
@@ -694,6 +745,7 @@ FIELDS = {
         "straddling": straddling_ridges,
         "gradient_from_factors": gradient_from_factors_ridges,
         "wave_numbers": wave_numbers_ridges,
+        "level_without": ("k_u", "k_v"),
         "forward": forward, "central": central, "central4": central4,
         "height_evaluations": {"forward": 3, "central": 4, "central4": 8},
     },
@@ -704,6 +756,7 @@ FIELDS = {
         "straddling": straddling_rings,
         "gradient_from_factors": gradient_from_factors_rings,
         "wave_numbers": wave_numbers_rings,
+        "level_without": ("k_v",),
         "forward": forward_in_v, "central": central_in_v, "central4": central4_in_v,
         "height_evaluations": {"forward": 2, "central": 2, "central4": 4},
     },
@@ -713,5 +766,6 @@ FIELDS = {
 LIGHT_MODELS = {
     "blinn": (blinn, blinn_squared),
     "phong": (phong, None),
+    "blinn_gated": (blinn_gated, blinn_gated_squared),
 }
 """{name: (its kernel, that of the squared base)}"""

@@ -25,7 +25,7 @@ from hypothesis.strategies import (
 
 from renderer import Light, Scene, central, central4, exact, forward
 from renderer.kernels import FIELDS
-from renderer.scene.scene import MODELS
+from renderer.scene.scene import BUMPS, MODELS
 
 unhealthy = [HealthCheck.too_slow, HealthCheck.filter_too_much]
 settings.register_profile("same", max_examples=100, derandomize=True, deadline=None, suppress_health_check=unhealthy)
@@ -98,6 +98,8 @@ _rest = {
     "ku": wave_numbers,
     "kv": wave_numbers,
     "beta": betas,
+    "bump": sampled_from(BUMPS),
+    "horizon": booleans(),
 }
 
 
@@ -129,13 +131,16 @@ def scenes(draw, **fixed):
     chosen = {**place, "lights": tuple(lights)}
     for name, value in {**_rest, **fixed}.items():
         chosen[name] = draw(value) if isinstance(value, SearchStrategy) else value
+    if abs(chosen["beta"]) > 1e80 * radius:
+        chosen["bump"] = "chart"
     return Scene(**chosen)
 
 
+_chart = {"bump": "chart", "horizon": False}
 _looks = (
-    {"field": "ridges", "model": "blinn", "shininess": 32.0},
-    {"field": "sine", "model": "phong", "shininess": 7.5},
-    {"field": "rings", "model": "blinn", "shininess": 7.0},
+    {"field": "ridges", "model": "blinn", "shininess": 32.0, **_chart},
+    {"field": "sine", "model": "phong", "shininess": 7.5, **_chart},
+    {"field": "rings", "model": "blinn_gated", "shininess": 7.0, "bump": "surface", "horizon": True},
 )
 looks = sampled_from(_looks).flatmap(lambda look: scenes(**look))
 """Scenes of a few looks, for tests that are about neither field nor light: every combination is code to compile."""

@@ -6,6 +6,7 @@ import zlib
 from io import BytesIO
 from pathlib import Path
 from unittest.mock import Mock
+from zipfile import ZIP_STORED
 
 import numpy as np
 import pytest
@@ -44,7 +45,10 @@ def test_a_frame_saves_itself_or_leaves_nothing_or_the_old_file(name, tmp_path, 
     assert {*tmp_path.iterdir()} == {path, other}
     assert shows(path, FRAME)
     if name == "a.npz":
-        assert (np.load(path)["chambers"] == FRAME.chambers).all()
+        arrays = np.load(path)
+        assert (arrays["chambers"] == FRAME.chambers).all()
+        assert (arrays["u"] == FRAME.surface_data["u"][arrays["chambers"] & 3 == 1]).all()
+        assert {member.compress_type for member in arrays.zip.infolist()} == {ZIP_STORED}
 
 
 @pytest.mark.parametrize("library", [files.zlib, zlib])

@@ -9,7 +9,23 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import HeightField, Light, Scene, central, exact, forward, k_v, render, sinpi, u, v
+from renderer import (
+    HeightField,
+    Light,
+    Scene,
+    central,
+    exact,
+    forward,
+    gradient_at,
+    height_at,
+    k_v,
+    machines,
+    pixel,
+    render,
+    sinpi,
+    u,
+    v,
+)
 from renderer.machines import native, numpy_rows
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
@@ -97,21 +113,35 @@ def test_bounds_change_no_bit_and_are_the_same(name):
 @pytest.mark.parametrize("name", ["central_rings", "sum"])
 def test_slopes_change_no_bit_and_are_the_same(name):
     """By both machines, alone or together; of a crop by several threads, and of A alone on a stage."""
-    (scene, method), names = SCENES[name], ("beta", "kd", "lights[0].position[2]")
-    plain = render(scene, *SIZE, method)
+    (scene, method), names = SCENES[name], ("beta", "kd")
+    draw = partial(render, scene, *SIZE, method)
+    plain, together = draw(bounds=True), draw(derivatives=names, bounds=True)
     with drawn_by(numpy_rows.drawer):
-        ours = render(scene, *SIZE, method, derivatives=names)
-    together = render(scene, *SIZE, method, derivatives=names)
+        ours = draw(derivatives=names)
     assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
-    part = render(scene, *SIZE, method, (3, 5, 40, 7), threads=3, derivatives=names)
-    certified = render(scene, *SIZE, method, bounds=True, derivatives=names)
-    assert (certified.bounds == render(scene, *SIZE, method, bounds=True).bounds).all()
-    slopes = together.derivatives
-    assert (together.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
-    for by, slope in slopes.items():
-        alone = render(scene, *SIZE, method, derivatives=[by], stage=plain.stage)
-        for other in (ours, alone, certified):
-            np.testing.assert_array_equal(other.derivatives[by], slope, by)
-        assert (part.derivatives[by] == slope[5:12, 3:43]).all()
-        where = plain.stage.on_a if by == "beta" else plain.chambers & 3
-        assert alone.work["slopes"][by] == np.count_nonzero(where)
+    assert (together.bounds == plain.bounds).all()
+    part, slopes = draw((3, 5, 40, 7), threads=3, derivatives=names), together.derivatives
+    of_one = pixel(scene, *SIZE, 24, 16, method, names).derivatives
+    assert of_one == {name: tuple(slope[16, 24].tolist()) for name, slope in slopes.items()}
+    assert (ours.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
+    for by, on in (("beta", plain.stage.on_a), ("kd", plain.chambers & 3)):
+        alone = draw(derivatives=[by], stage=plain.stage)
+        assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
+        assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
+        assert alone.work["slopes"][by] == np.count_nonzero(on)
+
+
+@pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])
+def test_at_points_the_bits_are_the_same(field, monkeypatch):
+    """Slopes by every method, heights, and the data of a frame: points that fill no whole group."""
+    scene, at = Scene(field=field), np.random.default_rng(53).random((2, 3, 1401))
+
+    def computed():
+        slopes = [gradient_at(scene, *at, each) for each in (exact(), forward(1e-3), central(1e-4))]
+        data = render(scene, 128, 99, central(1e-3)).data_on_a
+        return [height_at(scene, *at), *(slope for pair in slopes for slope in pair), *data.values()]
+
+    compiled, few = computed(), []
+    monkeypatch.setattr(machines, "FEW_POINTS", np.inf)
+    monkeypatch.setattr(native, "over_points", lambda *given: few.append(given))
+    assert all(np.array_equal(one, other) for one, other in zip(compiled, computed(), strict=True)) and not few

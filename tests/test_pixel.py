@@ -1,13 +1,15 @@
 """The record of one pixel: the same bits as the frame, and parts that add up to its colour."""
 
+from dataclasses import replace
 from itertools import product
 
+import mpmath as mp
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from renderer import Scene, pixel, render
-from renderer.scene.scene import MODELS
+from renderer import Light, Scene, pixel, render
+from renderer.scene.scene import BUMPS, MODELS
 from tests.strategies import methods, rasters, scenes
 from verify.reference import reference_pixel
 
@@ -37,9 +39,9 @@ def test_a_record_has_the_gradient_of_the_field_without_a_bump_too():
     assert flat.gradient == bumped.gradient != (0.0, 0.0)
 
 
-@pytest.mark.parametrize("model, surface", [*product(MODELS, (1, 2, 3))])
-def test_a_record_is_what_50_digits_say(surface, model):
-    scene = Scene(model=model, shininess=7.5, ku=-6.0, kv=-3.0)
+@pytest.mark.parametrize("model, surface, bump", [*product(MODELS, (1, 2, 3), BUMPS[:1]), ("phong", 1, "surface")])
+def test_a_record_is_what_50_digits_say(surface, model, bump):
+    scene = Scene(model=model, shininess=7.5, ku=-6.0, kv=-3.0, bump=bump)
     row, column = np.argwhere(render(scene, 64, 64).chambers & 3 == surface)[0].tolist()
     record, truth = pixel(scene, 64, 64, column, row), reference_pixel(scene, 64, 64, column, row)
     told = {f"point_{axis}": c for axis, c in zip("xyz", record.point, strict=True)}
@@ -49,3 +51,52 @@ def test_a_record_is_what_50_digits_say(surface, model):
     if surface == 1:
         told |= {"u": record.u, "v": record.v, "h_u": record.gradient[0], "h_v": record.gradient[1]}
     assert told == pytest.approx({name: float(truth[name]) for name in told}, abs=1e-12)
+
+
+def displaced_normal(scene, theta, phi):
+    """Return the unit normal of (R + βh)N, sine's h, from derivatives that mpmath takes at 50 digits."""
+
+    def point(theta, phi):
+        lift = scene.radius + scene.beta * mp.sin(scene.ku * (theta + mp.pi) / 2) * mp.sin(scene.kv * phi)
+        return mp.matrix([mp.sin(phi) * mp.cos(theta), mp.sin(phi) * mp.sin(theta), mp.cos(phi)]) * lift
+
+    with mp.workdps(50):
+        along = [[mp.diff(lambda *at, n=n: point(*at)[n], (theta, phi), order) for n in range(3)] for order in ORDERS]
+        normal = np.cross(*along)
+        return (normal / mp.sqrt(normal @ normal)).astype(float)
+
+
+ORDERS = (0, 1), (1, 0)
+
+
+@pytest.mark.parametrize("beta", [1e-3, -1e-5])
+@pytest.mark.parametrize("row, column", [(20, 20), (12, 40), (40, 31)])
+def test_the_surfaces_bump_is_the_displaced_surfaces_but_for_one_term(row, column, beta):
+    """What it lacks is β h/R N, of first order in β, so the normal is off by β h/R times what the bump moves it."""
+    scene = Scene(field="sine", radius=2.0, eye=7.0, ball=False, beta=beta, bump="surface")
+    record = pixel(scene, 64, 64, column, row)
+    true, smooth = displaced_normal(scene, record.theta, record.phi), np.array(record.point) / scene.radius
+    moved = np.linalg.norm(true - smooth)
+    lost = abs(beta * record.h / scene.radius) * moved
+    assert np.linalg.norm(record.normal - true) == pytest.approx(lost, rel=0.01, abs=1e-15)
+    assert moved > 1e3 * lost > 0
+
+
+@pytest.mark.parametrize("switch, beta, shininess", [
+    ({"model": "blinn_gated"}, 0.35, 1.0),
+    ({"model": "blinn_gated"}, 0.35, 2.0),
+    ({"horizon": True}, 0.0, 2.0),
+])  # fmt: skip
+def test_a_switch_takes_light_from_behind_and_no_more(switch, beta, shininess):
+    """Behind the bumped normal the highlight, behind the surface itself all light; the rest keeps its bits."""
+    scene = Scene(shininess=shininess, kd=0.0, lights=(Light((6.0, 2.0, 1.0)),))
+    plain, unlit, switched = (render(replace(scene, **changes), 64, 64) for changes in ({}, {"ks": 0.0}, switch))
+    on_a, behind = plain.stage.on_a, render(replace(scene, beta=beta), 64, 64).light_cosines(0) <= 0
+    expected = np.where(behind[..., None], unlit.rgb, plain.rgb)[on_a]
+    np.testing.assert_array_equal(switched.rgb[on_a], expected)
+    assert (plain.rgb[on_a] != expected).any()
+
+
+def test_a_gated_highlight_ends_where_the_bump_says():
+    frame = render(Scene(model="blinn_gated"), 8, 8, derivatives=("beta", "kd"))
+    assert frame.moves_boundaries == ("beta",)

@@ -4,9 +4,10 @@ import csv
 
 import pytest
 
-from renderer import Scene, render
+from renderer import Scene, forward, render
 from renderer.intervals import certain_digits
 from renderer.picture.facts import facts
+from renderer.picture.stage import Stage
 from renderer.picture.sweep import HEADINGS, sweep, table, write_csv
 
 
@@ -49,3 +50,17 @@ def test_facts():
     assert told["ridges on the crease u = 1/8: exact (h_u, h_v)"] == "(0, 0)"
     errors = [float(told[f"sine at (0.31, 0.47): error of h_u, eps = {eps}"]) for eps in ("0.001", "0.0001", "1e-06")]
     assert errors[:2] == [6.116e-05, 6.116e-07] and 7e-12 < errors[2] < 7e-10
+
+
+def test_a_further_step_draws_one_picture(monkeypatch):
+    """And its straddling pixels are those of the frame itself."""
+    drawn, draw = [], Stage.draw
+    monkeypatch.setattr(Stage, "draw", lambda *given, **want: drawn.append(want) or draw(*given, **want))
+    scene = Scene(ku=7.0)
+    (first,) = sweep(scene, 96, 96, [1e-2], "forward")
+    before = len(drawn)
+    several = sweep(scene, 96, 96, [1e-2, 1e-3, 1e-4], "forward")
+    assert several[0] == first and len(drawn) - before == before + 2
+    assert [row.straddling for row in several] == [
+        render(scene, 96, 96, forward(row.eps)).straddling.sum() for row in several
+    ]

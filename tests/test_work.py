@@ -7,7 +7,7 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from renderer import Light, Scene, central, central4, exact, forward, render, stage_of
+from renderer import HeightField, Light, Scene, central, central4, cospi, exact, forward, k_u, render, stage_of, u
 from renderer.scene import scene
 
 DEFAULT = Scene()
@@ -90,3 +90,25 @@ def test_a_stage_leaves_sphere_a_alone_to_be_drawn():
     assert work_of(central(1e-3), staged).light_terms == on_a
     assert work_of(options=staged, beta=2.0, field="sine", ku=3.0).light_terms == on_a
     assert work_of(options=staged, ka=0.2).light_terms == terms
+
+
+BLACK = tuple(Light(light.position, (0.0, 0.0, 0.0)) for light in DEFAULT.lights)
+WAVES = HeightField("waves", cospi(k_u * u))
+
+
+@pytest.mark.parametrize("method", [exact(), central(1e-3)])
+@pytest.mark.parametrize("fields, same_as", [
+    ({"ku": 0.0, "field": WAVES}, {"beta": 0.0}),
+    ({"kv": 0.0, "bump": "surface"}, {"beta": 0.0}),
+    ({"kd": 0.0, "ks": 0.0}, {"lights": BLACK}),
+    ({"lights": BLACK}, {"lights": ()}),
+])  # fmt: skip
+def test_a_bump_that_is_not_seen_costs_no_gradient(fields, same_as, method):
+    """Nor a light term where nothing scatters; the field's slopes stay. Rings have theirs in v alone."""
+    frame = render(replace(DEFAULT, **fields, floor=False), *SIZE, method)
+    np.testing.assert_array_equal(frame.rgb, render(replace(DEFAULT, **same_as, floor=False), *SIZE, method).rgb)
+    level = "beta" in same_as
+    counted = [frame.work[kind] > 0 for kind in ("gradient_evaluations", "height_evaluations", "light_terms")]
+    assert counted == [False, False, level] and frame.slope.any() != level
+    rings = work_of(method, field="rings", ku=0.0)
+    assert rings.gradient_evaluations + rings.height_evaluations > 0

@@ -17,11 +17,12 @@ from proofs.formulas.shading import LIGHT_MODELS
 from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
+from renderer.scene.scene import BUMPS
 from verify.accuracy.pixels import compared
 from verify.evidence.records import command
 
 EACH = 6  # pixels of a picture at random, and as many of the largest bounds
-KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, "exact", *METHODS)
+KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, *BUMPS, "exact", *METHODS)
 
 
 def random_scene(random: np.random.Generator) -> Scene:
@@ -82,23 +83,20 @@ def random_picture(seed: int) -> Frame:
     ku, kv = (float(k) for k in waves[seed % 4])
     lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
     method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
-    return render(
-        replace(
-            scene,
-            lights=tuple(lights),
-            field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
-            model=list(LIGHT_MODELS)[seed % len(LIGHT_MODELS)],
-            shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
-            beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
-            ku=ku,
-            kv=kv,
-        ),
-        width,
-        height,
-        method[seed // 4 % len(method)],
-        crop,
-        bounds=True,
+    scene = replace(
+        scene,
+        lights=tuple(lights),
+        field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
+        model=list(LIGHT_MODELS)[seed // 3 % len(LIGHT_MODELS)],
+        shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
+        beta=float(random.choice([0.35, 0.0, -20.0, 10.0 ** random.uniform(-3, 100)])),
+        ku=ku,
+        kv=kv,
+        horizon=seed % 5 == 0,
     )
+    if seed % 2 and abs(scene.beta) < 1e78:
+        scene = replace(scene, bump="surface")
+    return render(scene, width, height, method[seed // 4 % len(method)], crop, bounds=True)
 
 
 def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[int, int]]:
@@ -118,7 +116,7 @@ def measure(pictures: int, first: int = 1000) -> dict:
     counts, opened, drawn = Counter[str](), Counter[str](), Counter[str]()
     for seed in tqdm(range(first, first + pictures), desc="pictures", unit="picture", disable=None):
         frame, random = random_picture(seed), np.random.default_rng(seed)
-        kinds = ("all", str(frame.scene.field), str(frame.scene.model), frame.method.name)
+        kinds = ("all", str(frame.scene.field), str(frame.scene.model), frame.scene.bump, frame.method.name)
         opened.update(dict.fromkeys(kinds, int(frame.open.sum())))
         drawn.update(dict.fromkeys(kinds, frame.open.size))
         for number, place in enumerate(places(frame, random, EACH)):

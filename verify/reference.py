@@ -23,15 +23,17 @@ class Undecided(ValueError):
 
 
 @lru_cache(maxsize=64)
-def _lines_of(field, model, lights, method):
+def _lines_of(field, model, lights, method, *bump):
     """Return a whole pixel in balls, by a gradient method: exact is the general form."""
     height_field = HEIGHT_FIELDS[field]
-    return Balls(pixel(height_field, model, lights, None if method == "exact" else METHODS[method](height_field)))
+    gradient = None if method == "exact" else METHODS[method](height_field)
+    return Balls(pixel(height_field, model, lights, gradient, *bump))
 
 
 def lines_of(scene: Scene, method: str, bits: int, **others: Any) -> dict[str, arb]:
     """Return {name: ball} of every line of a pixel's program, of the exact values of the scene's numbers and others."""
-    return _lines_of(scene.field, scene.model, len(lights_on(scene)), method)(scene_values(scene, **others), bits)
+    lines = _lines_of(scene.field, scene.model, len(lights_on(scene)), method, scene.bump, scene.horizon)
+    return lines(scene_values(scene, **others), bits)
 
 
 def lights_on(scene: Scene) -> list[Light]:

@@ -45,11 +45,13 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
     assert all(numbers[f"open_share_{kind}"] <= 1e-3 for kind in KINDS)
 
 
-@pytest.mark.parametrize("field", HEIGHT_FIELDS)
-@pytest.mark.parametrize("model", LIGHT_MODELS)
-def test_the_default_scene(field, model):
-    """Nothing is open, at 256²; bounds are tight."""
-    scene = Scene(field=field, model=model)
+@pytest.mark.parametrize("scene", [
+    *(Scene(field=field, model=model) for model in LIGHT_MODELS for field in HEIGHT_FIELDS),
+    Scene(bump="surface"),
+    Scene(bump="surface", field="sine", model="blinn_gated", shininess=1.0, horizon=True),
+])  # fmt: skip
+def test_the_default_scene(scene):
+    """Nothing is open, at 256²; bounds are tight. The same of another bump, and of light from in front alone."""
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12

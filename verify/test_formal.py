@@ -11,11 +11,12 @@ import pytest
 from sympy import Derivative, sign
 
 from proofs.engine.claim import Claim, Separation, equation
-from proofs.engine.theorem import all_theorems
+from proofs.engine.theorem import Pinned, Theorem, all_theorems
 from proofs.engine.vectors import real
 from proofs.printers.coq_statements import proposition, statements, statements_of
 from renderer.whole_files import write_whole
 from verify import conftest
+from verify.checkers import proof_checker
 from verify.coq import formal, recorded, survey, vernacular
 from verify.evidence.sources import ROOT
 
@@ -194,6 +195,7 @@ def test_a_claim_counts_where_its_printed_form_is_proved_and_no_words_count(writ
 def test_people_can_read_the_files_and_open_them_as_the_command_does():
     texts = [re.sub(r"\d{100,}", "", path.read_text("utf-8")) for path in formal.FOLDER.glob("*.v")]
     assert max(len(line) for text in texts for line in text.splitlines()) <= 160
+    assert not [text for text in texts if re.search(r"\bH\d+\b", text)]  # a name that an edit of a claim moves
     project = (formal.FOLDER / "_CoqProject").read_text("utf-8").replace("-arg ", "")
     assert project.split() == [*formal.COQC[1:]]
 
@@ -272,20 +274,23 @@ def test_a_printed_name_is_a_name_and_one_claims(named):
         statements_of(claims)
 
 
-SAYS = {
-    r"\\sin\b": r"\bsin",
-    r"\\cos\b": r"\bcos",
-    r"\\max\b": "Rmax",
-    r"\\min\b": "Rmin",
-    r"\\arctan": r"\batan",
-    r"\bwhole\b|any number|whatever order": r"\b(nat|Z|INR)\b",
-    r"exactly (if|on)\b": "<->",
-    "no derivative": r"~\s*ex_derive",
-    r"float64|mathrm\{fl": "float64",
-    r"\btends? to\b": r"\b(filterlim|is_lim)\b",
-    r"\bRMS\b": r"\bis_RInt\b",
-}
-"""{a function, a quantifier or a limit in words: in a statement}"""
+SAYS = dict(
+    line.split()
+    for line in r"""
+        \\sin\b                             \bsin
+        \\cos\b                             \bcos
+        \\max\b                             Rmax
+        \\min\b                             Rmin
+        \\arctan                            \batan
+        \bwhole\b|any\snumber|any\sorder    \b(nat|Z|INR)\b
+        exactly\s(if|on)\b                  <->
+        no\sderivative                      ~\s*ex_derive
+        float64|mathrm\{fl                  float64
+        \btends?\sto\b                      \b(filterlim|is_lim)\b
+        \bRMS\b                             \bis_RInt\b
+    """.strip().splitlines()
+)
+"""{a function, a quantifier or a limit in words: in a statement}; of the last three the other way, too."""
 NUMBER, QUOTIENT = r"(?<![\w'.])\d+(?:\.\d+)?", r"(\d+) / (\d+)"
 PINNING = {id: theorem for id, theorem in all_theorems().items() if theorem.pinned}
 
@@ -309,6 +314,26 @@ def test_words_have_the_numbers_functions_and_quantifiers_of_what_is_pinned_and_
     assert of_words <= of_says | quotients | small
     other = re.sub(QUOTIENT, lambda q: "" if Fraction(int(q[1]), int(q[2])) in of_given else q[0], pinned)
     assert _numbers(other) <= of_given | small
+
+
+def test_a_theorem_whose_pin_is_not_what_coq_proved_fails_and_is_not_formal(monkeypatch):
+    accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
+    text = recorded.in_full("binades__tie", accepted)
+    accepted["binades"]["statements"] |= {"binades__bare": text}
+    monkeypatch.setattr(recorded, "record", lambda: accepted)
+    for pin, why in (
+        (Pinned("binades__tie", recorded.digest(text)), ""),
+        (Pinned("binades__tie", recorded.digest(text.replace("2 ^ 52", "2 ^ 51"))), "Coq proves another binades__tie"),
+        (Pinned("binades__none", recorded.digest(text)), "binades__none is not in Coq's record"),
+        (Pinned("binades__bare", recorded.digest(text)), "binades__bare has no false variant"),
+    ):
+        theorem = Theorem("binades", "", {"At a tie.": pin})
+        examination = proof_checker.examine(theorem, {})
+        assert examination.grade == ("failed" if why else "proved")
+        assert all(problem.startswith(why) for problem in examination.problems)
+        assert formal.is_formal(theorem, None) == (not why)
+    with pytest.raises(ValueError, match="pins what is another theorem's: binades__tie"):
+        Theorem("pole", "", {"At a tie.": Pinned("binades__tie", "")})
 
 
 def _numbers(text):

@@ -22,7 +22,7 @@ from verify.coq import formal
 POINTS, ATTEMPTS = 2, 3000
 CLOSE = mpmath.mpf(10) ** -30
 DEFINITION = re.compile(r"^Definition (\w+) : Prop :=\n(.*?)\.$", re.MULTILINE | re.DOTALL)
-WRITTEN = dict(DEFINITION.findall((formal.FOLDER / "Statements.v").read_text("utf-8")))
+WRITTEN = dict(DEFINITION.findall(re.sub(r"\n {6,}", " ", (formal.FOLDER / "Statements.v").read_text("utf-8"))))
 CONDITIONAL = re.compile(r"^\((.* -> .*)\)$")
 CLAIMS = {f"{t.id}__{c.name}": (t, c) for t in all_theorems().values() for c in t.claims if isinstance(c, Claim)}
 

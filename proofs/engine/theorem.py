@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Encloses, Parts, Rounded, point
+from proofs.engine.claim import AnyClaim, Claim, Parts, point
 from proofs.engine.program import Some, flat, put
 from proofs.engine.project import PROJECT
 
@@ -126,7 +126,7 @@ class Theorem(Parts):
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
     verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
     proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
-    float64's own operations; of clauses, theirs.
+    float64's own operations.
 
     >>> from proofs.theorems.language import Claim, Theorem, equation, real, variant
     >>> x = real("x")
@@ -165,9 +165,8 @@ class Theorem(Parts):
         put(self, short=_clauses(self.short))
         super().__post_init__()
         if not isinstance(self.statement, str):
-            named = tuple(dict.fromkeys(claim for clause in self.statement for claim in clause.claims))
-            put(self, rounded=tuple(claim for claim in named if isinstance(claim, Rounded | Encloses)))
-            put(self, claims=tuple(claim for claim in named if not isinstance(claim, Rounded | Encloses | Pinned)))
+            claims = dict.fromkeys(claim for claim in self._named if not isinstance(claim, Pinned))
+            put(self, claims=tuple(claims))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:
             put(self, refuted_at=point(self.refuted_at))
@@ -198,7 +197,7 @@ class Theorem(Parts):
     def clauses(self) -> tuple[Clause, ...]:
         """The statement's clauses: a text is one clause, which all the claims say."""
         if isinstance(self.statement, str):
-            return (Clause(self.statement, (*self.claims, *self.rounded)),)
+            return (Clause(self.statement, self.claims),)
         return self.statement
 
     @property

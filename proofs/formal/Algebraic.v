@@ -34,7 +34,8 @@ Theorem algebraic_gradient__rings_in_v : Statements.algebraic_gradient__rings_in
 Proof. red. intros. powers_of phi. replace (PI * _) with (phi * INR n) by (field; apply PI_neq0). auto. Qed.
 Theorem algebraic_gradient__in_u : Statements.algebraic_gradient__in_u.
 Proof.
-  red. intros. powers_of (theta + PI). destruct (de_moivre PI sign_ (fun _ => 0)) with (n := n) as [E F]; trivial; [intro; rewrite ?H4, cos_PI, sin_PI; ring..|].
+  red. intros. powers_of (theta + PI). destruct (de_moivre PI sign_ (fun _ => 0)) with (n := n) as [E F]; trivial; [intro; try match goal with S :
+    forall n, sign_ (S n) = _ |- _ => rewrite S end; rewrite cos_PI, sin_PI; ring..|].
   replace (PI * (2 * INR n * (theta + PI) / (2 * PI))) with ((theta + PI) * INR n) by (field; apply PI_neq0).
   rewrite E, (Rmult_comm PI), <- F. replace ((theta + PI) * INR n) with (INR n * theta + INR n * PI) by ring.
   rewrite cos_plus, sin_plus, <- F. repeat split; ring.

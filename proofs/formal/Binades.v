@@ -16,25 +16,31 @@ Qed.
 Lemma binade_of_multiple (k : Z) (t : R) : IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> bpow radix2 k <= t * bpow radix2 (k - 52) < bpow radix2 (k + 1).
 Proof.
   change (IZR (2 ^ 52)) with (bpow radix2 52). change (IZR (2 ^ 53)) with (bpow radix2 53). assert (S := bpow_gt_0 radix2 (k - 52)).
-  replace k with (52 + (k - 52))%Z at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53). intro T. split; nra.
+  replace k with (52 + (k - 52))%Z at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53). intro
+    T. split; nra.
 Qed.
-Lemma rounded_in_binade (k : Z) (t : R) : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR (nearest_whole t) * bpow radix2 (k - 52).
+Lemma rounded_in_binade (k : Z) (t : R) : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR
+  (nearest_whole t) * bpow radix2 (k - 52).
 Proof.
-  intros K T. unfold rounded, round, F2R, scaled_mantissa. rewrite (spacing k) by (exact K || apply binade_of_multiple, T). cbn [Fnum Fexp]. unfold nearest_whole. do 3 f_equal.
+  intros K T. unfold rounded, round, F2R, scaled_mantissa. rewrite (spacing k) by (exact K || apply binade_of_multiple, T). cbn [Fnum Fexp]. unfold
+    nearest_whole. do 3 f_equal.
   rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r. apply Rmult_1_r.
 Qed.
 Lemma multiple_in_binade (k : Z) (u : R) : (-1022 <= k)%Z -> float64 u -> bpow radix2 k <= u < bpow radix2 (k + 1) ->
   exists m : Z, u = IZR m * bpow radix2 (k - 52) /\ (2 ^ 52 <= m < 2 ^ 53)%Z.
 Proof.
-  intros K F B. unfold float64, generic_format, F2R in F. rewrite (spacing k) in F by assumption. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F. exists m. split; [exact F|].
-  assert (S := bpow_gt_0 radix2 (k - 52)). replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53) in B.
+  intros K F B. unfold float64, generic_format, F2R in F. rewrite (spacing k) in F by assumption. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F.
+    exists m. split; [exact F|].
+  assert (S := bpow_gt_0 radix2 (k - 52)). replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring.
+    rewrite (bpow_plus _ 52), (bpow_plus _ 53) in B.
   split; [apply le_IZR | apply lt_IZR]; change (IZR (2 ^ 52)) with (bpow radix2 52); change (IZR (2 ^ 53)) with (bpow radix2 53); nra.
 Qed.
 Lemma nearest_inside (m : Z) (t : R) : Rabs t < / 2 -> nearest_whole (IZR m + t) = m.
 Proof. intro T. apply Znearest_imp. replace (IZR m + t - IZR m) with t by ring. exact T. Qed.
 Lemma nearest_tie (m : Z) : nearest_whole (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
 Proof.
-  unfold nearest_whole, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq by ring. destruct (Z.even m); reflexivity.
+  unfold nearest_whole, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq
+    by ring. destruct (Z.even m); reflexivity.
 Qed.
 (* What a positive step of float64 is added to, or taken from, in units of the spacing s. *)
 Lemma float64_step (e : R) (j : Z) : float64 e -> 0 < e -> e <= bpow radix2 j -> (-1074 <= j)%Z.
@@ -45,25 +51,32 @@ Qed.
 Lemma half_spacing (k : Z) : bpow radix2 (k - 53) = bpow radix2 (k - 52) / 2.
 Proof. replace (k - 52)%Z with (k - 53 + 1)%Z by ring. rewrite (bpow_plus _ _ 1). change (bpow radix2 1) with 2. field. Qed.
 (* Both sums round back to u: the whole binade dies. *)
-Lemma stays (k : Z) (u e : R) : float64 u -> float64 e -> bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < e < bpow radix2 (k - 53) -> (u = bpow radix2 k -> e <= bpow radix2 (k - 54)) ->
+Lemma stays (k : Z) (u e : R) : float64 u -> float64 e -> bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < e < bpow radix2 (k - 53) -> (u = bpow radix2
+  k -> e <= bpow radix2 (k - 54)) ->
   rounded (e + u) = u /\ rounded (u - e) = u.
 Proof.
   intros F E B [P L] A. assert (K : (-1021 <= k)%Z) by (generalize (float64_step e (k - 53) E P (Rlt_le _ _ L)); lia).
   destruct (multiple_in_binade k u) as (m & U & M); try assumption; [lia|]. set (s := bpow radix2 (k - 52)) in *. assert (S : 0 < s) by apply bpow_gt_0.
   assert (H : bpow radix2 (k - 53) = s / 2) by apply half_spacing.
-  set (t := e / s). assert (T : e = t * s) by (unfold t; field; lra). assert (T2 : 0 < t < / 2) by nra. assert (M1 : IZR m + 1 <= IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_le; lia).
+  set (t := e / s). assert (T : e = t * s) by (unfold t; field; lra). assert (T2 : 0 < t < / 2) by nra. assert (M1 : IZR m + 1 <= IZR (2 ^ 53)) by
+    (rewrite <- plus_IZR; apply IZR_le; lia).
   assert (M0 : IZR (2 ^ 52) <= IZR m) by (apply IZR_le; lia). split.
-  - rewrite T, U. replace (t * s + IZR m * s) with ((IZR m + t) * s) by ring. unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_pos_eq; lra). reflexivity.
+  - rewrite T, U. replace (t * s + IZR m * s) with ((IZR m + t) * s) by ring. unfold s. rewrite rounded_in_binade by (lia || lra). rewrite
+    nearest_inside by (rewrite Rabs_pos_eq; lra). reflexivity.
   - destruct (Z.eq_dec m (2 ^ 52)) as [->|N].
-    + assert (U' : u = bpow radix2 k) by (rewrite U; change (IZR (2 ^ 52)) with (bpow radix2 52); unfold s; rewrite <- bpow_plus; f_equal; ring). specialize (A U').
+    + assert (U' : u = bpow radix2 k) by (rewrite U; change (IZR (2 ^ 52)) with (bpow radix2 52); unfold s; rewrite <- bpow_plus; f_equal; ring).
+      specialize (A U').
       assert (K' : (-1020 <= k)%Z) by (generalize (float64_step e (k - 54) E P A); lia).
-      assert (Q : bpow radix2 (k - 54) = s / 4) by (unfold s; replace (k - 52)%Z with (k - 54 + 2)%Z by ring; rewrite (bpow_plus _ _ 2); change (bpow radix2 2) with 4; field).
+      assert (Q : bpow radix2 (k - 54) = s / 4) by (unfold s; replace (k - 52)%Z with (k - 54 + 2)%Z by ring; rewrite (bpow_plus _ _ 2); change (bpow
+        radix2 2) with 4; field).
       assert (Tie : rounded (u - s / 4) = u).
       { replace (u - s / 4) with ((IZR (2 ^ 53 - 1) + / 2) * bpow radix2 (k - 1 - 52)).
-        - rewrite rounded_in_binade, nearest_tie, U' by (lia || simpl; lra). match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end. rewrite <- bpow_plus. f_equal. ring.
+        - rewrite rounded_in_binade, nearest_tie, U' by (lia || simpl; lra). match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end.
+          rewrite <- bpow_plus. f_equal. ring.
         - rewrite U. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. simpl. lra. }
       apply Rle_antisym; [rewrite <- (kept u F) at 2 | rewrite <- Tie at 1]; apply round_le; try typeclasses eauto; lra.
-    + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply IZR_le; lia).
+    + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply
+      IZR_le; lia).
       unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.
 Qed.
 (* The tie, epsilon = s/2: both sums round back where the significand m is even, and both move by s where it is odd. *)
@@ -77,7 +90,8 @@ Proof.
 Qed.
 Lemma below_1 (k m : Z) : (k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in 0 < s < IZR m * s /\ IZR m * s + s < 1.
 Proof.
-  intros K M s. assert (S : 0 < s) by apply bpow_gt_0. assert (T : s <= bpow radix2 (-53)) by (apply bpow_le; lia). assert (A : 1 < IZR m) by (apply IZR_lt; lia). split; [split; nra|].
+  intros K M s. assert (S : 0 < s) by apply bpow_gt_0. assert (T : s <= bpow radix2 (-53)) by (apply bpow_le; lia). assert (A : 1 < IZR m) by (apply
+    IZR_lt; lia). split; [split; nra|].
   assert (B : IZR m + 1 < IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_lt; lia). apply Rlt_le_trans with (IZR (2 ^ 53) * s); [nra|].
   apply Rle_trans with (bpow radix2 53 * bpow radix2 (-53)); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact T] | rewrite <- bpow_plus; right; reflexivity].
 Qed.
@@ -104,7 +118,8 @@ Proof.
   rewrite P', M', Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
 Qed.
 Lemma none_in_v (height : R -> R -> R -> R -> R) (u w k_u k_v e : R) : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w ->
-  central_any_float64.v_plus w e = w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v height u w k_u k_v e = 0.
+  central_any_float64.v_plus w e = w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v
+    height u w k_u k_v e = 0.
 Proof.
   intros B E [P M]. destruct (arguments_in_v w e E) as (P' & M' & S'); [lra | lra|]. rewrite P in P'. rewrite M in M'.
   repeat split; try assumption. unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
@@ -136,16 +151,20 @@ Theorem binades__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) 
   else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
     central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
 Proof.
-  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. assert (T := tied k m ltac:(lia) M).
-  cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by (unfold epsilon; rewrite half_spacing; field).
+  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. assert (T
+    := tied k m ltac:(lia) M).
+  cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
+    (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
   assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial; lra).
   assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite N; trivial; lra).
   destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F))); f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
-  unfold central_any_float64.h_u, central_any_float64.h_v, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
-  rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split; (transitivity (rounded 2); [f_equal; field; lra | exact Two]).
+  unfold central_any_float64.h_u, central_any_float64.h_v, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v_plus,
+    central_any_float64.h_v_minus.
+  rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split;
+    (transitivity (rounded 2); [f_equal; field; lra | exact Two]).
 Qed.
 
 (* The pole v = 0 keeps all of the slope: v - epsilon is clamped to 0, and the span is epsilon. *)
@@ -153,7 +172,8 @@ Theorem binades__pole (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R) :
   central_any_float64.v_plus 0 epsilon = epsilon /\ central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\
   central_any_float64.h_v height u 0 k_u k_v epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
 Proof.
-  intros E B. assert (P : central_any_float64.v_plus 0 epsilon = epsilon) by (unfold central_any_float64.v_plus; rewrite Rplus_0_r, (kept _ E), Rmin_right; lra).
+  intros E B. assert (P : central_any_float64.v_plus 0 epsilon = epsilon) by (unfold central_any_float64.v_plus; rewrite Rplus_0_r, (kept _ E),
+    Rmin_right; lra).
   assert (M : central_any_float64.v_minus 0 epsilon = 0) by (unfold central_any_float64.v_minus; rewrite Rminus_0_l, rounded_opp, (kept _ E), Rmax_left; lra).
   assert (S : central_any_float64.span_v 0 epsilon = epsilon).
   { unfold central_any_float64.span_v. rewrite P, M, Rplus_0_r, Rminus_0_r, (kept _ E). destruct (both _ _) as [[]|_]; [lra | reflexivity]. }
@@ -169,15 +189,18 @@ Proof.
   assert (G : (-1020 <= mag radix2 x)%Z) by (apply (mag_ge_bpow radix2 x (-1020)); exact L).
   assert (C : cexp radix2 (FLT_exp (-1074) 53) (/ 2 * x) = (cexp radix2 (FLT_exp (-1074) 53) x + -1)%Z) by (unfold cexp; rewrite M; unfold FLT_exp; lia).
   unfold rounded, round, F2R, scaled_mantissa. rewrite C. cbn [Fnum Fexp]. rewrite bpow_plus, Z.opp_add_distr, bpow_plus.
-  change (bpow radix2 (- -1)) with 2. change (bpow radix2 (-1)) with (/ 2). replace (/ 2 * x * _) with (x * bpow radix2 (- cexp radix2 (FLT_exp (-1074) 53) x)) by field. field.
+  change (bpow radix2 (- -1)) with 2. change (bpow radix2 (-1)) with (/ 2). replace (/ 2 * x * _) with (x * bpow radix2 (- cexp radix2 (FLT_exp
+    (-1074) 53) x)) by field. field.
 Qed.
 Theorem binades__seam (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
-  let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in height 1 v k_u k_v = height 0 v k_u k_v -> rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
+  let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in height 1 v k_u k_v = height 0 v k_u k_v -> rise = 0 \/ bpow radix2 (-1021) <=
+    Rabs rise ->
   central_any_float64.u_plus 0 epsilon = epsilon /\ central_any_float64.u_minus 0 epsilon = 1 /\
   central_any_float64.h_u height 0 v k_u k_v epsilon = / 2 * rounded (rise / epsilon).
 Proof.
   intros E B rise H R. assert (L : bpow radix2 (-54) < 1) by (apply (bpow_lt radix2 (-54) 0); easy).
-  assert (P : central_any_float64.u_plus 0 epsilon = epsilon) by (unfold central_any_float64.u_plus; rewrite Rplus_0_r, not_wrapped; rewrite (kept _ E); trivial; lra).
+  assert (P : central_any_float64.u_plus 0 epsilon = epsilon) by (unfold central_any_float64.u_plus; rewrite Rplus_0_r, not_wrapped; rewrite (kept _
+    E); trivial; lra).
   assert (M : central_any_float64.u_minus 0 epsilon = 1).
   { unfold central_any_float64.u_minus. rewrite Rminus_0_l, rounded_opp, (kept _ E). unfold whole_below. rewrite (Zfloor_imp (-1)) by (simpl; lra).
     replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon).
@@ -189,8 +212,10 @@ Proof.
   split; [exact P | split; [exact M|]]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P, M, H. fold rise.
   replace (1 / 2) with (/ 2) by field. destruct R as [R|R].
   - rewrite R. unfold Rdiv. rewrite !Rmult_0_r, Rmult_0_l, !rounded_0, Rmult_0_l, rounded_0. ring.
-  - rewrite half_float64, (kept rise) by (exact R || apply rounded_is_float64). replace (/ 2 * rise / epsilon) with (/ 2 * (rise / epsilon)) by (field; lra). apply half_float64.
-    unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra). assert (1 <= / epsilon) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+  - rewrite half_float64, (kept rise) by (exact R || apply rounded_is_float64). replace (/ 2 * rise / epsilon) with (/ 2 * (rise / epsilon)) by
+    (field; lra). apply half_float64.
+    unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra). assert (1 <= / epsilon) by (rewrite <- Rinv_1; apply
+      Rinv_le_contravar; lra).
     generalize (Rabs_pos rise). nra.
 Qed.
 
@@ -199,12 +224,14 @@ Qed.
 Theorem binades__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
-  exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
+  exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy;
+    intros; right; reflexivity.
 Qed.
 Theorem binades__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
-  exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
+  exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros;
+    right; reflexivity.
 Qed.
 Theorem binades__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.
@@ -219,23 +246,28 @@ Proof. exists (bpow radix2 0). split; [apply power_float64; easy | simpl; lra]. 
 Theorem binades__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
   central_any_float64.h_v height u 0 k_u k_v epsilon = 0.
 Proof.
-  intro H. assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-54)). assert (L : bpow radix2 (-54) <= 1) by (apply (bpow_le radix2 (-54) 0); easy).
-  generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (binades__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)) as (_ & _ & _ & ->).
+  intro H. assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-54)). assert (L : bpow radix2
+    (-54) <= 1) by (apply (bpow_le radix2 (-54) 0); easy).
+  generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (binades__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E
+    ltac:(lra)) as (_ & _ & _ & ->).
   rewrite Rminus_0_r, (kept _ E). unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.
 Theorem binades__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon < bpow radix2 (-54) /\
   height 1 v k_u k_v = height 0 v k_u k_v /\ rounded (height epsilon v k_u k_v - height 0 v k_u k_v) = epsilon /\ bpow radix2 (-1021) <= Rabs epsilon.
 Proof.
-  assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-55)). assert (Q := bpow_lt radix2 (-55) (-54) ltac:(easy)). assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
+  assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-55)). assert (Q := bpow_lt radix2 (-55)
+    (-54) ltac:(easy)). assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
   exists (fun u _ _ _ => if Rlt_dec u 1 then u else 0), 0, 0, 0, (bpow radix2 (-55)). cbv beta.
   destruct (Rlt_dec 1 1), (Rlt_dec 0 1), (Rlt_dec (bpow radix2 (-55)) 1); try lra. rewrite Rminus_0_r, (kept _ E), Rabs_pos_eq by lra.
   repeat split; try trivial; try lra. apply bpow_le. easy.
 Qed.
 Theorem binades__seam__false : ~ forall (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
-  height 1 v k_u k_v = height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
+  height 1 v k_u k_v = height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <=
+    Rabs rise ->
   central_any_float64.h_u height 0 v k_u k_v epsilon = rounded (rise / epsilon).
 Proof.
-  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)). generalize (H height v k_u k_v epsilon E B S).
+  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)).
+    generalize (H height v k_u k_v epsilon E B S).
   destruct (binades__seam height v k_u k_v epsilon E B S) as (_ & _ & ->); rewrite R; [right; exact N|]. cbv zeta. intro K. specialize (K (or_intror N)).
   unfold Rdiv in K. rewrite Rinv_r, rounded_1 in K by lra. lra.
 Qed.
@@ -250,5 +282,6 @@ Theorem binades__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u
 Proof.
   intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N).
   generalize (H height 0 v k_u k_v epsilon (-1)%Z ltac:(easy) (generic_format_0 _ _) E ltac:(split; [lra | apply bpow_gt_0]) B).
-  destruct (binades__seam height v k_u k_v epsilon E (conj (proj1 B) (Rlt_le _ _ (proj2 B))) S) as (_ & _ & ->); rewrite R; [right; exact N|]. unfold Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
+  destruct (binades__seam height v k_u k_v epsilon E (conj (proj1 B) (Rlt_le _ _ (proj2 B))) S) as (_ & _ & ->); rewrite R; [right; exact N|]. unfold
+    Rdiv. rewrite Rinv_r, rounded_1 by lra. lra.
 Qed.

@@ -123,7 +123,8 @@ Proof.
   rewrite sqrt_mult_alt by (generalize (pow2_ge_0 s); nra). f_equal. apply sqrt_Rsqr_abs.
 Qed.
 Lemma bump_moved (theta phi a_u a_v b_u b_v beta : R) :
-  magnitude (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v)) /\
+  magnitude (difference (M theta phi a_u a_v beta) (M theta phi b_u b_v beta)) = Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi
+    b_u b_v)) /\
   magnitude (difference (N' theta phi a_u a_v beta) (N' theta phi b_u b_v beta)) <=
   Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.
 Proof.

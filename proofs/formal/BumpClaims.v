@@ -29,7 +29,8 @@ Proof. red. intros. bump. each direct. Qed.
 Theorem angle_of_the_bump__angle : Statements.angle_of_the_bump__angle.
 Proof.
   red. intros. bump. rewrite I.
-  assert (A : (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z - bumped_z * normal_x) * (bumped_x * normal_z - bumped_z * normal_x) +
+  assert (A : (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z - bumped_z * normal_x)
+    * (bumped_x * normal_z - bumped_z * normal_x) +
     (bumped_z * normal_y - bumped_y * normal_z) * (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) * m_scale ^ 2).
   { transitivity ((bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y) * (normal_z * normal_z + normal_x * normal_x + normal_y * normal_y) -
     (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) ^ 2); [ring|].
@@ -38,21 +39,27 @@ Proof.
 Qed.
 
 Theorem normalising_is_lipschitz__moved : Statements.normalising_is_lipschitz__moved.
-Proof. red. intros. rewrite H, H0, H1. lines. ring. Qed.
+Proof. red. intros. put other_m_x. put other_m_y. put other_m_z. lines. ring. Qed.
 
 Theorem normalising_is_lipschitz__normalise : Statements.normalising_is_lipschitz__normalise.
 Proof.
-  red. intros. set (l := length_a * length_b). assert (N : length_a ^ 2 * length_b ^ 2 = l ^ 2) by (unfold l; ring).
-  assert (Q : l ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x * b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z - a_z * b_y) * (a_y * b_z - a_z * b_y))
-    by (rewrite <- N, H2, H3, H4; ring).
-  assert (Q0 : 0 <= l ^ 2 - product ^ 2) by (rewrite Q; apply three_squares). assert (L : 1 <= l) by (unfold l; nra). assert (B : - l <= product <= l) by (split; nra).
-  assert (A : apart ^ 2 = length_a ^ 2 + length_b ^ 2 - 2 * product) by (rewrite H5, H2, H3, H4; ring).
+  red. intros.
+  match goal with A : length_a ^ 2 = _, B : length_b ^ 2 = _, P : product = _ |- _ => rename A into LA, B into LB, P into LP end.
+  set (l := length_a * length_b). assert (N : length_a ^ 2 * length_b ^ 2 = l ^ 2) by (unfold l; ring).
+  assert (Q : l ^ 2 - product ^ 2 = (a_x * b_y - a_y * b_x) * (a_x * b_y - a_y * b_x) + (a_z * b_x - a_x * b_z) * (a_z * b_x - a_x * b_z) + (a_y * b_z
+    - a_z * b_y) * (a_y * b_z - a_z * b_y))
+    by (rewrite <- N, LA, LB, LP; ring).
+  assert (Q0 : 0 <= l ^ 2 - product ^ 2) by (rewrite Q; apply three_squares). assert (L : 1 <= l) by (unfold l; nra). assert (B : - l <= product <= l)
+    by (split; nra).
+  assert (A : apart ^ 2 = length_a ^ 2 + length_b ^ 2 - 2 * product) by (put (apart ^ 2); rewrite LA, LB, LP; ring).
   assert (T : turned ^ 2 * length_a * length_b = 2 * (l - product)).
-  { rewrite H6. apply (Rmult_eq_reg_r l); [|lra]. transitivity (length_b ^ 2 * (a_z * a_z + a_x * a_x + a_y * a_y) + length_a ^ 2 * (b_z * b_z + b_x * b_x + b_y * b_y) -
-      2 * l * (a_z * b_z + a_x * b_x + a_y * b_y)); [unfold l; field; lra | rewrite <- H2, <- H3, <- H4; unfold l; ring]. }
+  { put (turned ^ 2). apply (Rmult_eq_reg_r l); [|lra]. transitivity (length_b ^ 2 * (a_z * a_z + a_x * a_x + a_y * a_y) + length_a ^ 2 * (b_z * b_z +
+    b_x * b_x + b_y * b_y) -
+      2 * l * (a_z * b_z + a_x * b_x + a_y * b_y)); [unfold l; field; lra | rewrite <- LA, <- LB, <- LP; unfold l; ring]. }
   assert (T' : l * turned ^ 2 = 2 * (l - product)) by (rewrite <- T; unfold l; ring).
   assert (D : l * (apart ^ 2 - turned ^ 2) >= 0).
-  { replace (l * (apart ^ 2 - turned ^ 2)) with (l * (length_a - length_b) ^ 2 + 2 * (l - 1) * (l - product)) by (replace (l * (apart ^ 2 - turned ^ 2)) with (l * apart ^ 2 - l * turned ^ 2) by ring; rewrite T', A; unfold l; ring).
+  { replace (l * (apart ^ 2 - turned ^ 2)) with (l * (length_a - length_b) ^ 2 + 2 * (l - 1) * (l - product)) by (replace (l * (apart ^ 2 - turned ^
+    2)) with (l * apart ^ 2 - l * turned ^ 2) by ring; rewrite T', A; unfold l; ring).
     apply Rle_ge, Rplus_le_le_0_compat; repeat (apply pow2_ge_0 || apply Rmult_le_pos); lra. }
   assert (E : apart ^ 2 >= turned ^ 2) by nra. assert (F : 4 >= turned ^ 2) by nra. rewrite N.
   each direct.
@@ -65,13 +72,17 @@ Proof.
 Qed.
 Theorem shadow_line_moves_within__shadow_line : Statements.shadow_line_moves_within__shadow_line.
 Proof.
-  red. intros. bump. set (g2 := g_z * g_z + g_x * g_x + g_y * g_y) in *. destruct (swing_of _ _ _ G H1) as [R W0]. set (swing := beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y)).
+  red. intros. bump. set (g2 := g_z * g_z + g_x * g_x + g_y * g_y) in *. destruct (swing_of g2 beta w G ltac:(assumption)) as [R W0]. set (swing :=
+    beta * (g_z * towards_z + g_x * towards_x + g_y * towards_y)).
   assert (Q : g2 - (g_z * towards_z + g_x * towards_x + g_y * towards_y) ^ 2 >= 0).
-  { replace g2 with (g2 * (towards_z * towards_z + towards_x * towards_x + towards_y * towards_y)) by (rewrite H2; ring).
-    apply Rle_ge. eapply Rle_trans; [apply (three_squares (g_x * towards_y - g_y * towards_x) (g_y * towards_z - g_z * towards_y) (g_z * towards_x - g_x * towards_z)) | right; unfold g2; ring]. }
+  { replace g2 with (g2 * (towards_z * towards_z + towards_x * towards_x + towards_y * towards_y)) by (put (towards_z * towards_z + towards_x *
+    towards_x + towards_y * towards_y); ring).
+    apply Rle_ge. eapply Rle_trans; [apply (three_squares (g_x * towards_y - g_y * towards_x) (g_y * towards_z - g_z * towards_y) (g_z * towards_x -
+      g_x * towards_z)) | right; unfold g2; ring]. }
   assert (V : w ^ 2 - swing ^ 2 >= 0) by (rewrite R; unfold swing; nra). assert (B : swing + w >= 0) by nra.
   assert (F : swing + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y > 0) by lra.
-  assert (E : bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y = m_scale * (swing + normal_z * towards_z + normal_x * towards_x + normal_y * towards_y))
+  assert (E : bumped_z * towards_z + bumped_x * towards_x + bumped_y * towards_y = m_scale * (swing + normal_z * towards_z + normal_x * towards_x +
+    normal_y * towards_y))
     by (unfold bumped_x, bumped_y, bumped_z, m_x, m_y, m_z, swing; ring).
   rewrite E, <- Rmult_assoc, K. each direct.
 Qed.
@@ -84,7 +95,7 @@ Theorem normal_limits__zero_height : Statements.normal_limits__zero_height.
 Proof. red. intros. unmoved. Qed.
 Theorem normal_limits__small_beta : Statements.normal_limits__small_beta.
 Proof.
-  red. intros. bump. set (g2 := g_z * g_z + g_x * g_x + g_y * g_y) in *. destruct (swing_of _ _ _ G H1) as [R W0].
+  red. intros. bump. set (g2 := g_z * g_z + g_x * g_x + g_y * g_y) in *. destruct (swing_of g2 beta w G ltac:(assumption)) as [R W0].
   set (d := (bumped_z - normal_z) * _ + _ + _). assert (D0 : 0 <= d) by apply three_squares.
   assert (D : d = 2 - 2 * m_scale) by (rewrite <- I; unfold d; lra).
   assert (M : m_length * d = 2 * (m_length - 1)) by (rewrite D, Rmult_minus_distr_l, <- Rmult_assoc, (Rmult_comm m_length 2), Rmult_assoc, K; ring).
@@ -109,7 +120,8 @@ Ltac far_away side := match goal with U : ?bz * ?bz + ?bx * ?bx + ?by_ * ?by_ = 
   assert (J : bz * side * gz / r + bx * side * gx / r + by_ * side * gy / r = s * w) by
     (transitivity (side * s * (beta * r ^ 2 + (gz * nz + gx * nx + gy * ny)) / r); [rewrite R2; unfold g2; lines; field | rewrite T, V, A; field]; lra);
   match goal with |- context [sqrt ?y] => set (q := y) in *; assert (Q0 : 0 <= q) by apply three_squares;
-  assert (Q : q = 2 - 2 * (s * w)) by (transitivity ((bz * bz + bx * bx + by_ * by_) - 2 * (bz * side * gz / r + bx * side * gx / r + by_ * side * gy / r) + g2 / r ^ 2);
+  assert (Q : q = 2 - 2 * (s * w)) by (transitivity ((bz * bz + bx * bx + by_ * by_) - 2 * (bz * side * gz / r + bx * side * gx / r + by_ * side * gy
+    / r) + g2 / r ^ 2);
     [unfold q, g2; field; lra | rewrite U, J, R2; field; lra]);
   assert (E : l * q = 2 * (l - w)) by (rewrite Q; transitivity (2 * l - 2 * (l * s) * w); [ring | rewrite K; ring]);
   destruct (far l w q) as (F1 & F2 & F3 & F4); try assumption; [rewrite L, W2; ring|]; rewrite J, <- Rmult_assoc, K end end.
@@ -127,9 +139,11 @@ Proof.
   assert (r2 : m_length ^ 2 = m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by (apply pow2_sqrt; lra).
   assert (D : forall g n, is_derive (fun b : R => (b * g + n) / sqrt ((b * g_x + normal_x) ^ 2 + (b * g_y + normal_y) ^ 2 + (b * g_z + normal_z) ^ 2)) beta
     ((g - m_scale * (beta * g + n) * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length)).
-  { intros. auto_derive; simpl in *; fold m_x m_y m_z; fold m_length; [repeat split; lra|]. unfold bumped_x, bumped_y, bumped_z, m_scale. field_simplify_eq; [|lra].
+  { intros. auto_derive; simpl in *; fold m_x m_y m_z; fold m_length; [repeat split; lra|]. unfold bumped_x, bumped_y, bumped_z, m_scale.
+    field_simplify_eq; [|lra].
     replace (m_length ^ 3) with (m_length * m_length ^ 2) by ring. simpl. rewrite r2. ring. }
-  fold m_x m_y m_z. fold m_length. rewrite (is_derive_unique _ _ _ (D g_x normal_x)), (is_derive_unique _ _ _ (D g_y normal_y)), (is_derive_unique _ _ _ (D g_z normal_z)).
+  fold m_x m_y m_z. fold m_length. rewrite (is_derive_unique _ _ _ (D g_x normal_x)), (is_derive_unique _ _ _ (D g_y normal_y)), (is_derive_unique _ _
+    _ (D g_z normal_z)).
   repeat split; first [lra | eexists; apply D].
 Qed.
 Theorem normal_by_beta__tangent_to_directions : Statements.normal_by_beta__tangent_to_directions.

@@ -49,9 +49,9 @@ Lemma rho_silhouette_squared e r : 0 < r < e ->
   0 < silhouette_of_a.rho_silhouette e r /\ silhouette_of_a.rho_silhouette e r ^ 2 * (e ^ 2 - r ^ 2) = e ^ 2 * r ^ 2.
 Proof.
   intros H. silhouette_of_a.lines.
-  assert (P : 0 < (e - r) * (e + r)) by nra. pose proof (sqrt_lt_R0 _ P). pose proof (sqrt_sqrt _ (Rlt_le _ _ P)).
+  assert (P : 0 < (e - r) * (e + r)) by nra. pose proof (sqrt_lt_R0 _ P). pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as Q.
   split; [apply Rdiv_lt_0_compat; nra |].
-  replace (e ^ 2 - r ^ 2) with ((e - r) * (e + r)) by ring. rewrite <- H1 at 2. field. lra.
+  replace (e ^ 2 - r ^ 2) with ((e - r) * (e + r)) by ring. rewrite <- Q at 2. field. lra.
 Qed.
 
 Lemma discriminant_a_value x y e r : 0 < r < e -> off_axis x y e ->
@@ -102,7 +102,7 @@ Proof.
     as (P & A & S & N); try nra. { apply discriminant_a_value; assumption. }
   split; [exact P |]. split.
   - apply (Rdiv_lt_1 (e ^ 2 - r ^ 2)); pose proof (sqrt_pos (hit_of_a.discriminant_a x y e r)); nra.
-  - split; intros; [apply quadratic_a | apply N; apply quadratic_a in H3]; lra.
+  - split; [apply quadratic_a | intros s S'; apply N; apply quadratic_a in S']; lra.
 Qed.
 
 Lemma point_a : 0 < 1 < 4 /\ off_axis (1 / 2) 0 4 /\ hit_of_a.discriminant_a (1 / 2) 0 4 1 = 49 / 4.
@@ -199,7 +199,7 @@ Proof.
     change l with (derive_pt (fun y => Rabs (f y)) x pr).
     apply (deriv_minimum _ (x - 1) (x + 1)); try lra. intros y _ _. rewrite Z, Rabs_R0. apply Rabs_pos. }
   apply (uniqueness_limite f x); [exact F |]. intros eps E. destruct (L eps E) as [delta H]. exists delta.
-  intros h H0 Hd. specialize (H h H0 Hd). rewrite Z, Rabs_R0, !Rminus_0_r in *.
+  intros h K0 Hd. specialize (H h K0 Hd). rewrite Z, Rabs_R0, !Rminus_0_r in *.
   unfold Rdiv in *. rewrite Rabs_mult, Rabs_Rabsolu in H. rewrite Rabs_mult. exact H.
 Qed.
 
@@ -386,7 +386,8 @@ Proof.
   rewrite D. destruct (sine_between x _ (floor_between x X)) as (s & S & ->), (sine_between y _ (floor_between y Y)) as (t & T & ->).
   pose proof (Rmult_lt_0_compat _ _ S T).
   replace (_ * _) with (s * t * cos (PI * IZR (Int_part x + Int_part y))).
-  - destruct (Z.Even_or_Odd (Int_part x + Int_part y)) as [[k E] | [k E]]; rewrite E, ?(proj1 (whole_turns k)), ?(proj2 (whole_turns k)); split; intros O; try lra; [destruct O; lia | exists k; reflexivity].
+  - destruct (Z.Even_or_Odd (Int_part x + Int_part y)) as [[k E] | [k E]]; rewrite E, ?(proj1 (whole_turns k)), ?(proj2 (whole_turns k)); split;
+    intros O; try lra; [destruct O; lia | exists k; reflexivity].
   - rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, (proj2 (sine_zero (IZR (Int_part x)))) by eauto. ring.
 Qed.
 

@@ -7,6 +7,9 @@ Open Scope R_scope.
 (* The definitions of a claim's lines, put in their place. *)
 Ltac lines := repeat match goal with x := _ |- _ => subst x end.
 
+(* An equation's right side for its left one. *)
+Ltac put x := match goal with E : x = _ |- _ => rewrite E end.
+
 Ltac sum_of_squares := apply Rle_ge; repeat apply Rplus_le_le_0_compat; apply pow2_ge_0.
 
 Ltac not_zero := match goal with

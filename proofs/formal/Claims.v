@@ -15,11 +15,14 @@ Proof.
   assert (Z : eye ^ 2 + root_a > 0) by nra. assert (V : t1 = tangent_squared / (eye ^ 2 + root_a)) by (rewrite T, <- TR; field; lra).
   assert (F1 : radius * sin_phi = rho * t1) by (unfold sin_phi, hit_scale; rewrite V; field; lra).
   assert (F2 : cos_phi * radius = eye * (1 - t1)) by (unfold cos_phi, hit_scale; rewrite V, T; field; lra).
-  assert (F3 : cos_theta * radius * sin_phi = t1 * x) by (unfold cos_theta; transitivity (rho_inverse * x * (radius * sin_phi)); [ring | rewrite F1; transitivity (rho_inverse * rho * t1 * x); [ring | rewrite I; ring]]).
+  assert (F3 : cos_theta * radius * sin_phi = t1 * x) by (unfold cos_theta; transitivity (rho_inverse * x * (radius * sin_phi)); [ring | rewrite F1;
+    transitivity (rho_inverse * rho * t1 * x); [ring | rewrite I; ring]]).
   assert (F4 : radius * sin_phi * sin_theta = t1 * y) by (unfold sin_theta; rewrite F1; transitivity (rho_inverse * rho * t1 * y); [ring | rewrite I; ring]).
-  assert (F5 : cos_theta ^ 2 + sin_theta ^ 2 = 1) by (transitivity (rho_inverse ^ 2 * rho ^ 2); [rewrite RS; unfold cos_theta, sin_theta; ring | rewrite <- Rpow_mult_distr, I; ring]).
+  assert (F5 : cos_theta ^ 2 + sin_theta ^ 2 = 1) by (transitivity (rho_inverse ^ 2 * rho ^ 2); [rewrite RS; unfold cos_theta, sin_theta; ring |
+    rewrite <- Rpow_mult_distr, I; ring]).
   assert (F6 : cos_phi ^ 2 + sin_phi ^ 2 = 1).
-  { apply (Rmult_eq_reg_l (radius ^ 2)); [|nra]. transitivity ((cos_phi * radius) ^ 2 + (radius * sin_phi) ^ 2); [ring|]. rewrite F1, F2. transitivity (eye ^ 2 * (1 - t1) ^ 2 + rho ^ 2 * t1 ^ 2); [ring | rewrite RS; lra]. }
+  { apply (Rmult_eq_reg_l (radius ^ 2)); [|nra]. transitivity ((cos_phi * radius) ^ 2 + (radius * sin_phi) ^ 2); [ring|]. rewrite F1, F2. transitivity
+    (eye ^ 2 * (1 - t1) ^ 2 + rho ^ 2 * t1 ^ 2); [ring | rewrite RS; lra]. }
   assert (sin_phi > 0) by (assert (radius * sin_phi > 0) by (rewrite F1; nra); nra).
   each ltac:(first [assumption | lra | nra | intros; apply Rgt_not_eq; lra]).
 Qed.
@@ -29,7 +32,8 @@ Proof. claim. Qed.
 Theorem seam__parity : Statements.seam__parity.
 Proof.
   red. intros a A S n. assert (C : cos (PI * INR n) = a n /\ sin (PI * INR n) = 0).
-  { induction n as [|n [C Z]]; [rewrite Rmult_0_r, cos_0, sin_0; auto|]. rewrite S, S_INR, Rmult_plus_distr_l, Rmult_1_r, cos_plus, sin_plus, C, Z, cos_PI, sin_PI. split; ring. }
+  { induction n as [|n [C Z]]; [rewrite Rmult_0_r, cos_0, sin_0; auto|]. rewrite S, S_INR, Rmult_plus_distr_l, Rmult_1_r, cos_plus, sin_plus, C, Z,
+    cos_PI, sin_PI. split; ring. }
   destruct C as [C Z]. repeat split; [exact C | exact Z |]. replace (2 * PI * INR n) with (2 * (PI * INR n)) by ring. rewrite cos_2a_sin, Z. ring.
 Qed.
 Theorem seam__even : Statements.seam__even.
@@ -42,7 +46,8 @@ Theorem seam__ridges_crease : Statements.seam__ridges_crease.
 Proof.
   red. intros ku kv s v Z. assert (C : cos (PI * ku) ^ 2 = 1) by (generalize (sin2_cos2 (PI * ku)); unfold Rsqr; rewrite Z; nra).
   replace (s * PI * ku) with (PI * (ku * s)) by ring. replace (PI * (ku * (1 - s))) with (PI * ku - PI * (ku * s)) by ring. rewrite sin_minus, Z.
-  assert (E : (0 * cos (PI * (ku * s)) - cos (PI * ku) * sin (PI * (ku * s))) ^ 2 = sin (PI * (ku * s)) ^ 2) by (transitivity (cos (PI * ku) ^ 2 * sin (PI * (ku * s)) ^ 2); [ring | rewrite C; ring]).
+  assert (E : (0 * cos (PI * (ku * s)) - cos (PI * ku) * sin (PI * (ku * s))) ^ 2 = sin (PI * (ku * s)) ^ 2) by (transitivity (cos (PI * ku) ^ 2 * sin
+    (PI * (ku * s)) ^ 2); [ring | rewrite C; ring]).
   assert (F : Rabs (sin (PI * (ku * s)) * sin (PI * (kv * v))) = Rabs ((0 * cos (PI * (ku * s)) - cos (PI * ku) * sin (PI * (ku * s))) * sin (PI * (kv * v)))).
   { apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2, !Rpow_mult_distr, E. reflexivity. }
   rewrite <- F. repeat split; try lra. rewrite pow2_abs. ring.
@@ -53,10 +58,11 @@ Proof.
   red. intros. unfold point_x, point_y, point_z in *. assert (C : cos_phi <= 1) by nra. assert (P : eye - cos_phi * radius > 0) by nra.
   assert (T : eye * t = eye - cos_phi * radius) by lra. assert (T0 : t > 0) by nra.
   assert (S : cos_theta * x + sin_theta * y = eye * radius * sin_phi / (eye - cos_phi * radius)).
-  { rewrite <- T. apply (Rmult_eq_reg_l t); [|lra]. transitivity (cos_theta * (t * x) + sin_theta * (t * y)); [ring|]. rewrite H5, H6.
-    transitivity ((cos_theta ^ 2 + sin_theta ^ 2) * radius * sin_phi); [ring | rewrite H; field; lra]. }
+  { rewrite <- T. apply (Rmult_eq_reg_l t); [|lra]. transitivity (cos_theta * (t * x) + sin_theta * (t * y)); [ring|]. put (t * x). put (t * y).
+    transitivity ((cos_theta ^ 2 + sin_theta ^ 2) * radius * sin_phi); [ring | put (cos_theta ^ 2 + sin_theta ^ 2); field; lra]. }
   assert (N : sin_theta * x = cos_theta * y).
-  { apply (Rmult_eq_reg_l t); [|lra]. transitivity (sin_theta * (t * x)); [ring|]. transitivity (cos_theta * (t * y)); [rewrite H5, H6; ring | ring]. }
+  { apply (Rmult_eq_reg_l t); [|lra]. transitivity (sin_theta * (t * x)); [ring|]. transitivity (cos_theta * (t * y)); [put (t * x); put (t * y); ring
+    | ring]. }
   assert (G : eye * radius * sin_phi / (eye - cos_phi * radius) >= 0).
   { unfold Rdiv. apply Rle_ge, Rmult_le_pos; [apply Rmult_le_pos; nra | apply Rlt_le, Rinv_0_lt_compat; lra]. }
   assert (Q : x ^ 2 + y ^ 2 = (eye * radius * sin_phi / (eye - cos_phi * radius)) ^ 2).
@@ -79,7 +85,7 @@ Qed.
 Theorem occlusion_by_signs__only_if : Statements.occlusion_by_signs__only_if.
 Proof.
   red. intros. assert (a * s ^ 2 >= 0) by nra. assert (b > 0) by nra. assert (a * (1 + s) - 2 * b > 0) by nra.
-  assert ((a * s - b) ^ 2 = d) by (transitivity (a * (c + a * s ^ 2 - 2 * b * s) + (b ^ 2 - a * c)); [ring | rewrite H5; lra]).
+  assert ((a * s - b) ^ 2 = d) by (transitivity (a * (c + a * s ^ 2 - 2 * b * s) + (b ^ 2 - a * c)); [ring | put (c + a * s ^ 2 - 2 * b * s); lra]).
   pose proof (pow2_ge_0 (a * s - b)). each given.
 Qed.
 Theorem occlusion_by_signs__quadratic : Statements.occlusion_by_signs__quadratic.
@@ -94,7 +100,8 @@ Theorem pixels_off_the_pole__linear : Statements.pixels_off_the_pole__linear.
 Proof.
   red. intros. assert (C : cos_phi <= 1) by nra. assert (P : eye - cos_phi * radius > 0) by nra.
   assert (R : rho * (eye - cos_phi * radius) = eye * radius * sin_phi) by (unfold rho; field; lra).
-  assert (0 <= eye * radius * sin_phi) by (apply Rmult_le_pos; nra). assert (G : rho >= 0) by nra. assert (rho * radius * (1 - cos_phi) >= 0) by (apply Rle_ge, Rmult_le_pos; nra).
+  assert (0 <= eye * radius * sin_phi) by (apply Rmult_le_pos; nra). assert (G : rho >= 0) by nra. assert (rho * radius * (1 - cos_phi) >= 0) by
+    (apply Rle_ge, Rmult_le_pos; nra).
   each ltac:(first [assumption | lra | apply Rgt_not_eq; lra]).
 Qed.
 Theorem visible_parallels__falling : Statements.visible_parallels__falling.
@@ -152,11 +159,13 @@ Theorem seam__rings : Statements.seam__rings.
 Proof. slopes. Qed.
 Theorem kink_loci__crease_u : Statements.kink_loci__crease_u.
 Proof.
-  red. intros. unfold h, crease. replace (PI * (k_u * m / k_u)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_l, Rabs_R0. repeat split; lra.
+  red. intros. unfold h, crease. replace (PI * (k_u * m / k_u)) with (PI * m) by (field; lra). put (sin (PI * m)). rewrite Rmult_0_l, Rabs_R0. repeat
+    split; lra.
 Qed.
 Theorem kink_loci__crease_v : Statements.kink_loci__crease_v.
 Proof.
-  red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). rewrite H0, Rmult_0_r, Rabs_R0. repeat split; lra.
+  red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). put (sin (PI * m)). rewrite Rmult_0_r, Rabs_R0. repeat
+    split; lra.
 Qed.
 Theorem kink_loci__elsewhere_above : Statements.kink_loci__elsewhere_above.
 Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
@@ -178,7 +187,8 @@ Theorem shadow_along_a_row__row : Statements.shadow_along_a_row__row.
 Proof. slopes. Qed.
 Theorem shadow_along_a_row__leading : Statements.shadow_along_a_row__leading.
 Proof.
-  red. intros. match goal with |- ex_derive_n ?f _ _ /\ _ => assert (T : is_derive_n f 2 x (2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z - center_z) ^ 2))) end.
+  red. intros. match goal with |- ex_derive_n ?f _ _ /\ _ => assert (T : is_derive_n f 2 x (2 * (body_radius ^ 2 - (light_y - center_y) ^ 2 - (light_z
+    - center_z) ^ 2))) end.
   { eapply (next_derivative 1); [intro; simpl; auto_derive; [trivial | reflexivity] | auto_derive; [trivial | ring]]. }
   split; [eexists; exact T | exact (is_derive_n_unique _ _ _ _ T)].
 Qed.
@@ -200,7 +210,8 @@ Theorem image_derivative__blinn : Statements.image_derivative__blinn.
 Proof. red. intros. subst s. repeat split; slope. Qed.
 Theorem image_derivative__phong : Statements.image_derivative__phong.
 Proof. red. intros. subst s. repeat split; slope. Qed.
-Ltac pixel := red; intros; subst; derivatives; repeat match goal with |- context [Rmax 0 ?x] => first [rewrite (Rmax_right 0 x) by lra | rewrite (Rmax_left 0 x) by lra] end; repeat (destruct Rlt_dec; try lra);
+Ltac pixel := red; intros; subst; derivatives; repeat match goal with |- context [Rmax 0 ?x] => first [rewrite (Rmax_right 0 x) by lra | rewrite
+  (Rmax_left 0 x) by lra] end; repeat (destruct Rlt_dec; try lra);
   try match goal with H : ?d * ?b = ?r |- _ => replace d with (r / b) by (rewrite <- H; field; lra) end;
   repeat split; first [differentiable | intro; lra | ring | field; lra].
 Theorem image_derivative__lit_shiny : Statements.image_derivative__lit_shiny.

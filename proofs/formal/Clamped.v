@@ -13,18 +13,18 @@ Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
 Proof. red. intros. lines. rewrite Rmin_right, Rmax_right by lra. destruct both as [[]|_]; repeat split; lra. Qed.
 Ltac at_the_pole span := match goal with E : ?e > 0, V : ?v >= 0, L : ?v - ?e < 0, T : ?e + ?v <= 1 |- _ =>
-  assert (span = e + v) by apply (clamped_difference__clamp e v E V L T) end.
+  assert (Span : span = e + v) by apply (clamped_difference__clamp e v E V L T) end.
 Theorem clamped_difference__first_order : Statements.clamped_difference__first_order.
 Proof.
   red. intros. at_the_pole span_v. assert (D : (epsilon + v) * (h_v - slope) = bend_plus * epsilon ^ 2 / 2 - bend_minus * v ^ 2 / 2).
-  { unfold h_v, h_v_plus, h_v_minus. rewrite H7. field. lra. }
+  { unfold h_v, h_v_plus, h_v_minus. rewrite Span. field. lra. }
   clearbody h_v. assert (E : 0 <= epsilon ^ 2) by apply pow2_ge_0. assert (V : 0 <= v ^ 2) by apply pow2_ge_0.
   assert (B : largest * (epsilon ^ 2 + v ^ 2) / 2 - (epsilon + v) * (h_v - slope) >= 0) by (rewrite D; nra).
   assert (C : largest * (epsilon ^ 2 + v ^ 2) / 2 + (epsilon + v) * (h_v - slope) >= 0) by (rewrite D; nra).
   repeat split; try lra; [revert B | revert C]; apply (over_a_span (epsilon + v)); try field; lra.
 Qed.
 Theorem clamped_difference__first_order_sharp : Statements.clamped_difference__first_order_sharp.
-Proof. red. intros. at_the_pole span_v. unfold h_v, h_v_plus, h_v_minus. rewrite H3. repeat split; try field; lra. Qed.
+Proof. red. intros. at_the_pole span_v. unfold h_v, h_v_plus, h_v_minus. rewrite Span. repeat split; try field; lra. Qed.
 Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__at_the_pole_itself.
 Proof. claim. Qed.
 
@@ -37,7 +37,8 @@ Qed.
 (* The derivative of an expression in a function whose derivative is at hand. *)
 Ltac derives D := auto_derive; [repeat split; eexists; apply D | rewrite ?(is_derive_unique _ _ _ (D _)); field].
 Lemma times_its_sign (w : R) : w * sign w = Rabs w.
-Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by lra]; ring. Qed.
+Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by
+  lra]; ring. Qed.
 Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v) / 2) w (Rabs (w - v)).
 Proof.
   destruct (Req_dec w v) as [->|N].
@@ -52,17 +53,22 @@ Definition clamped (h : R -> R) (v epsilon : R) : R := (h (central_sine.v_plus v
 Lemma clamped_is (h : R -> R) (v epsilon : R) : 0 <= v < epsilon -> v + epsilon <= 1 -> clamped h v epsilon = (h (v + epsilon) - h 0) / (v + epsilon).
 Proof.
   intros V W. destruct (clamped_difference__clamp epsilon v) as (A & B & C); try lra. unfold clamped. rewrite (Rplus_comm v).
-  change (central_sine.v_plus v epsilon = epsilon + v) in A. change (central_sine.v_minus v epsilon = 0) in B. change (central_sine.span_v v epsilon = epsilon + v) in C.
+  change (central_sine.v_plus v epsilon = epsilon + v) in A. change (central_sine.v_minus v epsilon = 0) in B. change (central_sine.span_v v epsilon =
+    epsilon + v) in C.
   rewrite A, B, C. reflexivity.
 Qed.
 (* those of the book among them. *)
-Theorem clamped_difference__of_the_fields (u v k_u k_v epsilon : R) : central_sine.h_v u v k_u k_v epsilon = clamped (fun v => height_sine.h u v k_u k_v) v epsilon /\
-  central_ridges.h_v u v k_u k_v epsilon = clamped (fun v => height_ridges.h u v k_u k_v) v epsilon /\ central_rings.h_v v k_v epsilon = clamped (fun v => height_rings.h v k_v) v epsilon.
+Theorem clamped_difference__of_the_fields (u v k_u k_v epsilon : R) : central_sine.h_v u v k_u k_v epsilon = clamped (fun v => height_sine.h u v k_u
+  k_v) v epsilon /\
+  central_ridges.h_v u v k_u k_v epsilon = clamped (fun v => height_ridges.h u v k_u k_v) v epsilon /\ central_rings.h_v v k_v epsilon = clamped (fun
+    v => height_rings.h v k_v) v epsilon.
 Proof. repeat split; reflexivity. Qed.
-Theorem clamped_difference__of_the_fields__false : ~ forall v k_v epsilon, 0 < epsilon -> central_rings.h_v v k_v epsilon = clamped (fun v => height_ridges.h (1/2) v 1 k_v) v epsilon.
+Theorem clamped_difference__of_the_fields__false : ~ forall v k_v epsilon, 0 < epsilon -> central_rings.h_v v k_v epsilon = clamped (fun v =>
+  height_ridges.h (1/2) v 1 k_v) v epsilon.
 Proof.
   intro H. generalize (H 0 1 (1/2) ltac:(lra)). rewrite (proj2 (proj2 (clamped_difference__of_the_fields 0 0 0 1 (1/2)))), !clamped_is by lra. unfold_fields.
-  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, sin_PI, Rmult_1_l, Rmult_0_r, Rabs_R1, Rabs_R0. lra.
+  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, sin_PI,
+    Rmult_1_l, Rmult_0_r, Rabs_R1, Rabs_R0. lra.
 Qed.
 
 (* Whatever h, if its slope moves by at most S over each unit of length of the step, as it does where |h''| <= S. *)
@@ -72,11 +78,15 @@ Theorem clamped_difference__of_any_height (h h1 : R -> R) (v epsilon S : R) : (f
 Proof.
   intros D V W B. rewrite clamped_is by assumption. set (a := v + epsilon) in *.
   assert (A : forall c, Rabs c = 1 -> 0 <= S * (epsilon ^ 2 + v ^ 2) / 2 + c * (h a - h 0 - a * h1 v)).
-  { intros c C. destruct (mean_value (fun w => S * ((w - v) * Rabs (w - v) / 2) + c * (h w - w * h1 v)) (fun w => S * Rabs (w - v) + c * (h1 w - h1 v)) 0 a) as (w & R & E).
-    - intro w. apply (is_derive_plus (fun w => S * ((w - v) * Rabs (w - v) / 2)) (fun w => c * (h w - w * h1 v))); [apply is_derive_scal, slope_of_half_square | derives D].
+  { intros c C. destruct (mean_value (fun w => S * ((w - v) * Rabs (w - v) / 2) + c * (h w - w * h1 v)) (fun w => S * Rabs (w - v) + c * (h1 w - h1
+    v)) 0 a) as (w & R & E).
+    - intro w. apply (is_derive_plus (fun w => S * ((w - v) * Rabs (w - v) / 2)) (fun w => c * (h w - w * h1 v))); [apply is_derive_scal,
+      slope_of_half_square | derives D].
     - unfold a in *. rewrite Rmin_left, Rmax_right in R by lra. rewrite (Rabs_pos_eq (_ - v)), (Rabs_left1 (0 - v)) in E by lra.
-      generalize (B w v ltac:(lra) ltac:(lra)) (Rabs_maj2 (c * (h1 w - h1 v))). rewrite Rabs_mult, C. intros. assert (0 <= (S * Rabs (w - v) + c * (h1 w - h1 v)) * (v + epsilon - 0)) by (apply Rmult_le_pos; lra). lra. }
-  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). intros. assert (0 < a) by (unfold a; lra). replace ((epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S) with (S * (epsilon ^ 2 + v ^ 2) / 2 / a) by (unfold a; field; lra).
+      generalize (B w v ltac:(lra) ltac:(lra)) (Rabs_maj2 (c * (h1 w - h1 v))). rewrite Rabs_mult, C. intros. assert (0 <= (S * Rabs (w - v) + c * (h1
+        w - h1 v)) * (v + epsilon - 0)) by (apply Rmult_le_pos; lra). lra. }
+  generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). intros. assert (0 < a) by (unfold a; lra). replace ((epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) * S) with
+    (S * (epsilon ^ 2 + v ^ 2) / 2 / a) by (unfold a; field; lra).
   apply Rabs_le. split; apply Rmult_le_reg_r with a; trivial; field_simplify; lra.
 Qed.
 (* No smaller factor will do: h(w) = (w - v)|w - v|/2, whose derivative |w - v| is 1-Lipschitz, attains it. *)
@@ -91,8 +101,10 @@ Proof.
 Qed.
 Theorem clamped_difference__attained__false : ~ forall v epsilon, 0 <= v < epsilon -> v + epsilon <= 1 ->
   clamped (fun w => (w - v) * Rabs (w - v) / 2) v epsilon - Rabs (v - v) = 0.
-Proof. intro H. generalize (H 0 1 ltac:(lra) ltac:(lra)) (proj2 (proj2 (clamped_difference__attained 0 1 ltac:(lra) ltac:(lra)))). cbv beta zeta. intros -> E. lra. Qed.
-Theorem clamped_difference__of_any_height__false : ~ forall (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) -> 0 <= v < epsilon -> v + epsilon <= 1 ->
+Proof. intro H. generalize (H 0 1 ltac:(lra) ltac:(lra)) (proj2 (proj2 (clamped_difference__attained 0 1 ltac:(lra) ltac:(lra)))). cbv beta zeta.
+  intros -> E. lra. Qed.
+Theorem clamped_difference__of_any_height__false : ~ forall (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) -> 0 <= v < epsilon ->
+  v + epsilon <= 1 ->
   (forall w x, Rabs (h1 w - h1 x) <= S * Rabs (w - x)) -> Rabs (clamped h v epsilon - h1 v) <= (epsilon ^ 2 + v ^ 2) / (3 * (epsilon + v)) * S.
 Proof.
   intro H. destruct (clamped_difference__attained 0 1 ltac:(lra) ltac:(lra)) as (D & L & E). generalize (H _ _ 0 1 1 D ltac:(lra) ltac:(lra) L).
@@ -103,7 +115,8 @@ Qed.
 
 Theorem clamped_difference_of_odd__odd : Statements.clamped_difference_of_odd__odd.
 Proof.
-  red. intros. unfold h_sine, h_rings, h_ridge. replace (PI * (k_v * - v)) with (- (PI * (k_v * v))) by ring. replace (PI * (2 * -1 * k_v * v)) with (- (PI * (2 * k_v * v))) by ring.
+  red. intros. unfold h_sine, h_rings, h_ridge. replace (PI * (k_v * - v)) with (- (PI * (k_v * v))) by ring. replace (PI * (2 * -1 * k_v * v)) with
+    (- (PI * (2 * k_v * v))) by ring.
   replace (- v * PI * k_v) with (- (v * PI * k_v)) by ring. rewrite !sin_neg. repeat split; ring.
 Qed.
 Lemma sine_on_a_hump (x : R) : 0 <= x <= 1 -> 0 <= sin (PI * x).
@@ -118,7 +131,7 @@ Theorem clamped_difference_of_odd__second_order : Statements.clamped_difference_
 Proof.
   red. intros. at_the_pole span_v. set (rise := (epsilon + v) ^ 2 / 8 - 1 / 2 * v ^ 2). assert (R0 : rise >= 0) by (unfold rise; nra).
   assert (D : h_v - slope = bend_minus * rise + bend_plus * (epsilon + v) ^ 2 / 24).
-  { unfold h_v, h_v_plus, h_v_minus, rise. rewrite H7. field. lra. }
+  { unfold h_v, h_v_plus, h_v_minus, rise. rewrite Span. field. lra. }
   assert (W : 1 / 6 * epsilon ^ 2 + 1 / 3 * epsilon * v - 1 / 3 * v ^ 2 = rise + (epsilon + v) ^ 2 / 24) by (unfold rise; field). rewrite W.
   clearbody h_v rise. assert (E : 0 <= (epsilon + v) ^ 2) by apply pow2_ge_0. set (q := (epsilon + v) ^ 2) in *. repeat split; try lra; nra.
 Qed.
@@ -142,7 +155,8 @@ End odd.
 (* The derivative of an odd function is even, and the other way round. *)
 Lemma mirrored (g g1 : R -> R) (s : R) : (forall w, is_derive g w (g1 w)) -> (forall w, g (- w) = s * g w) -> forall w, g1 (- w) = - s * g1 w.
 Proof.
-  intros D E w. assert (A : is_derive (fun t => g (- t)) w (- g1 (- w))) by derives D. apply is_derive_unique in A. rewrite (Derive_ext _ (fun t => s * g t) _ E), Derive_scal, (is_derive_unique _ _ _ (D w)) in A. lra.
+  intros D E w. assert (A : is_derive (fun t => g (- t)) w (- g1 (- w))) by derives D. apply is_derive_unique in A. rewrite (Derive_ext _ (fun t => s
+    * g t) _ E), Derive_scal, (is_derive_unique _ _ _ (D w)) in A. lra.
 Qed.
 
 (* The clamp costs no order where h is odd about v = 0. *)
@@ -156,7 +170,8 @@ Proof.
   assert (Z2 : h2 0 = 0) by (generalize (mirrored h1 h2 (- (-1)) D2 (mirrored h h1 (-1) D1 ltac:(intro; rewrite O; ring)) 0); rewrite Ropp_0; lra).
   assert (A : forall c, Rabs c = 1 -> (v + epsilon) * (S * (v ^ 2 / 2) + c * h1 v) <= S * ((v + epsilon) ^ 3 / 6) + c * h (v + epsilon)).
   { intros c C.
-    apply (middle_slope (fun w => S * (w ^ 3 / 6) + c * h w) (fun w => S * (w ^ 2 / 2) + c * h1 w) (fun w => S * w + c * h2 w) (fun w => S + c * h3 w)); try lra.
+    apply (middle_slope (fun w => S * (w ^ 3 / 6) + c * h w) (fun w => S * (w ^ 2 / 2) + c * h1 w) (fun w => S * w + c * h2 w) (fun w => S + c * h3
+      w)); try lra.
     - intro. derives D1.
     - intro. derives D2.
     - intro. derives D3.
@@ -169,13 +184,15 @@ Proof.
   apply Rabs_le. split; apply Rmult_le_reg_r with a; trivial; nra.
 Qed.
 Theorem clamped_difference_of_odd__of_any_height__false : ~ forall (h h1 h2 h3 : R -> R) (v epsilon S : R),
-  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) -> (forall w, h (- w) = - h w) -> 0 <= v < epsilon ->
+  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) -> (forall w, h (- w) = - h w) -> 0 <= v
+    < epsilon ->
   v + epsilon <= 1 -> (forall w, Rabs (h3 w) <= S) -> Rabs (clamped h v epsilon - h1 v) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 7 * S.
 Proof.
-  intro H. generalize (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) (fun _ => 6) 0 1 6). intro K. assert (Rabs (clamped (fun w => w ^ 3) 0 1 - 3 * 0 ^ 2) <= 6 / 7).
+  intro H. generalize (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) (fun _ => 6) 0 1 6). intro K. assert (B : Rabs (clamped (fun w => w ^
+    3) 0 1 - 3 * 0 ^ 2) <= 6 / 7).
   - replace (6 / 7) with ((1 ^ 2 + 2 * 1 * 0 - 2 * 0 ^ 2) / 7 * 6) by field.
     apply K; try lra; intros; try (auto_derive; trivial; ring); [ring | rewrite Rabs_pos_eq; lra].
-  - rewrite clamped_is, Rabs_pos_eq in H0 by lra. lra.
+  - rewrite clamped_is, Rabs_pos_eq in B by lra. lra.
 Qed.
 (* Sine, rings and the first hump of ridges, against its slope upwards, are odd sines. *)
 Lemma of_an_odd_sine (a k v epsilon slope : R) (f : R -> R) : Rabs a <= 1 -> 0 <= k -> 0 <= v < epsilon -> v + epsilon <= 1 ->
@@ -186,7 +203,8 @@ Proof.
   apply (clamped_difference_of_odd__of_any_height _ (fun v => a * (PI * k * cos (PI * (k * v)))) (fun v => - (a * ((PI * k) ^ 2 * sin (PI * (k * v)))))
     (fun v => - (a * ((PI * k) ^ 3 * cos (PI * (k * v)))))); trivial; intro w; try (auto_derive; trivial; ring).
   - rewrite !Ropp_mult_distr_r_reverse, sin_neg. ring.
-  - intros _. rewrite Rabs_Ropp. replace (a * _) with ((PI * k) ^ 3 * (a * cos (PI * (k * w)))) by ring. apply at_most; [apply pow_le; nra | exact A | apply cosine_at_most_1].
+  - intros _. rewrite Rabs_Ropp. replace (a * _) with ((PI * k) ^ 3 * (a * cos (PI * (k * w)))) by ring. apply at_most; [apply pow_le; nra | exact A |
+    apply cosine_at_most_1].
 Qed.
 Theorem clamped_difference_of_odd__of_the_fields (u v k_u k_v epsilon : R) : 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 ->
   let bound k := (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3 in
@@ -195,13 +213,18 @@ Theorem clamped_difference_of_odd__of_the_fields (u v k_u k_v epsilon : R) : 0 <
   (k_v * (v + epsilon) <= 1 -> Rabs (central_ridges.h_v u v k_u k_v epsilon - Rabs (sin (PI * (k_u * u))) * (PI * k_v * cos (PI * (k_v * v)))) <= bound k_v).
 Proof.
   intros K V W bound. destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (A & B & C). rewrite A, B, C. unfold_fields.
-  repeat split; [| | intro L]; [apply of_an_odd_sine with (sin (PI * (k_u * u))) | apply of_an_odd_sine with 1 | apply of_an_odd_sine with (Rabs (sin (PI * (k_u * u))))];
-    rewrite ?Rabs_Rabsolu, ?Rabs_R1; trivial; try apply sine_at_most_1; try lra; intros; try (rewrite Rabs_mult, (Rabs_pos_eq (sin (PI * (k_v * w)))) by (apply sine_on_a_hump; nra)); rewrite ?Rmult_assoc; ring.
+  repeat split; [| | intro L]; [apply of_an_odd_sine with (sin (PI * (k_u * u))) | apply of_an_odd_sine with 1 | apply of_an_odd_sine with (Rabs (sin
+    (PI * (k_u * u))))];
+    rewrite ?Rabs_Rabsolu, ?Rabs_R1; trivial; try apply sine_at_most_1; try lra; intros; try (rewrite Rabs_mult, (Rabs_pos_eq (sin (PI * (k_v * w))))
+      by (apply sine_on_a_hump; nra)); rewrite ?Rmult_assoc; ring.
 Qed.
 (* The rule of creases has the slope 0 at the pole, from which ridges' difference is far. *)
-Theorem clamped_difference_of_odd__of_the_fields__false : ~ forall u v k_u k_v epsilon, 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 -> k_v * (v + epsilon) <= 1 ->
+Theorem clamped_difference_of_odd__of_the_fields__false : ~ forall u v k_u k_v epsilon, 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 -> k_v * (v +
+  epsilon) <= 1 ->
   Rabs (central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k_v) ^ 3.
 Proof.
-  intro H. generalize (H (1/2) 0 1 1 (1/2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite (proj1 (proj2 (clamped_difference__of_the_fields (1/2) 0 1 1 (1/2)))), clamped_is by lra.
-  unfold_fields. rewrite Rplus_0_l, sine_of_a_right_angle, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by lra. apply Rlt_not_le. interval.
+  intro H. generalize (H (1/2) 0 1 1 (1/2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite (proj1 (proj2 (clamped_difference__of_the_fields
+    (1/2) 0 1 1 (1/2)))), clamped_is by lra.
+  unfold_fields. rewrite Rplus_0_l, sine_of_a_right_angle, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by
+    lra. apply Rlt_not_le. interval.
 Qed.

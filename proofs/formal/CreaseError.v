@@ -7,7 +7,8 @@ From Formal Require Statements.
 Open Scope R_scope.
 
 (* Across the crease the difference of a half-wave is sin y cos x/x, in units of pi k, its slope is cos y, and the tent is y/x - 1. *)
-Lemma beside_the_tent (x y : R) : 0 < y <= x -> 0 <= sin y -> 0 <= (1 - cos x) * sin y <= x ^ 3 / 2 /\ Rabs (sin y * cos x / x - cos y - (y / x - 1)) <= 2 / 3 * x ^ 2.
+Lemma beside_the_tent (x y : R) : 0 < y <= x -> 0 <= sin y -> 0 <= (1 - cos x) * sin y <= x ^ 3 / 2 /\ Rabs (sin y * cos x / x - cos y - (y / x - 1))
+  <= 2 / 3 * x ^ 2.
 Proof.
   intros Y S. generalize (cubic_below y ltac:(lra)) (COS_bound y) (COS_bound x) (cosine_from_below y) (cosine_from_below x). intros S1 C C' C2 C2'.
   assert (X2 : y ^ 2 <= x ^ 2) by nra. assert (X3 : y * y ^ 2 <= x * x ^ 2) by (apply Rmult_le_compat; nra).
@@ -19,7 +20,8 @@ Theorem crease_error_area__tent : Statements.crease_error_area__tent.
 Proof.
   red. intros d e k E K D A B. generalize PI_RGT_0. intro P. assert (Q : PI * k > 0) by nra.
   set (rest := _ / e / (PI * k) - _ - _). set (x := e * PI * k) in *. set (y := d * PI * k) in *.
-  assert (Y : 0 < y <= x) by (unfold x, y; split; nra). assert (S0 : 0 <= sin y) by (apply sin_ge_0; unfold x, y in *; nra). destruct (beside_the_tent x y Y S0) as [F R].
+  assert (Y : 0 < y <= x) by (unfold x, y; split; nra). assert (S0 : 0 <= sin y) by (apply sin_ge_0; unfold x, y in *; nra). destruct (beside_the_tent
+    x y Y S0) as [F R].
   generalize (cubic_below y (proj1 Y)) (COS_bound y) (COS_bound x) (cosine_from_below y). intros S C C' C2.
   replace (sin y * cos x / x - cos y - (y / x - 1)) with rest in R by (unfold rest, x, y; field; lra). apply Rabs_le_between in R.
   assert (X : x * rest = x * (1 - cos y) - (y - sin y * cos x)) by (unfold rest, x, y; field; lra).
@@ -29,10 +31,12 @@ Proof.
   replace (PI * d * k) with y by (unfold y; ring). replace (PI * e * k) with x by (unfold x; ring). clearbody rest. repeat split; first [lra | nra].
 Qed.
 Theorem crease_error_area__mirrored : Statements.crease_error_area__mirrored.
-Proof. red. intros d e k difference after E. unfold difference, after. replace (- d * PI * k) with (- (d * PI * k)) by ring. rewrite cos_neg, sin_neg. split; [lra | field; lra]. Qed.
+Proof. red. intros d e k difference after E. unfold difference, after. replace (- d * PI * k) with (- (d * PI * k)) by ring. rewrite cos_neg, sin_neg.
+  split; [lra | field; lra]. Qed.
 Theorem crease_error_area__tents : Statements.crease_error_area__tents.
 Proof.
-  red. intros d e k E K. generalize PI_RGT_0. intro P. assert (D : is_derive (fun d : R => (d - e) ^ 3 / (3 * e ^ 2)) d ((d - e) ^ 2 / e ^ 2)) by (auto_derive; [trivial | field; lra]).
+  red. intros d e k E K. generalize PI_RGT_0. intro P. assert (D : is_derive (fun d : R => (d - e) ^ 3 / (3 * e ^ 2)) d ((d - e) ^ 2 / e ^ 2)) by
+    (auto_derive; [trivial | field; lra]).
   rewrite (is_derive_unique _ _ _ D). split; [nra | split; [eexists; exact D|]]. repeat split; try nra; field; lra.
 Qed.
 Theorem crease_error_area__mean_of_a_square : Statements.crease_error_area__mean_of_a_square.
@@ -43,7 +47,8 @@ Proof.
   rewrite (is_derive_unique _ _ _ D). split; [nra | split; [eexists; exact D | split; [reflexivity|]]].
   replace (1 * 2 * PI * k) with (2 * (PI * k)) by ring. replace (0 * 2 * PI * k) with 0 by ring. rewrite sin_2a, Z, sin_0. field. lra.
 Qed.
-Lemma mean_square (k n e total : R) : k >= 1 -> n >= 0 -> e > 0 -> total = (PI * k) ^ 2 * n * (e / 3) -> let constant := 1 / 3 * sqrt 3 * PI * k * sqrt (e * n) in
+Lemma mean_square (k n e total : R) : k >= 1 -> n >= 0 -> e > 0 -> total = (PI * k) ^ 2 * n * (e / 3) -> let constant := 1 / 3 * sqrt 3 * PI * k *
+  sqrt (e * n) in
   e * n >= 0 /\ total >= 0 /\ PI * k > 0 /\ constant >= 0 /\ total = constant ^ 2 /\ sqrt total = constant.
 Proof.
   intros K N E T c. generalize PI_RGT_0 (sqrt_pos 3) (sqrt_pos (e * n)). intros P S3 S. assert (A : e * n >= 0) by nra. assert (Q : PI * k > 0) by nra.

@@ -33,29 +33,33 @@ Proof.
   assert (T : cos theta ^ 2 = 1 - sin theta ^ 2) by (rewrite <- !Rsqr_pow2; apply cos2).
   repeat split; first [not_zero | differentiable | field [P T]; lra].
 Qed.
-Ltac circles_of C D := match type of C with ?c ^ 2 + ?s ^ 2 = 1 => assert (C' : c ^ 2 = 1 - s ^ 2) by lra end;
-  match type of D with ?c ^ 2 + ?s ^ 2 = 1 => assert (D' : c ^ 2 = 1 - s ^ 2) by lra end.
+Ltac circles_of c d := match goal with _ : c ^ 2 + ?s ^ 2 = 1 |- _ => assert (C' : c ^ 2 = 1 - s ^ 2) by lra end;
+  match goal with _ : d ^ 2 + ?s ^ 2 = 1 |- _ => assert (D' : d ^ 2 = 1 - s ^ 2) by lra end.
 Theorem displaced_normal__outward : Statements.displaced_normal__outward.
 Proof.
-  red. intros. circles_of H H0. assert (E : displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y = lift).
+  red. intros. circles_of cos_theta cos_phi. assert (E : displaced_z * normal_z + displaced_x * normal_x + displaced_y * normal_y = lift).
   { lines. unfold Rdiv. ring [C' D']. }
   rewrite E. unfold lift. each direct.
 Qed.
 Theorem displaced_normal__first_order : Statements.displaced_normal__first_order.
 Proof.
-  red. intros. circles_of H H0. split; [apply Rgt_not_eq; lra|]. lines. unfold Rdiv. repeat split; ring [C' D'].
+  red. intros. circles_of cos_theta cos_phi. split; [apply Rgt_not_eq; lra|]. lines. unfold Rdiv. repeat split; ring [C' D'].
 Qed.
 Theorem bump_is_not_displacement__only_where_flat : Statements.bump_is_not_displacement__only_where_flat.
 Proof.
-  red. intros. pose proof PI_RGT_0 as P. circles_of H H0.
+  red. intros. pose proof PI_RGT_0 as P.
+  match goal with X : displaced_z * _ - _ = 0, Y : displaced_x * _ - _ = 0, Z : displaced_y * _ - _ = 0 |- _ => rename X into DX, Y into DY, Z into DZ
+    end. circles_of cos_theta cos_phi.
   assert (X : 0 < PI * sin_phi) by (apply Rmult_lt_0_compat; lra). assert (Y : 0 < / (2 * PI * sin_phi)) by (apply Rinv_0_lt_compat; lra).
   assert (0 < / sin_phi) by (apply Rinv_0_lt_compat; lra). assert (0 < / PI) by (apply Rinv_0_lt_compat; lra).
   assert (0 < 1 / (PI * sin_phi)) by (apply Rdiv_lt_0_compat; lra).
   assert (UV : beta * h_u * (lift + / (2 * PI * sin_phi)) = 0 /\ beta * h_v * (lift + / PI) = 0).
   { split.
-    1: transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y * m_x - displaced_x * m_y)); [|rewrite H3, H4, H5; ring].
-    2: transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z * (displaced_y * m_x - displaced_x * m_y))); [|rewrite H3, H4, H5; ring].
-    all: clear H3 H4 H5; lines; unfold Rdiv; rewrite ?Rinv_mult; ring [C' D']. }
+    1: transitivity (e_phi_x * (displaced_z * m_y - displaced_y * m_z) + e_phi_y * (displaced_x * m_z - displaced_z * m_x) + e_phi_z * (displaced_y *
+      m_x - displaced_x * m_y)); [|rewrite DX, DY, DZ; ring].
+    2: transitivity (- (e_theta_x * (displaced_z * m_y - displaced_y * m_z) + e_theta_y * (displaced_x * m_z - displaced_z * m_x) + e_theta_z *
+      (displaced_y * m_x - displaced_x * m_y))); [|rewrite DX, DY, DZ; ring].
+    all: clear DX DY DZ; lines; unfold Rdiv; rewrite ?Rinv_mult; ring [C' D']. }
   destruct UV as [U V].
   assert (L : 0 < lift) by (unfold lift; lra).
   assert (A : beta * h_u = 0) by (destruct (Rmult_integral _ _ U); lra). assert (B : beta * h_v = 0) by (destruct (Rmult_integral _ _ V); lra).
@@ -63,13 +67,28 @@ Proof.
 Qed.
 Theorem bump_is_not_displacement__where_flat : Statements.bump_is_not_displacement__where_flat.
 Proof.
-  red. intros. lines. unfold Rdiv. each ltac:(first [apply Rgt_not_eq; lra | ring [H0 H1]]).
+  red. intros. lines. unfold Rdiv.
+  match goal with U : beta * h_u = 0, V : beta * h_v = 0 |- _ => each ltac:(first [apply Rgt_not_eq; lra | ring [U V]]) end.
 Qed.
 Theorem bump_is_not_displacement__angle : Statements.bump_is_not_displacement__angle.
 Proof.
-  red. intros. pose proof PI_RGT_0. circles_of H H0. split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
+  red. intros. pose proof PI_RGT_0. circles_of cos_theta cos_phi. split; [lra|]. split; [apply Rgt_not_eq, Rmult_lt_0_compat; lra|].
   lines. unfold Rdiv. rewrite !Rinv_mult. repeat split; ring [C' D'].
 Qed.
+
+(* The surface's own bump *)
+
+Ltac selected := repeat match goal with |- context [Rlt_dec 0 ?x] => destruct (Rlt_dec 0 x); try lra end.
+Theorem surface_bump__dropped : Statements.surface_bump__dropped.
+Proof.
+  red. intros. pose proof PI_RGT_0. lines. selected. repeat split; intros; first [lra | apply Rmult_integral_contrapositive_currified; lra | field; lra].
+Qed.
+Theorem surface_bump__second_order : Statements.surface_bump__second_order.
+Proof.
+  red. intros. pose proof PI_RGT_0. circles_of H H0. lines. selected. repeat split; intros; first [lra | apply Rmult_integral_contrapositive_currified; lra | field [C' D']; lra].
+Qed.
+Theorem surface_bump__at_the_pole : Statements.surface_bump__at_the_pole.
+Proof. red. intros. lines. selected; repeat split; intros; first [lra | ring]. Qed.
 
 (* The displaced surface *)
 
@@ -104,11 +123,16 @@ Theorem displaced_normal__any_field (h : R -> R -> R) (theta phi h_u h_v beta : 
   scaled ((1 + beta * h u v) * sin phi) (displaced theta phi h_u h_v beta (h u v)).
 Proof.
   cbv zeta. intros S U V. generalize PI_RGT_0. intro P.
-  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)) by (auto_derive; [eexists; exact V | replace (Derive _ _) with h_v by (symmetry; apply is_derive_unique, V); field; lra]).
-  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))) by (auto_derive; [eexists; exact U | replace (Derive _ _) with h_u by (symmetry; apply is_derive_unique, U); field; lra]).
-  assert (K : forall (f g : R -> R) x a b, is_derive f x a -> is_derive g x b -> Derive (fun t => (1 + beta * f t) * g t) x = beta * a * g x + (1 + beta * f x) * b).
-  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|]. replace (Derive (fun t => f t) x) with a by (symmetry; apply is_derive_unique, Hf). replace (Derive _ x) with b by (symmetry; apply is_derive_unique, Hg). ring. }
-  rewrite displaced_in_frame by exact S. generalize (frame_by_phi theta phi) (frame_by_theta theta phi). unfold derivative_of, surface, G. unfold_vectors. intros (Px & Py & Pz) (Tx & Ty & Tz).
+  assert (W : is_derive (fun t => h ((theta + PI) / (2 * PI)) (t / PI)) phi (h_v / PI)) by (auto_derive; [eexists; exact V | replace (Derive _ _) with
+    h_v by (symmetry; apply is_derive_unique, V); field; lra]).
+  assert (X : is_derive (fun t => h ((t + PI) / (2 * PI)) (phi / PI)) theta (h_u / (2 * PI))) by (auto_derive; [eexists; exact U | replace (Derive _
+    _) with h_u by (symmetry; apply is_derive_unique, U); field; lra]).
+  assert (K : forall (f g : R -> R) x a b, is_derive f x a -> is_derive g x b -> Derive (fun t => (1 + beta * f t) * g t) x = beta * a * g x + (1 +
+    beta * f x) * b).
+  { intros f g x a b Hf Hg. apply is_derive_unique. auto_derive; [split; [exists a | split; [exists b|]]; trivial|]. replace (Derive (fun t => f t) x)
+    with a by (symmetry; apply is_derive_unique, Hf). replace (Derive _ x) with b by (symmetry; apply is_derive_unique, Hg). ring. }
+  rewrite displaced_in_frame by exact S. generalize (frame_by_phi theta phi) (frame_by_theta theta phi). unfold derivative_of, surface, G.
+    unfold_vectors. intros (Px & Py & Pz) (Tx & Ty & Tz).
   rewrite (K _ _ _ _ _ W Px), (K _ _ _ _ _ W Py), (K _ _ _ _ _ W Pz), (K _ _ _ _ _ X Tx), (K _ _ _ _ _ X Ty), (K _ _ _ _ _ X Tz).
   f_equal; [f_equal|]; field_simplify_eq; try lra; ring [(sin_squared theta) (sin_squared phi)].
 Qed.
@@ -116,12 +140,15 @@ Qed.
 (* A false variant: the product without its lift. *)
 Theorem displaced_normal__any_field__false : ~ forall (h : R -> R -> R) (theta phi h_u h_v beta : R), let u := (theta + PI) / (2 * PI) in let v := phi / PI in
   0 < sin phi -> is_derive (fun u => h u v) u h_u -> is_derive (fun v => h u v) v h_v ->
-  cross (derivative_of (surface h beta theta) phi) (derivative_of (fun t => surface h beta t phi) theta) = scaled (sin phi) (displaced theta phi h_u h_v beta (h u v)).
+  cross (derivative_of (surface h beta theta) phi) (derivative_of (fun t => surface h beta t phi) theta) = scaled (sin phi) (displaced theta phi h_u
+    h_v beta (h u v)).
 Proof.
   assert (S : 0 < sin (PI / 2)) by (rewrite sin_PI2; lra).
   assert (K : forall x : R, is_derive (fun _ : R => 1) x 0) by (intro x; apply (is_derive_const 1 x)).
-  intro H. generalize (H (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)) (displaced_normal__any_field (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)). cbv zeta. intros -> E.
-  apply (f_equal (fun a => fst (fst a))) in E. rewrite displaced_in_frame in E by exact S. revert E. unfold G. unfold_vectors. rewrite sin_PI2, sin_0, cos_0. lra.
+  intro H. generalize (H (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)) (displaced_normal__any_field (fun _ _ => 1) 0 (PI / 2) 0 0 1 S (K _) (K _)).
+    cbv zeta. intros -> E.
+  apply (f_equal (fun a => fst (fst a))) in E. rewrite displaced_in_frame in E by exact S. revert E. unfold G. unfold_vectors. rewrite sin_PI2, sin_0,
+    cos_0. lra.
 Qed.
 
 (* The cosine of the angle between N' and D. *)
@@ -130,17 +157,20 @@ Theorem bump_is_not_displacement__cosine (theta phi h_u h_v beta h : R) : 0 < si
   let m_length := sqrt (1 + beta ^ 2 * (h_u ^ 2 + h_v ^ 2)) in
   let d_length := sqrt ((1 + beta * h) ^ 2 + beta ^ 2 * (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2)) in
   0 < magnitude bumped * magnitude outward /\ 0 < m_length * d_length /\
-  dot bumped outward / (magnitude bumped * magnitude outward) = (1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)) / (m_length * d_length).
+  dot bumped outward / (magnitude bumped * magnitude outward) = (1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI)) / (m_length
+    * d_length).
 Proof.
   cbv zeta. intros S L. generalize PI_RGT_0. intro.
   replace (h_u ^ 2 / (4 * PI ^ 2 * sin phi ^ 2) + h_v ^ 2 / PI ^ 2) with ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2) by (field; lra).
-  assert (D : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = (1 + beta * h) ^ 2 + beta ^ 2 * ((h_u / (2 * PI * sin phi)) ^ 2 + (h_v / PI) ^ 2))
+  assert (D : dot (displaced theta phi h_u h_v beta h) (displaced theta phi h_u h_v beta h) = (1 + beta * h) ^ 2 + beta ^ 2 * ((h_u / (2 * PI * sin
+    phi)) ^ 2 + (h_v / PI) ^ 2))
     by (unfold_displaced; unfold dot; field [(sin_squared theta) (sin_squared phi)]; lra).
   assert (P : 0 < magnitude (displaced theta phi h_u h_v beta h)).
   { apply sqrt_lt_R0. rewrite D. apply Rplus_lt_le_0_compat; [apply pow_lt, L | apply Rmult_le_pos; [|apply Rplus_le_le_0_compat]; apply pow2_ge_0]. }
   assert (MD : dot (M theta phi h_u h_v beta) (displaced theta phi h_u h_v beta h) = 1 + beta * h - beta ^ 2 * (h_u ^ 2 / (2 * PI * sin phi) + h_v ^ 2 / PI))
     by (unfold_displaced; unfold_vectors; field [(sin_squared theta) (sin_squared phi)]; lra).
-  generalize P (m_length_at_least_1 theta phi h_u h_v beta). destruct (unit_length_length theta phi h_u h_v beta) as (_ & _ & ->). rewrite bumped_is_scaled, dot_scaled, MD.
+  generalize P (m_length_at_least_1 theta phi h_u h_v beta). destruct (unit_length_length theta phi h_u h_v beta) as (_ & _ & ->). rewrite
+    bumped_is_scaled, dot_scaled, MD.
   unfold magnitude. rewrite m_squared, D. intros. split; [lra|]. split; [apply Rmult_lt_0_compat; lra | field; lra].
 Qed.
 Theorem bump_is_not_displacement__cosine__point : exists phi beta h, 0 < sin phi /\ 0 < 1 + beta * h.

@@ -47,7 +47,8 @@ Theorem best_step__least : Statements.best_step__least.
 Proof.
   red. intros best epsilon rounding T HT HB HE ->. pose proof (pow_lt best 2 HB). pose proof (pow_lt best 3 HB).
   assert (S : 0 <= T * ((epsilon - best) ^ 2 * (epsilon + 2 * best))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; [apply pow2_ge_0 | lra]]).
-  assert (0 <= T * (2 * best + epsilon)) by (apply Rmult_le_pos; lra). assert (0 < best * T) by (apply Rmult_lt_0_compat; lra). assert (0 < best ^ 3 * T) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= T * (2 * best + epsilon)) by (apply Rmult_le_pos; lra). assert (0 < best * T) by (apply Rmult_lt_0_compat; lra). assert (0 < best ^ 3 *
+    T) by (apply Rmult_lt_0_compat; lra).
   repeat split; try not_zero; try lra; try (field; lra).
   apply Rle_ge, (Rmult_le_reg_r epsilon); [exact HE|]. field_simplify; lra.
 Qed.
@@ -60,7 +61,8 @@ Proof.
   intros HT HE He. cbv zeta. assert (Q : 0 < E / (2 * T)) by (apply Rdiv_lt_0_compat; lra). set (q := E / (2 * T)) in *.
   assert (C : forall n : nat, Rpower q (1/3) ^ n = Rpower q (INR n / 3)) by (intro n; rewrite <- Rpower_pow, Rpower_mult by apply exp_pos; f_equal; field).
   assert (C3 : Rpower q (1/3) ^ 3 = q) by (rewrite C; replace (INR 3 / 3) with 1 by (simpl; field); apply Rpower_1, Q).
-  destruct (best_step__least (Rpower q (1/3)) epsilon E T) as (_ & _ & _ & _ & _ & _ & _ & L & V & _); try apply exp_pos; try lra; [rewrite C3; unfold q; field; lra|].
+  destruct (best_step__least (Rpower q (1/3)) epsilon E T) as (_ & _ & _ & _ & _ & _ & _ & L & V & _); try apply exp_pos; try lra; [rewrite C3; unfold
+    q; field; lra|].
   replace (3 * Rpower T (1/3) * Rpower (E / 2) (2/3)) with (3 * Rpower q (1/3) ^ 2 * T); [split; lra|].
   rewrite C. replace (E / 2) with (T * q) by (unfold q; field; lra). rewrite <- Rpower_mult_distr by lra. replace (INR 2 / 3) with (2/3) by (simpl; field).
   rewrite <- (Rpower_1 T) at 1 by lra. replace 1 with (1/3 + 2/3) at 1 by field. rewrite Rpower_plus. ring.
@@ -68,7 +70,8 @@ Qed.
 Theorem best_step__roots__point : exists T E epsilon : R, 0 < T /\ 0 < E /\ 0 < epsilon.
 Proof. exists 1, 1, 1. lra. Qed.
 (* A third more is no floor. *)
-Theorem best_step__roots__false : ~ forall T E epsilon, 0 < T -> 0 < E -> 0 < epsilon -> 4 * Rpower T (1/3) * Rpower (E / 2) (2/3) <= T * epsilon ^ 2 + E / epsilon.
+Theorem best_step__roots__false : ~ forall T E epsilon, 0 < T -> 0 < E -> 0 < epsilon -> 4 * Rpower T (1/3) * Rpower (E / 2) (2/3) <= T * epsilon ^ 2
+  + E / epsilon.
 Proof.
   intro H. generalize (H 1 2 1 ltac:(lra) ltac:(lra) ltac:(lra)). replace (2 / 2) with 1 by field. unfold Rpower. rewrite ln_1, !Rmult_0_r, exp_0. lra.
 Qed.
@@ -77,7 +80,8 @@ Qed.
 
 Lemma floor_is (n : Z) (w : R) : IZR n <= w < IZR n + 1 -> IZR (Int_part w) = IZR n.
 Proof.
-  intro H. destruct (base_Int_part w) as [A B]. assert (n - 1 < Int_part w < n + 1)%Z by (split; apply lt_IZR; rewrite ?minus_IZR, ?plus_IZR; lra). f_equal. lia.
+  intro H. destruct (base_Int_part w) as [A B]. assert (n - 1 < Int_part w < n + 1)%Z by (split; apply lt_IZR; rewrite ?minus_IZR, ?plus_IZR; lra).
+    f_equal. lia.
 Qed.
 Lemma floor_of_a_fraction (w : R) : 0 <= w < 1 -> IZR (Int_part w) = 0.
 Proof. intro H. apply (floor_is 0). lra. Qed.
@@ -128,16 +132,19 @@ Proof.
   intro H. generalize (H (1/4) (1/2) (3/4) ltac:(lra)).
   central_rings.lines.
   destruct (both _ _) as [[]|_]; [lra|]. rewrite Rmin_left, Rmax_right by lra. unfold_fields. replace (PI * (2 * (1/2) * 1)) with PI by field.
-  replace (PI * (2 * (1/2) * (3/4 + 1/4))) with PI by field. replace (PI * (2 * (1/2) * (1/4 - 3/4))) with (- (PI / 2)) by field. rewrite !Rmult_0_r, sin_0, sin_neg, sin_PI, sin_PI2. lra.
+  replace (PI * (2 * (1/2) * (3/4 + 1/4))) with PI by field. replace (PI * (2 * (1/2) * (1/4 - 3/4))) with (- (PI / 2)) by field. rewrite !Rmult_0_r,
+    sin_0, sin_neg, sin_PI, sin_PI2. lra.
 Qed.
 
 (* The truncation error *)
 
 Lemma sine_below (x : R) : Rabs (sin x) <= Rabs x.
-Proof. generalize (bounded_variation sin cos 1 0 x). rewrite sin_0, !Rminus_0_r, Rmult_1_l. intro H. apply H. intros t _. split; [apply is_derive_sin | apply Rabs_le, COS_bound]. Qed.
+Proof. generalize (bounded_variation sin cos 1 0 x). rewrite sin_0, !Rminus_0_r, Rmult_1_l. intro H. apply H. intros t _. split; [apply is_derive_sin
+  | apply Rabs_le, COS_bound]. Qed.
 Lemma cosine_from_below (x : R) : 1 - x ^ 2 / 2 <= cos x.
 Proof.
-  replace (cos x) with (1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field). generalize (pow_maj_Rabs _ _ 2 (sine_below (x / 2))). rewrite pow2_abs. lra.
+  replace (cos x) with (1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field). generalize (pow_maj_Rabs _ _ 2 (sine_below (x /
+    2))). rewrite pow2_abs. lra.
 Qed.
 
 Lemma sine_from_below (x : R) : 0 <= x -> x - x ^ 3 / 6 <= sin x.
@@ -153,7 +160,8 @@ Qed.
 Lemma slack (F x epsilon : R) : -1 <= F <= 1 -> x > 0 -> epsilon > 0 ->
   0 <= (x ^ 3 / 6 + F * (sin x - x)) / epsilon /\ 0 <= (x ^ 3 / 6 - F * (sin x - x)) / epsilon.
 Proof. intros B X E. pose proof (sine_from_below x). pose proof (sin_lt_x x X). split; apply Rdiv_le_0_compat; nra. Qed.
-Lemma third_of_a_sine (f : R -> R) (a k : R) : (forall t, a * sin (PI * (k * t)) = f t) -> forall t, is_derive_n f 3 t (- (PI * k) ^ 3 * (a * cos (PI * (k * t)))).
+Lemma third_of_a_sine (f : R -> R) (a k : R) : (forall t, a * sin (PI * (k * t)) = f t) -> forall t, is_derive_n f 3 t (- (PI * k) ^ 3 * (a * cos (PI
+  * (k * t)))).
 Proof.
   intros F t. apply (is_derive_n_ext _ _ _ _ _ F), (next_derivative 2 _ (fun t => - (PI * k) ^ 2 * (a * sin (PI * (k * t))))); [intro|].
   - apply (next_derivative 1 _ (fun t => PI * k * (a * cos (PI * (k * t))))); [intro|]; simpl; auto_derive; trivial; ring.
@@ -173,10 +181,12 @@ Proof. pose proof (SIN_bound a). pose proof (COS_bound b). nra. Qed.
 Ltac over_the_step G epsilon := apply Rle_ge; try (apply Rmult_le_pos; [left; assumption|]); apply (Rle_trans _ _ _ G); right; field; split; lra.
 (* F: what the slope has beside pi k, at most 1; T: the third derivative. *)
 Ltac truncated F k epsilon T := pose proof T as Third; rewrite (is_derive_n_unique _ _ _ _ Third); split; [eexists; exact Third|]; clear Third; derivatives;
-  assert (W : PI * k > 0) by (apply Rmult_lt_0_compat; lra); pose proof (pow_lt (PI * k) 3 W); assert (B : -1 <= F <= 1) by first [apply product_at_most_1 | apply COS_bound];
+  assert (W : PI * k > 0) by (apply Rmult_lt_0_compat; lra); pose proof (pow_lt (PI * k) 3 W); assert (B : -1 <= F <= 1) by first [apply
+    product_at_most_1 | apply COS_bound];
   destruct (slack F (PI * k * epsilon) epsilon B ltac:(apply Rmult_lt_0_compat; lra) ltac:(lra)) as [G1 G2];
   assert (0 <= (PI * k) ^ 3 * (1 - F)) by (apply Rmult_le_pos; lra); assert (0 <= (PI * k) ^ 3 * (1 + F)) by (apply Rmult_le_pos; lra).
-Ltac conclusions G1 G2 epsilon := repeat split; first [not_zero | differentiable | lra | ring | field; lra | over_the_step G1 epsilon | over_the_step G2 epsilon].
+Ltac conclusions G1 G2 epsilon := repeat split; first [not_zero | differentiable | lra | ring | field; lra | over_the_step G1 epsilon | over_the_step
+  G2 epsilon].
 Theorem truncation_bound__sine : Statements.truncation_bound__sine.
 Proof.
   red. intros. pose proof PI_RGT_0. destruct (central_difference_of_sine__sine_in_u epsilon k_u k_v u v) as (_ & _ & _ & _ & ->); try assumption.
@@ -197,7 +207,8 @@ Theorem truncation_bound__rings : Statements.truncation_bound__rings.
 Proof.
   red. intros. pose proof PI_RGT_0. destruct (central_difference_of_sine__rings_in_v epsilon k_v v) as (_ & _ & _ & _ & ->); try assumption.
   truncated (cos (v * 2 * PI * k_v)) (2 * k_v) epsilon (third_of_a_sine (fun v => sin (PI * (2 * k_v * v))) 1 (2 * k_v) ltac:(intro; cbv beta; ring) v).
-  replace (PI * (2 * k_v * v)) with (v * 2 * PI * k_v) by ring. replace (PI * (2 * k_v) * epsilon) with (epsilon * PI * 2 * k_v) in * by ring. conclusions G1 G2 epsilon.
+  replace (PI * (2 * k_v * v)) with (v * 2 * PI * k_v) by ring. replace (PI * (2 * k_v) * epsilon) with (epsilon * PI * 2 * k_v) in * by ring.
+    conclusions G1 G2 epsilon.
 Qed.
 
 (* Ridges between creases *)

@@ -398,6 +398,14 @@ Ltac lines := unfold mu, towards_z, towards_y, towards_x, light_scale, light_dis
     to_light_x.
 End light_direction.
 
+Module height_of_light.
+Section program.
+Variables point_x point_y point_z light_x light_y light_z normal_x normal_y normal_z : R.
+Definition above := normal_x * (light_x - point_x) + normal_y * (light_y - point_y) + normal_z * (light_z - point_z).
+End program.
+Ltac lines := unfold above.
+End height_of_light.
+
 Module halfway_vector.
 Section program.
 Variables point_x point_y point_z light_x light_y light_z bumped_x bumped_y bumped_z view_x view_y view_z : R.
@@ -699,6 +707,47 @@ End program.
 Ltac lines := unfold displaced_z, displaced_y, displaced_x, lift, h_phi, h_theta, e_phi_z, e_phi_y, e_phi_x, e_theta_z,
     e_theta_y, e_theta_x, normal_z, normal_y, normal_x.
 End blinn_normal.
+
+Module surface_slopes.
+Section program.
+Variables sin_phi radius h_u h_v : R.
+Definition arc := -PI * radius.
+Definition slope_theta := if Rlt_dec 0 sin_phi then (1 / 2) * h_u / (arc * sin_phi) else 0.
+Definition slope_phi := if Rlt_dec 0 sin_phi then h_v / arc else 0.
+End program.
+Ltac lines := unfold slope_phi, slope_theta, arc.
+End surface_slopes.
+
+Module surface_normal.
+Section program.
+Variables sin_phi radius h_u h_v cos_theta sin_theta cos_phi beta : R.
+Definition arc := -PI * radius.
+Definition slope_theta := if Rlt_dec 0 sin_phi then (1 / 2) * h_u / (arc * sin_phi) else 0.
+Definition slope_phi := if Rlt_dec 0 sin_phi then h_v / arc else 0.
+Definition normal_x := cos_theta * sin_phi.
+Definition normal_y := sin_phi * sin_theta.
+Definition normal_z := cos_phi.
+Definition e_theta_x := -sin_theta.
+Definition e_theta_y := cos_theta.
+Definition e_theta_z := 0.
+Definition e_phi_x := cos_phi * cos_theta.
+Definition e_phi_y := cos_phi * sin_theta.
+Definition e_phi_z := -sin_phi.
+Definition g_x := e_phi_x * slope_phi + e_theta_x * slope_theta.
+Definition g_y := e_phi_y * slope_phi + e_theta_y * slope_theta.
+Definition g_z := e_phi_z * slope_phi + e_theta_z * slope_theta.
+Definition m_x := beta * g_x + normal_x.
+Definition m_y := beta * g_y + normal_y.
+Definition m_z := beta * g_z + normal_z.
+Definition m_length := sqrt (m_x ^ 2 + m_y ^ 2 + m_z ^ 2).
+Definition m_scale := / m_length.
+Definition bumped_x := m_scale * m_x.
+Definition bumped_y := m_scale * m_y.
+Definition bumped_z := m_scale * m_z.
+End program.
+Ltac lines := unfold bumped_z, bumped_y, bumped_x, m_scale, m_length, m_z, m_y, m_x, g_z, g_y, g_x, e_phi_z, e_phi_y,
+    e_phi_x, e_theta_z, e_theta_y, e_theta_x, normal_z, normal_y, normal_x, slope_phi, slope_theta, arc.
+End surface_normal.
 
 Module mu_derivative.
 Section program.

@@ -27,7 +27,8 @@ Lemma hit_a (x y e r : R) : 0 < r < e -> off_axis x y e -> hit_of_a.discriminant
 Proof.
   intros H O D d root. apply Rge_le in D. destruct (t_a_near x y e r H O D) as (t & T & P & L & A & N).
   assert (M : root = sqrt d) by (unfold root, hit_of_a.root_a; rewrite Rmax_right by exact D; reflexivity).
-  pose proof (sqrt_pos d). pose proof (pow2_sqrt d D). rewrite <- M in *. assert (V : t = (e ^ 2 - r ^ 2) / (e ^ 2 + root)) by (rewrite M; generalize (t_a_value x y e r H O D); rewrite T; intro V; apply (f_equal real) in V; exact V).
+  pose proof (sqrt_pos d). pose proof (pow2_sqrt d D). rewrite <- M in *. assert (V : t = (e ^ 2 - r ^ 2) / (e ^ 2 + root)) by (rewrite M; generalize
+    (t_a_value x y e r H O D); rewrite T; intro V; apply (f_equal real) in V; exact V).
   pose proof (Rmax_l 0 d). assert (e ^ 2 + root > 0) by nra.
   destruct (near_root (x ^ 2 + y ^ 2 + e ^ 2) (e ^ 2) (e ^ 2 - r ^ 2) d) as (_ & I & _); try nra. { exact (discriminant_a_value x y e r H O). }
   rewrite <- M, <- V in I. rewrite T. unfold is_finite. repeat split; try lra. exists t. repeat split; try lra; try exact A; try exact N. rewrite V. field. lra.
@@ -77,23 +78,28 @@ Proof.
   red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
   assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
   set (s := 1 - radius ^ 2 / eye ^ 2) in *. assert (Q : eye ^ 2 * (1 - s) = radius ^ 2) by (unfold s; field; lra).
-  assert (E2 : (x ^ 2 + y ^ 2) * s = radius ^ 2) by (unfold s; field_simplify_eq; lra). assert (R4 : radius ^ 4 / eye ^ 2 = radius ^ 2 * (1 - s)) by (unfold s; field; lra).
-  assert (x ^ 2 * s ^ 2 + y ^ 2 * s ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2) by (transitivity ((x ^ 2 + y ^ 2) * s * s + radius ^ 4 / eye ^ 2); [ring | rewrite E2, R4; ring]).
-  assert (eye * (1 - s) * eye * (1 - s) + x * s * x * s + y * s * y * s = radius ^ 2) by (transitivity (eye ^ 2 * (1 - s) * (1 - s) + (x ^ 2 + y ^ 2) * s * s); [ring | rewrite Q, E2; ring]).
+  assert (E2 : (x ^ 2 + y ^ 2) * s = radius ^ 2) by (unfold s; field_simplify_eq; lra). assert (R4 : radius ^ 4 / eye ^ 2 = radius ^ 2 * (1 - s)) by
+    (unfold s; field; lra).
+  assert (x ^ 2 * s ^ 2 + y ^ 2 * s ^ 2 + radius ^ 4 / eye ^ 2 = radius ^ 2) by (transitivity ((x ^ 2 + y ^ 2) * s * s + radius ^ 4 / eye ^ 2); [ring
+    | rewrite E2, R4; ring]).
+  assert (eye * (1 - s) * eye * (1 - s) + x * s * x * s + y * s * y * s = radius ^ 2) by (transitivity (eye ^ 2 * (1 - s) * (1 - s) + (x ^ 2 + y ^ 2)
+    * s * s); [ring | rewrite Q, E2; ring]).
   assert (- eye * eye * (1 - s) + x * x * s + y * y * s = 0) by (transitivity ((x ^ 2 + y ^ 2) * s - eye ^ 2 * (1 - s)); [ring | rewrite E2, Q; ring]).
   each settled.
 Qed.
 Theorem visible_iff__visible : Statements.visible_iff__visible.
 Proof.
   red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
-  assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (apply Rge_le in H5; apply (Rmult_le_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
+  assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (match goal with C : _ / radius >= radius |- _ => apply Rge_le in C; apply (Rmult_le_compat_r
+    radius) in C; [field_simplify in C; lra | lra] end).
   assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
   assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
 Qed.
 Theorem visible_iff__hidden : Statements.visible_iff__hidden.
 Proof.
   red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
-  assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (apply (Rmult_lt_compat_r radius) in H5; [field_simplify in H5; lra | lra]).
+  assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (match goal with C : _ / radius < radius |- _ => apply (Rmult_lt_compat_r radius) in C;
+    [field_simplify in C; lra | lra] end).
   assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
   assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
 Qed.

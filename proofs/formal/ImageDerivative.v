@@ -21,14 +21,16 @@ Qed.
 Lemma clamp_derive (f : R -> R) (x l : R) : is_derive f x l -> f x <> 0 -> is_derive (fun t => Rmax 0 (f t)) x (if Rlt_dec 0 (f x) then l else 0).
 Proof.
   intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
-  - apply (is_derive_ext_loc f); [|exact D]. apply (filter_imp _ _ (fun t (H : 0 < f t) => eq_sym (Rmax_right 0 (f t) (Rlt_le _ _ H)))), (positive_nearby f x l); assumption.
+  - apply (is_derive_ext_loc f); [|exact D]. apply (filter_imp _ _ (fun t (H : 0 < f t) => eq_sym (Rmax_right 0 (f t) (Rlt_le _ _ H)))),
+    (positive_nearby f x l); assumption.
   - apply (level_below f _ x l); [exact D | lra|]. intros t H. rewrite Rmax_left; lra.
 Qed.
 
 (* What is left to show where functions have derivatives that are at hand. *)
 Lemma derivative_is (f : R -> R) (x l : R) : is_derive f x l -> Derive (fun t => f t) x = l.
 Proof. apply is_derive_unique. Qed.
-Ltac by_rules := auto_derive; [repeat split; trivial; eexists; eassumption|]; repeat match goal with D : is_derive ?f ?x ?l |- context [Derive (fun t => ?f t) ?x] => rewrite (derivative_is f x l D) end.
+Ltac by_rules := auto_derive; [repeat split; trivial; eexists; eassumption|]; repeat match goal with D : is_derive ?f ?x ?l |- context [Derive (fun t
+  => ?f t) ?x] => rewrite (derivative_is f x l D) end.
 
 (* The printed highlight: base^p, and 0 at base = 0. *)
 Definition highlight_of (base p : R) : R := highlight.specular base p.
@@ -39,9 +41,12 @@ Proof.
   intros D N. destruct (Rlt_dec 0 (f x)) as [P|P].
   - rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction].
     apply (is_derive_ext_loc (fun t => exp (p * ln (f t)))).
-    + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_right by lra. destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
-    + by_rules. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, (Rmult_1_l (ln _)). unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
-  - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (level_below f _ x l); [exact D | lra|]. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
+    + generalize (positive_nearby f x l D P). apply filter_imp. intros t H. unfold highlight_of, highlight.specular, power. rewrite Rmax_right by lra.
+      destruct (Rlt_dec 0 (f t)); [reflexivity | contradiction].
+    + by_rules. unfold power. destruct (Rlt_dec 0 (f x)) as [_|H]; [|contradiction]. unfold Rpower. rewrite Rmult_minus_distr_r, (Rmult_1_l (ln _)).
+      unfold Rminus. rewrite exp_plus, exp_Ropp, exp_ln by exact P. ring.
+  - rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra|]. apply (level_below f _ x l); [exact D | lra|]. intros t H. unfold highlight_of,
+    highlight.specular, power. rewrite Rmax_left by lra. destruct (Rlt_dec 0 0); [lra | reflexivity].
 Qed.
 
 (* Off mu = 0 and base = 0, a light's share of a channel has the derivative that is printed, for every p. *)
@@ -88,7 +93,8 @@ Lemma phong_base_derives : let m := fun b => light_direction.mu px py pz lx ly l
   let m' := mu_derivative.mu_by_beta tx ty tz dx dy dz in
   is_derive (fun b => 2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz) beta
     (phong_base_derivative.base_by_beta vx vy vz (nx beta) (ny beta) (nz beta) dx dy dz (m beta) m') /\
-  (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx - ty * vy - tz * vz)).
+  (forall b, phong.specular_base px py pz lx ly lz (nx b) (ny b) (nz b) vx vy vz = Rmax 0 (2 * m b * (nx b * vx + ny b * vy + nz b * vz) - tx * vx -
+    ty * vy - tz * vz)).
 Proof.
   intros m m'. split; [|reflexivity]. assert (A := mu_derives : is_derive m beta m'). by_rules. unfold phong_base_derivative.base_by_beta. ring.
 Qed.

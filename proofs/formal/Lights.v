@@ -26,12 +26,14 @@ Proof.
   intros A D S Q. cbv zeta. set (n := N' theta phi a_u a_v beta). set (m := N' theta phi b_u b_v beta).
   assert (Un : magnitude n = 1) by apply unit_length_length. assert (Um : magnitude m = 1) by apply unit_length_length. intro H.
   assert (E : 0 <= most lights albedo kd ks q /\
-    Rabs (lit lights model P ambient albedo kd ks p n - lit lights model P ambient albedo kd ks p m) <= most lights albedo kd ks q * magnitude (difference n m)).
+    Rabs (lit lights model P ambient albedo kd ks p n - lit lights model P ambient albedo kd ks p m) <= most lights albedo kd ks q * magnitude
+      (difference n m)).
   { induction lights as [|[L i] rest IH]; [unfold lit, most; simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|].
     destruct (H L i (or_introl eq_refl)) as (I & O & K). destruct IH as [IH0 IH]; [intros L' i' X; apply H; right; exact X|].
     generalize (difference_bound__light (model L) P L n m i albedo kd ks q p I A D S O (K n m Un Um)). unfold share.
     change (most ((L, i) :: rest) albedo kd ks q) with (i * (albedo * kd + ks * q) + most rest albedo kd ks q).
-    assert (One : forall n, lit ((L, i) :: rest) model P ambient albedo kd ks p n = light_term.lit_red (lit rest model P ambient albedo kd ks p n) i albedo kd ks (mu P L n) (model L n ^ p)) by reflexivity.
+    assert (One : forall n, lit ((L, i) :: rest) model P ambient albedo kd ks p n = light_term.lit_red (lit rest model P ambient albedo kd ks p n) i
+      albedo kd ks (mu P L n) (model L n ^ p)) by reflexivity.
     rewrite !One. set (x := lit rest _ _ _ _ _ _ _ n) in *. set (y := lit rest _ _ _ _ _ _ _ m) in *. unfold light_term.lit_red. intro B.
     split; [assert (0 <= i * (albedo * kd + ks * q)) by (apply Rmult_le_pos; [exact I | apply Rplus_le_le_0_compat; apply Rmult_le_pos; assumption]); lra|].
     match type of B with Rabs (?s + 0 - (?t + 0)) <= _ => replace (s + x - (t + y)) with (s + 0 - (t + 0) + (x - y)) by ring end.
@@ -42,7 +44,8 @@ Theorem difference_bound__any_lights__point : exists (lights : list (vector * R)
   forall L i, In (L, i) lights -> 0 <= i /\ 0 < magnitude (difference L P) /\
     forall n m, magnitude n = 1 -> magnitude m = 1 -> Rabs (model L n ^ p - model L m ^ p) <= q * magnitude (difference n m).
 Proof.
-  exists [((0, 0, 1), 1)], (fun _ _ => 0), (0, 0, 0), 0, 1%nat. split; [lra|]. intros L i [E|[]]. injection E as <- <-. rewrite above_apart. repeat split; try lra.
+  exists [((0, 0, 1), 1)], (fun _ _ => 0), (0, 0, 0), 0, 1%nat. split; [lra|]. intros L i [E|[]]. injection E as <- <-. rewrite above_apart. repeat
+    split; try lra.
   intros n m _ _. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
 Qed.
 (* Not without the part that is diffuse. *)
@@ -53,13 +56,15 @@ Lemma not_without_the_diffuse_part (model : vector -> vector -> R) :
 Proof.
   unfold lit, most. cbn [fold_right fst snd].
   light_term.lines. rewrite !mu_is_a_product, above_is.
-  assert (Z : normal_at 0 0 = (0, 0, 1)) by (unfold_vectors; rewrite sin_0, cos_0; repeat f_equal; ring). rewrite <- Z, !(dot_comm _ (normal_at 0 0)), !normal_dot_bumped.
+  assert (Z : normal_at 0 0 = (0, 0, 1)) by (unfold_vectors; rewrite sin_0, cos_0; repeat f_equal; ring). rewrite <- Z, !(dot_comm _ (normal_at 0 0)),
+    !normal_dot_bumped.
   generalize (length_squared (M 0 0 1 0 1)) (m_length_at_least_1 0 0 1 0 1) (length_squared (M 0 0 0 0 1)) (m_length_at_least_1 0 0 0 0 1). rewrite !m_squared.
   set (x := magnitude (M 0 0 1 0 1)). set (y := magnitude (M 0 0 0 0 1)). intros X X1 Y Y1. assert (Y2 : y = 1) by nra. rewrite Y2, Rinv_1.
   assert (I : / x * x = 1) by (apply Rinv_l; lra). assert (J : 0 < / x < 1) by (split; nra). rewrite !(Rmax_right 0 _) by lra. unfold clip.clipped.
   rewrite !Rmax_right, !Rmin_right by lra. rewrite Rabs_pos_eq; lra.
 Qed.
-Theorem difference_bound__any_lights__false : ~ forall (lights : list (vector * R)) (model : vector -> vector -> R) (P : vector) (albedo kd ks : R) (theta phi a_u a_v b_u b_v beta : R),
+Theorem difference_bound__any_lights__false : ~ forall (lights : list (vector * R)) (model : vector -> vector -> R) (P : vector) (albedo kd ks : R)
+  (theta phi a_u a_v b_u b_v beta : R),
   let colour n := clip.clipped (lit lights model P 0 albedo kd ks 1 n) in
   Rabs (colour (N' theta phi a_u a_v beta) - colour (N' theta phi b_u b_v beta)) <=
   most lights 0 kd ks 1 * Rmin (Rabs beta * magnitude (difference (g theta phi a_u a_v) (g theta phi b_u b_v))) 2.

@@ -22,12 +22,14 @@ Proof. intros C X. generalize (Rabs_maj2 (c * x)). rewrite Rabs_mult, C. lra. Qe
 Ltac differentiated D := auto_derive; [repeat split; eexists; apply D | rewrite ?(is_derive_unique _ _ _ (D _)); unfold Rminus; field].
 (* Forward, s = 1, or backward, s = -1. *)
 Definition forward (h : R -> R) (s x e : R) : R := s * (h (x + s * e) - h x) / e.
-Theorem truncation_bound__forward (h h1 h2 : R -> R) (s x e S : R) : (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, Rabs (h2 w) <= S) ->
+Theorem forward_and_fourth_order__forward (h h1 h2 : R -> R) (s x e S : R) : (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) ->
+  (forall w, Rabs (h2 w) <= S) ->
   s = 1 \/ s = -1 -> 0 < e -> Rabs (forward h s x e - h1 x) <= e / 2 * S.
 Proof.
   intros D1 D2 B Z E. assert (A : Rabs s = 1) by (destruct Z as [-> | ->]; [apply Rabs_R1 | apply Rabs_m1]).
   assert (P : forall c, Rabs c = 1 -> 0 <= S * e ^ 2 / 2 + c * (s * (h (x + s * e) - h x) - e * h1 x)).
-  { intros c C. refine (not_below (fun t => S * t ^ 2 / 2 + c * (s * (h (x + s * t) - h x) - t * h1 x)) (fun t => S * t + c * (h1 (x + s * t) - h1 x)) _ _ _ e _); [| | | lra].
+  { intros c C. refine (not_below (fun t => S * t ^ 2 / 2 + c * (s * (h (x + s * t) - h x) - t * h1 x)) (fun t => S * t + c * (h1 (x + s * t) - h1
+    x)) _ _ _ e _); [| | | lra].
     - intro t. destruct Z as [-> | ->]; differentiated D1.
     - rewrite Rmult_0_r, Rplus_0_r. field.
     - intros t T. apply sign_and_size; [exact C|]. eapply Rle_trans; [apply (moved_by_at_most h1 h2 S); assumption|].
@@ -36,8 +38,10 @@ Proof.
   replace (e / 2 * S * e) with (S * e ^ 2 / 2) by field. apply both_signs; apply P; [apply Rabs_R1 | apply Rabs_m1].
 Qed.
 Definition fourth (h : R -> R) (x e : R) : R := 1 / 12 * (h (x - 2 * e) - h (2 * e + x) + 8 * (h (e + x) - h (x - e))) / e.
-Theorem truncation_bound__fourth (h h1 h2 h3 h4 h5 : R -> R) (x e S : R) : (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) ->
-  (forall w, is_derive h3 w (h4 w)) -> (forall w, is_derive h4 w (h5 w)) -> (forall w, Rabs (h5 w) <= S) -> 0 < e -> Rabs (fourth h x e - h1 x) <= e ^ 4 / 30 * S.
+Theorem forward_and_fourth_order__fourth (h h1 h2 h3 h4 h5 : R -> R) (x e S : R) : (forall w, is_derive h w (h1 w)) ->
+  (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) ->
+  (forall w, is_derive h3 w (h4 w)) -> (forall w, is_derive h4 w (h5 w)) -> (forall w, Rabs (h5 w) <= S) -> 0 < e ->
+    Rabs (fourth h x e - h1 x) <= e ^ 4 / 30 * S.
 Proof.
   intros D1 D2 D3 D4 D5 B E. set (off t := h (x - 2 * t) - h (2 * t + x) + 8 * (h (t + x) - h (x - t)) - 12 * t * h1 x).
   assert (P : forall c, Rabs c = 1 -> 0 <= 2 / 5 * S * e ^ 5 + c * off e).
@@ -51,7 +55,8 @@ Proof.
     apply (not_below _ (fun t => 24 * S * t ^ 2 + c * (8 * (h3 (t + x) + h3 (x - t)) - 8 * (h3 (2 * t + x) + h3 (x - 2 * t))))).
     { intro t. differentiated D3. }
     { rewrite !Rmult_0_r, !Rplus_0_l, !Rminus_0_r. ring. }
-    intros t T. generalize (rises (fun t => S * t ^ 2 + - c * (h3 (t + x) + h3 (x - t))) (fun t => S * (2 * t) + - c * (h4 (t + x) - h4 (x - t))) t (2 * t) ltac:(intro; differentiated D4) ltac:(lra)). intro H.
+    intros t T. generalize (rises (fun t => S * t ^ 2 + - c * (h3 (t + x) + h3 (x - t))) (fun t => S * (2 * t) + - c * (h4 (t + x) - h4 (x - t))) t
+      (2 * t) ltac:(intro; differentiated D4) ltac:(lra)). intro H.
     assert (R : S * t ^ 2 + - c * (h3 (t + x) + h3 (x - t)) <= S * (2 * t) ^ 2 + - c * (h3 (2 * t + x) + h3 (x - 2 * t))); [|lra].
     apply H. intros w W. apply sign_and_size; [rewrite Rabs_Ropp; exact C|]. eapply Rle_trans; [apply (moved_by_at_most h4 h5 S); assumption|].
     replace (w + x - (x - w)) with (2 * w) by ring. rewrite Rabs_pos_eq by lra. lra. }
@@ -65,25 +70,44 @@ Lemma orders_of_a_sine (f : R -> R) (a k x e : R) : Rabs a <= 1 -> 0 <= k -> (fo
   (forall s, s = 1 \/ s = -1 -> Rabs (forward f s x e - slope) <= e / 2 * (PI * k) ^ 2) /\ Rabs (fourth f x e - slope) <= e ^ 4 / 30 * (PI * k) ^ 5.
 Proof.
   intros A K F E slope. assert (P : 0 <= PI * k) by (generalize PI_RGT_0; nra). set (w1 := PI * k) in *.
-  assert (D1 : forall w, is_derive f w (w1 * (cos (PI * (k * w)) * a))) by (intro w; apply is_derive_ext with (fun w => sin (PI * (k * w)) * a); [intro; symmetry; apply F | unfold w1; auto_derive; trivial; ring]).
+  assert (D1 : forall w, is_derive f w (w1 * (cos (PI * (k * w)) * a))) by (intro w; apply is_derive_ext with (fun w => sin (PI * (k * w)) * a);
+    [intro; symmetry; apply F | unfold w1; auto_derive; trivial; ring]).
   assert (B : forall n c, Rabs c <= 1 -> Rabs (w1 ^ n * (c * a)) <= w1 ^ n) by (intros; apply at_most; [apply pow_le, P | assumption | exact A]).
-  split; [intros s Z; apply (truncation_bound__forward f (fun w => w1 * (cos (PI * (k * w)) * a)) (fun w => w1 ^ 2 * (- sin (PI * (k * w)) * a))); try assumption |
-    apply (truncation_bound__fourth f (fun w => w1 * (cos (PI * (k * w)) * a)) (fun w => w1 ^ 2 * (- sin (PI * (k * w)) * a)) (fun w => w1 ^ 3 * (- cos (PI * (k * w)) * a))
+  split; [intros s Z; apply (forward_and_fourth_order__forward f (fun w => w1 * (cos (PI * (k * w)) * a)) (fun w => w1 ^ 2 * (- sin (PI * (k * w)) *
+    a))); try assumption |
+    apply (forward_and_fourth_order__fourth f (fun w => w1 * (cos (PI * (k * w)) * a)) (fun w => w1 ^ 2 * (- sin (PI * (k * w)) * a)) (fun w => w1 ^
+      3 * (- cos (PI * (k * w)) * a))
       (fun w => w1 ^ 4 * (sin (PI * (k * w)) * a)) (fun w => w1 ^ 5 * (cos (PI * (k * w)) * a))); try assumption];
   intro w; try (unfold w1; auto_derive; trivial; ring); apply B; rewrite ?Rabs_Ropp; first [apply sine_at_most_1 | apply cosine_at_most_1].
 Qed.
 
 (* False variants: constants that are a little smaller. *)
-Theorem truncation_bound__forward__false : ~ forall (h h1 h2 : R -> R) (s x e S : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, Rabs (h2 w) <= S) ->
+Theorem forward_and_fourth_order__forward__false : ~ forall (h h1 h2 : R -> R) (s x e S : R), (forall w, is_derive h w (h1 w)) ->
+  (forall w, is_derive h1 w (h2 w)) -> (forall w, Rabs (h2 w) <= S) ->
   s = 1 \/ s = -1 -> 0 < e -> Rabs (forward h s x e - h1 x) <= e / 3 * S.
 Proof.
-  intro H. generalize (H (fun w => w ^ 2) (fun w => 2 * w) (fun _ => 2) 1 0 1 2 ltac:(intro; auto_derive; trivial; ring) ltac:(intro; auto_derive; trivial; ring) ltac:(intro; rewrite Rabs_pos_eq; lra) (or_introl eq_refl) ltac:(lra)).
+  intro H. generalize (H (fun w => w ^ 2) (fun w => 2 * w) (fun _ => 2) 1 0 1 2 ltac:(intro; auto_derive; trivial; ring) ltac:(intro; auto_derive;
+    trivial; ring) ltac:(intro; rewrite Rabs_pos_eq; lra) (or_introl eq_refl) ltac:(lra)).
   unfold forward. rewrite Rabs_pos_eq; lra.
 Qed.
-Theorem truncation_bound__fourth__false : ~ forall (h h1 h2 h3 h4 h5 : R -> R) (x e S : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) ->
-  (forall w, is_derive h3 w (h4 w)) -> (forall w, is_derive h4 w (h5 w)) -> (forall w, Rabs (h5 w) <= S) -> 0 < e -> Rabs (fourth h x e - h1 x) <= e ^ 4 / 31 * S.
+Theorem forward_and_fourth_order__fourth__false : ~ forall (h h1 h2 h3 h4 h5 : R -> R) (x e S : R), (forall w, is_derive h w (h1 w)) ->
+  (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) ->
+  (forall w, is_derive h3 w (h4 w)) -> (forall w, is_derive h4 w (h5 w)) -> (forall w, Rabs (h5 w) <= S) -> 0 < e ->
+    Rabs (fourth h x e - h1 x) <= e ^ 4 / 31 * S.
 Proof.
-  intro H. generalize (H (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) (fun _ => 120) 0 1 120). intro K.
-  assert (L : Rabs (fourth (fun w => w ^ 5) 0 1 - 5 * 0 ^ 4) <= 1 ^ 4 / 31 * 120) by (apply K; try lra; intro; try (auto_derive; trivial; ring); rewrite Rabs_pos_eq; lra).
+  intro H. generalize (H (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) (fun _ => 120) 0 1
+    120). intro K.
+  assert (L : Rabs (fourth (fun w => w ^ 5) 0 1 - 5 * 0 ^ 4) <= 1 ^ 4 / 31 * 120) by (apply K; try lra; intro; try (auto_derive; trivial; ring);
+    rewrite Rabs_pos_eq; lra).
   unfold fourth in L. rewrite Rabs_left in L; lra.
 Qed.
+Lemma no_slope_of_0 (w : R) : is_derive (fun _ : R => 0) w 0.
+Proof. auto_derive; trivial. Qed.
+Ltac of_0 := repeat (split; [first [exact no_slope_of_0 | intro; rewrite Rabs_R0; lra | left; reflexivity]|]); lra.
+Theorem forward_and_fourth_order__forward__point : exists (h h1 h2 : R -> R) (s e S : R), (forall w, is_derive h w (h1 w)) /\
+  (forall w, is_derive h1 w (h2 w)) /\ (forall w, Rabs (h2 w) <= S) /\ (s = 1 \/ s = -1) /\ 0 < e.
+Proof. do 3 exists (fun _ => 0). exists 1, 1, 0. of_0. Qed.
+Theorem forward_and_fourth_order__fourth__point : exists (h h1 h2 h3 h4 h5 : R -> R) (e S : R), (forall w, is_derive h w (h1 w)) /\
+  (forall w, is_derive h1 w (h2 w)) /\ (forall w, is_derive h2 w (h3 w)) /\ (forall w, is_derive h3 w (h4 w)) /\
+  (forall w, is_derive h4 w (h5 w)) /\ (forall w, Rabs (h5 w) <= S) /\ 0 < e.
+Proof. do 6 exists (fun _ => 0). exists 1, 0. of_0. Qed.

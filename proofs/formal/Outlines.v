@@ -9,7 +9,8 @@ Open Scope R_scope.
 Ltac by_squares := repeat match goal with |- context [?a ^ 2] => lazymatch goal with H : 0 <= a ^ 2 |- _ => fail | _ => pose proof (pow2_ge_0 a) end end; lra.
 Ltac root_of_b a d b t q := match goal with D : d >= 0, B : b > 0, T := ?n / (q + b) |- _ => set (c := n) in *;
   assert (Q : d = b ^ 2 - a * c) by (lines; ring); pose proof (Rmax_l 0 d) as M; assert (RQ : q = sqrt d) by (unfold q; rewrite Rmax_right by lra; reflexivity);
-  generalize (root_by_conjugate a b c d B Q (Rge_le _ _ D)); cbv zeta; rewrite <- RQ, (Rplus_comm b q); fold t; intros (Q0 & QQ & TM & TA & TQ); assert (QB : q + b > 0) by lra end.
+  generalize (root_by_conjugate a b c d B Q (Rge_le _ _ D)); cbv zeta; rewrite <- RQ, (Rplus_comm b q); fold t; intros (Q0 & QQ & TM & TA & TQ);
+    assert (QB : q + b > 0) by lra end.
 
 Theorem hit_of_b__quadratic : Statements.hit_of_b__quadratic.
 Proof. claim. Qed.
@@ -41,11 +42,13 @@ Proof.
     assert (0 <= ray_length_squared) by (unfold ray_length_squared; by_squares). nra. }
   assert (R : root_b = toward_b - ray_length_squared * t_b) by lra.
   assert (X : radius_vector_x = t_b * x - ball_center_x /\ radius_vector_y = t_b * y - ball_center_y /\ radius_vector_z = eye * (1 - t_b) - ball_center_z)
-    by (unfold radius_vector_x, radius_vector_y, radius_vector_z; rewrite R; clearbody t_b root_b; clear - A; lines; repeat split; field; lra). destruct X as (X & Y & Z).
+    by (unfold radius_vector_x, radius_vector_y, radius_vector_z; rewrite R; clearbody t_b root_b; clear - A; lines; repeat split; field; lra).
+      destruct X as (X & Y & Z).
   assert (S : radius_vector_x ^ 2 + radius_vector_y ^ 2 + radius_vector_z ^ 2 = ball_radius ^ 2).
   { rewrite X, Y, Z. apply Rminus_diag_uniq. etransitivity; [| exact TQ]. unfold ray_length_squared, toward_b, c, distance. ring. }
   assert (L : radius_length = ball_radius) by (unfold radius_length; rewrite S; apply sqrt_pow2; lra).
-  assert (N : ball_radius * normal_x = t_b * x - ball_center_x /\ ball_radius * normal_y = t_b * y - ball_center_y /\ ball_radius * normal_z = eye * (1 - t_b) - ball_center_z)
+  assert (N : ball_radius * normal_x = t_b * x - ball_center_x /\ ball_radius * normal_y = t_b * y - ball_center_y /\ ball_radius * normal_z = eye *
+    (1 - t_b) - ball_center_z)
     by (unfold normal_x, normal_y, normal_z; rewrite L, X, Y, Z; repeat split; field; lra). destruct N as (NX & NY & NZ).
   assert (0 <= ball_radius ^ 2) by apply pow2_ge_0. each ltac:(first [assumption | lra | apply Rgt_not_eq; lra | unfold point_x, point_y, point_z; lra]).
 Qed.
@@ -111,8 +114,8 @@ Proof.
   unfold hit_of_b.t_b in T. destruct both; [| discriminate]. apply Rbar_finite_eq in T. subst t.
   set (q := hit_of_b.root_b 0 0 4 0 0 3 2) in P. assert (0 <= q) by apply sqrt_pos.
   unfold hit_of_b.toward_b, hit_of_b.distance in P.
-  match type of P with 0 < ?n / ?m => assert (H1 : 0 < m) by lra; assert (H2 : n < 0) by lra;
-    pose proof (Rdiv_lt_0_compat (- n) m ltac:(lra) H1); unfold Rdiv in *; nra end.
+  match type of P with 0 < ?n / ?m => assert (K1 : 0 < m) by lra; assert (K2 : n < 0) by lra;
+    pose proof (Rdiv_lt_0_compat (- n) m ltac:(lra) K1); unfold Rdiv in *; nra end.
 Qed.
 
 Theorem silhouette_of_b__conic : Statements.silhouette_of_b__conic.
@@ -126,7 +129,8 @@ Proof. claim. Qed.
 Theorem silhouette_of_b__branch : Statements.silhouette_of_b__branch.
 Proof.
   red. intros. set (c := ball_center_x ^ 2 + ball_center_y ^ 2 + (eye - ball_center_z) ^ 2 - ball_radius ^ 2).
-  assert (Q : toward_b ^ 2 = c * ((- eye) * (- eye) + x * x + y * y)) by (rewrite <- (Rplus_0_l (c * _)), <- H1; lines; ring).
+  assert (Q : toward_b ^ 2 = c * ((- eye) * (- eye) + x * x + y * y)) by (match goal with D : discriminant_b = 0 |- _ => rewrite <- (Rplus_0_l (c *
+    _)), <- D end; lines; ring).
   assert (- eye * - eye + x * x + y * y > 0) by nra. assert (c > 0) by (unfold c; lra).
   repeat split; [exact Q | assumption | rewrite Q; nra].
 Qed.

@@ -12,7 +12,8 @@ Theorem elementary_functions__two_product__point : exists a b : R, float64 a /\ 
 Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
 Theorem roundoff_bound__of_any_height__point : exists (h h1 : R -> R) (L : R), (forall w, is_derive h w (h1 w)) /\ forall w, Rabs (h1 w) <= L.
 Proof. exists sin, cos, 1. split; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound]. Qed.
-Theorem clamped_difference__of_any_height__point : exists (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\
+Theorem clamped_difference__of_any_height__point : exists (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) /\ 0 <= v < epsilon /\ v
+  + epsilon <= 1 /\
   forall w x, 0 <= w <= v + epsilon -> 0 <= x <= v + epsilon -> Rabs (h1 w - h1 x) <= S * Rabs (w - x).
 Proof. exists (fun w => w ^ 2 / 2), (fun w => w), 0, 1, 1. split; [intro; auto_derive; trivial; field | split; [lra | split; [lra | intros; lra]]]. Qed.
 Theorem clamped_difference__attained__point : exists v epsilon : R, 0 <= v < epsilon /\ v + epsilon <= 1.
@@ -26,7 +27,8 @@ Proof.
 Qed.
 Theorem clamped_difference_of_odd__of_the_fields__point : exists v k_v epsilon : R, 0 < k_v /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\ k_v * (v + epsilon) <= 1.
 Proof. exists 0, 1, 1. lra. Qed.
-Theorem straddling__of_the_difference__point : exists (k d epsilon : R) (m : Z), Rabs d < epsilon /\ 0 < k /\ epsilon + Rabs d <= 1 / k /\ 0 <= IZR m / k + d - epsilon /\ IZR m / k + d + epsilon < 1.
+Theorem straddling__of_the_difference__point : exists (k d epsilon : R) (m : Z), Rabs d < epsilon /\ 0 < k /\ epsilon + Rabs d <= 1 / k /\ 0 <= IZR m
+  / k + d - epsilon /\ IZR m / k + d + epsilon < 1.
 Proof. exists 2, 0, (1/4), 1%Z. rewrite Rabs_R0. lra. Qed.
 Theorem straddling__of_the_slope__point : exists k d : R, 0 < k /\ 0 < Rabs d < 1 / k.
 Proof. exists 1, (1/2). rewrite Rabs_pos_eq; lra. Qed.
@@ -36,5 +38,6 @@ Theorem ridges_on_creases__no_derivative__point : exists u k_u : R, 0 < k_u /\ s
 Proof. exists (1/2), 1. rewrite sine_of_a_right_angle. lra. Qed.
 Theorem ridges_at_crossings__differentiable__point : exists k_u k_v : R, 0 < k_u /\ 0 < k_v.
 Proof. exists 1, 1. lra. Qed.
-Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\ is_derive (fun v => h u v) v h_v.
+Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\
+  is_derive (fun v => h u v) v h_v.
 Proof. exists (fun u v => u + v), 0, 0, (PI / 2), 1, 1. rewrite sin_PI2. split; [lra | split; auto_derive; trivial; ring]. Qed.

@@ -23,7 +23,8 @@ Theorem pole__sine_differs : Statements.pole__sine_differs.
 Proof.
   red. intros. destruct (pole__sine k_u k_v theta) as (_ & _ & _ & L). pose proof PI_RGT_0.
   assert ((k_v * sin (k_u * (theta + PI) / 2)) ^ 2 > 0) by (rewrite Rpow_mult_distr; nra).
-  repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
+  repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by
+    (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
 Qed.
 Theorem pole__rings : Statements.pole__rings.
 Proof. pole_lines. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
@@ -38,10 +39,12 @@ Qed.
 Theorem pole__surface_gradient_0 : Statements.pole__surface_gradient_0.
 Proof. red. intros. lines. replace (0 * (theta + PI) / 2) with 0 by field. rewrite sin_0. split; field. Qed.
 Theorem pole__surface_gradient_2 : Statements.pole__surface_gradient_2.
-Proof. red. intros. lines. replace (2 * (theta + PI) / 2) with (theta + PI) by field. rewrite neg_cos, neg_sin. split; field_simplify_eq; on_the_circle theta. Qed.
+Proof. red. intros. lines. replace (2 * (theta + PI) / 2) with (theta + PI) by field. rewrite neg_cos, neg_sin. split; field_simplify_eq;
+  on_the_circle theta. Qed.
 Theorem pole__surface_gradient_minus_2 : Statements.pole__surface_gradient_minus_2.
 Proof.
-  red. intros. lines. replace (-2 * (theta + PI) / 2) with (- (theta + PI)) by field. rewrite cos_neg, sin_neg, neg_cos, neg_sin. split; field_simplify_eq; on_the_circle theta.
+  red. intros. lines. replace (-2 * (theta + PI) / 2) with (- (theta + PI)) by field. rewrite cos_neg, sin_neg, neg_cos, neg_sin. split;
+    field_simplify_eq; on_the_circle theta.
 Qed.
 Theorem pole__polynomial : Statements.pole__polynomial.
 Proof.
@@ -76,7 +79,8 @@ Theorem pole__sine_limit : let s := PI * k_v * sin (PI * (k_u * u)) in
   magnitude (s * cos theta, s * sin theta, 0) = PI * Rabs (k_v * sin (PI * (k_u * u))).
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. set (t := k_v * sin (PI * (k_u * u))).
-  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
+  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult,
+    Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
 Theorem pole__rings_limit : let s := 2 * PI * k_v in
@@ -137,7 +141,8 @@ Proof.
     change (Rabs (v - 0) < delta) in B. rewrite Rminus_0_r in B. generalize (H v N B). rewrite Rplus_0_l, !Rmult_0_r, sin_0, Rminus_0_r. trivial. }
   apply (is_lim_ext_loc (fun v => (sin (PI * (k * v)) / v) / (sin (PI * (1 * v)) / v))).
   - exists (mkposreal 1 Rlt_0_1). intros v B N. change (Rabs (v - 0) < 1) in B. rewrite Rminus_0_r in B. apply Rabs_def2 in B. assert (E : sin (PI * v) <> 0).
-    { intro Z. apply sine_zero in Z. destruct Z as [m ->]. assert (-1 < m < 1)%Z by (split; apply lt_IZR; lra). apply N. replace m with 0%Z by lia. reflexivity. }
+    { intro Z. apply sine_zero in Z. destruct Z as [m ->]. assert (-1 < m < 1)%Z by (split; apply lt_IZR; lra). apply N. replace m with 0%Z by lia.
+      reflexivity. }
     rewrite Rmult_1_l. field. split; assumption.
   - replace (Finite k) with (Rbar_div (PI * k) (PI * 1)) by (simpl; f_equal; field; lra).
     apply is_lim_div; [apply Q | apply Q | intro E; injection E; lra | simpl; trivial].
@@ -148,7 +153,8 @@ Section surface.
 Variables theta k_u k_v : R.
 Let u := (theta + PI) / (2 * PI).
 Definition surface_gradient (v : R) : vector :=
-  vector_sum (scaled (gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v))) (e_theta theta)) (scaled (gradient_sine.h_v u v k_u k_v / PI) (e_phi theta (PI * v))).
+  vector_sum (scaled (gradient_sine.h_u u v k_u k_v / (2 * PI * sin (PI * v))) (e_theta theta)) (scaled (gradient_sine.h_v u v k_u k_v / PI) (e_phi
+    theta (PI * v))).
 Definition limit : vector :=
   scaled k_v (vector_sum (scaled (k_u / 2 * cos (PI * (k_u * u))) (- sin theta, cos theta, 0)) (scaled (sin (PI * (k_u * u))) (cos theta, sin theta, 0))).
 
@@ -165,7 +171,8 @@ Proof.
     - intro v. unfold_fields. fold c s. unfold Rdiv. rewrite !Rinv_mult. set (i := / sin (PI * v)). field. lra.
     - rewrite (Rmult_comm k_v (_ * x)). apply is_lim_plus'; [apply (is_lim_scal_l _ (k_u / 2 * c * x) 0 k_v), ratio_of_sines|].
       replace (k_v * s * f 0) with (k_v * s * cos (PI * (k_v * 0)) * f 0) by (rewrite !Rmult_0_r, cos_0; ring).
-      apply (is_lim_continuity (fun v => k_v * s * cos (PI * (k_v * v)) * f v)), continuity_pt_filterlim, (ex_derive_continuous (fun v => k_v * s * cos (PI * (k_v * v)) * f v)). auto_derive. auto. }
+      apply (is_lim_continuity (fun v => k_v * s * cos (PI * (k_v * v)) * f v)), continuity_pt_filterlim, (ex_derive_continuous (fun v => k_v * s *
+        cos (PI * (k_v * v)) * f v)). auto_derive. auto. }
   unfold surface_gradient, limit, e_theta, e_phi; tangent_frame.lines; unfold vector_sum, scaled, dot. cbn [fst snd]. fold c s. split; [|split; [|split]].
   1, 2, 3: apply S; [auto_derive; trivial | rewrite !Rmult_0_r, ?cos_0, ?sin_0; ring].
   - unfold c, s. field_simplify_eq. ring [(sin_squared theta) (sin_squared (PI * (k_u * u)))].
@@ -177,7 +184,8 @@ Theorem pole__one_limit (k_u k_v : R) : k_v <> 0 -> (forall theta, - PI <= theta
   k_u = 0 \/ k_u = 2 \/ k_u = -2.
 Proof.
   intros V H. pose proof PI_RGT_0. destruct (Req_dec k_u 0) as [Z|K]; [left; exact Z|]. right. destruct (another_meridian k_u K) as (u & U & S).
-  pose proof (proj2 (proj2 (proj2 (pole__surface_limit (- PI) k_u k_v)))) as A. pose proof (proj2 (proj2 (proj2 (pole__surface_limit (2 * PI * u - PI) k_u k_v)))) as B.
+  pose proof (proj2 (proj2 (proj2 (pole__surface_limit (- PI) k_u k_v)))) as A. pose proof (proj2 (proj2 (proj2 (pole__surface_limit (2 * PI * u - PI)
+    k_u k_v)))) as B.
   rewrite (H (2 * PI * u - PI)), A in B by (split; nra). replace (PI * (k_u * ((- PI + PI) / (2 * PI)))) with 0 in B by (field; lra).
   replace ((2 * PI * u - PI + PI) / (2 * PI)) with u in B by (field; lra). rewrite sin_0 in B. apply Rmult_eq_reg_l in B; [|apply pow_nonzero, V].
   assert (E : (1 - k_u ^ 2 / 4) * sin (PI * (k_u * u)) ^ 2 = 0) by lra. apply Rmult_integral in E.
@@ -194,7 +202,8 @@ Proof. exists 2, 1. split; [lra|]. intros. rewrite !limit_at_two. reflexivity. Q
 (* False variants. *)
 Theorem pole__sine_limit__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
 Proof. intro H. generalize (H (1/2) 1 1). replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2, Rabs_pos_eq by lra. generalize PI_RGT_0. lra. Qed.
-Theorem pole__rings_limit__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 * PI * k_v * sin (theta + PI), 0).
+Theorem pole__rings_limit__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 *
+  PI * k_v * sin (theta + PI), 0).
 Proof. intro H. generalize (f_equal (fun a => fst (fst a)) (H 0 1)) PI_RGT_0. cbn [fst]. rewrite neg_cos, cos_0. lra. Qed.
 Theorem pole__surface_limit__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 / 4).
 Proof.

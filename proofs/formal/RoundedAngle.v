@@ -17,7 +17,8 @@ Proof.
 Qed.
 
 (* The polynomial of a small ratio is within 2^-57 of the arctangent in half-turns. *)
-Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
+Theorem elementary_functions__arctangent (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r /
+  PI) <= 1 / 2 ^ 57.
 Proof.
   intro B. arctangent_polynomial.lines.
   interval with (i_taylor r, i_degree 40, i_prec 120).
@@ -25,9 +26,11 @@ Qed.
 (* Of a smaller one it is nearer, and it is relative to the ratio. *)
 Lemma arctangent_nearer (r : R) : -183/1000 <= r <= 183/1000 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 60.
 Proof. intro B. arctangent_polynomial.lines. interval with (i_taylor r, i_degree 30, i_prec 120). Qed.
-Lemma arctangent_relative (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1/4 / 2 ^ 53 * Rabs r.
+Lemma arctangent_relative (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1/4 / 2 ^
+  53 * Rabs r.
 Proof.
-  intro B. set (g := fun t => arctangent_polynomial.small_part t 0 - atan t / PI). assert (G : g 0 = 0) by (unfold g, arctangent_polynomial.small_part; rewrite atan_0; unfold Rdiv; ring).
+  intro B. set (g := fun t => arctangent_polynomial.small_part t 0 - atan t / PI). assert (G : g 0 = 0) by (unfold g,
+    arctangent_polynomial.small_part; rewrite atan_0; unfold Rdiv; ring).
   replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
   assert (T' : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
   - unfold g; arctangent_polynomial.lines. auto_derive; [exact I|]. unfold h. reflexivity.
@@ -41,18 +44,22 @@ Proof.
   intros D B Q1 N E. assert (U : unit_roundoff = / 2 ^ 53) by (unfold unit_roundoff; simpl; lra). rewrite U in N, E. both_ways N. both_ways E.
   assert (P : 0 <= Q) by (eapply Rle_trans; [apply Rabs_pos | exact B]). set (q := n / d) in *.
   assert (M : Rabs (n * (1 + dn) / (d * (1 + dd)) - q) <= 20001/10000 / 2 ^ 53 * Q).
-  { replace (_ - q) with (((1 + dn) / (1 + dd) - 1) * q) by (unfold q; field; lra). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; [interval with (i_prec 120) | exact B]. }
+  { replace (_ - q) with (((1 + dn) / (1 + dd) - 1) * q) by (unfold q; field; lra). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos;
+    [interval with (i_prec 120) | exact B]. }
   generalize (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B M)) M). intro T. eapply Rle_trans; [exact T|]. lra.
 Qed.
 Lemma scaled_float64 (x : R) (k e : Z) : float64 x -> bpow radix2 k <= Rabs x -> (-1022 - k <= e)%Z -> float64 (x * bpow radix2 e).
-Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by ring; exact B). lia. Qed.
+Proof. intros F B E. apply mult_bpow_exact_FLT; [exact F|]. assert (k + 1 <= mag radix2 x)%Z by (apply mag_ge_bpow; replace (k + 1 - 1)%Z with k by
+  ring; exact B). lia. Qed.
 Lemma multiple_of_power (x : R) (j : Z) : float64 x -> bpow radix2 (j + 52) <= Rabs x -> exists m : Z, x = IZR m * bpow radix2 j.
 Proof.
-  intros F B. apply (generic_inclusion_ge radix2 (FLT_exp (-1074) 53) (FIX_exp j) (j + 52)) in F; [|intros; unfold FLT_exp, FIX_exp; lia | exact B]. apply FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. simpl in E. rewrite E. reflexivity.
+  intros F B. apply (generic_inclusion_ge radix2 (FLT_exp (-1074) 53) (FIX_exp j) (j + 52)) in F; [|intros; unfold FLT_exp, FIX_exp; lia | exact B].
+    apply FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. simpl in E. rewrite E. reflexivity.
 Qed.
 
 (* What the polynomial loses in float64. *)
-Lemma difference_error (a ah b bh S ea eb : R) : Rabs (a - b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah - bh) - (a - b)) <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
+Lemma difference_error (a ah b bh S ea eb : R) : Rabs (a - b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah - bh) - (a - b))
+  <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
 Proof.
   intros B A E. assert (M : Rabs (ah - bh - (a - b)) <= ea + eb).
   { replace (_ - (a - b)) with ((ah - a) - (bh - b)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
@@ -65,11 +72,13 @@ Let k := angle_in_half_turns_float64.node_correction y x.
 Let factor := rounded (angle_in_half_turns_float64.arctangent_tail y x + 5734161139222659 / 18014398509481984).
 Let P (t : R) := arctangent_polynomial.arctangent_tail t + 5734161139222659 / 18014398509481984.
 Lemma factor_of_ratio (t : R) : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30 -> 307/1000 <= P t <= 3184/10000 /\ arctangent_polynomial.small_part t 0 = t * P t.
-Proof. intro T. split; [unfold P, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared; split; interval | unfold arctangent_polynomial.small_part, P; ring]. Qed.
+Proof. intro T. split; [unfold P, arctangent_polynomial.arctangent_tail, arctangent_polynomial.ratio_squared; split; interval | unfold
+  arctangent_polynomial.small_part, P; ring]. Qed.
 Hypothesis B : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
 Lemma factor_near : Rabs (factor - P r) <= 38/100 / 2 ^ 53.
 Proof.
-  unfold factor, P, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.arctangent_tail. set (zh := angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
+  unfold factor, P, angle_in_half_turns_float64.arctangent_tail, arctangent_polynomial.arctangent_tail. set (zh :=
+    angle_in_half_turns_float64.ratio_squared y x). set (z := arctangent_polynomial.ratio_squared r).
   assert (Z : 0 <= z <= 98/1000) by (unfold z, arctangent_polynomial.ratio_squared; split; [apply pow2_ge_0 | interval]).
   assert (E : Rabs (zh - z) <= 99/1000 / 2 ^ 53).
   { unfold zh, angle_in_half_turns_float64.ratio_squared. fold r. replace (r * r) with z by (unfold z, arctangent_polynomial.ratio_squared; ring).
@@ -80,11 +89,15 @@ Proof.
       by (eapply Rle_trans; [eapply difference_error; [find_bound | apply no_error | find_error] | interval]) end.
   eapply Rle_trans; [find_error | interval].
 Qed.
-Lemma small_part_rounded (Q : R) : Rabs r <= Q -> Q <= 1/2 -> 0 <= k <= 1 / 2 ^ 56 -> Rabs (angle_in_half_turns_float64.small_part y x - (k + arctangent_polynomial.small_part r 0)) <= 102/100 * Q / 2 ^ 53 + 1 / 2 ^ 97.
+Lemma small_part_rounded (Q : R) : Rabs r <= Q -> Q <= 1/2 -> 0 <= k <= 1 / 2 ^ 56 -> Rabs (angle_in_half_turns_float64.small_part y x - (k +
+  arctangent_polynomial.small_part r 0)) <= 102/100 * Q / 2 ^ 53 + 1 / 2 ^ 97.
 Proof.
-  intros S1 S2 K. destruct (factor_of_ratio r B) as [Bp ->]. assert (E := factor_near). unfold angle_in_half_turns_float64.small_part. fold r k factor. clearbody factor r k. set (p := P r) in *. clearbody p.
-  assert (Sp : Rabs p <= 3184/10000) by (apply Rabs_le; lra). assert (E1 := times_error r r p factor Q (3184/10000) 0 _ S1 Sp (no_error r) E). assert (S3 : Rabs (r * p + k) <= 3184/10000 * Q + 1 / 2 ^ 56).
-  { eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq k) by lra. generalize (Rmult_le_compat _ _ _ _ (Rabs_pos r) (Rabs_pos p) S1 Sp). lra. }
+  intros S1 S2 K. destruct (factor_of_ratio r B) as [Bp ->]. assert (E := factor_near). unfold angle_in_half_turns_float64.small_part. fold r k
+    factor. clearbody factor r k. set (p := P r) in *. clearbody p.
+  assert (Sp : Rabs p <= 3184/10000) by (apply Rabs_le; lra). assert (E1 := times_error r r p factor Q (3184/10000) 0 _ S1 Sp (no_error r) E). assert
+    (S3 : Rabs (r * p + k) <= 3184/10000 * Q + 1 / 2 ^ 56).
+  { eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult, (Rabs_pos_eq k) by lra. generalize (Rmult_le_compat _ _ _ _ (Rabs_pos r) (Rabs_pos p)
+    S1 Sp). lra. }
   rewrite !(Rplus_comm k). eapply Rle_trans; [exact (sum_error _ _ _ _ _ S3 E1)|]. assert (0 <= Q) by (eapply Rle_trans; [apply Rabs_pos | exact S1]). lra.
 Qed.
 End ratio.
@@ -118,13 +131,16 @@ Let rho := (s - n * l) / (l + n * s).
 Lemma taken_off (m : R) (Q : R) : (m = 1/2 \/ m = 1) -> n = m -> 1/4 * l <= s -> Rabs ((s - m * l) / (l + m * s)) <= Q -> Q <= 1 ->
   Rabs (angle_in_half_turns_float64.ratio y x - rho) <= 3001/1000 * Q / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intros M E T B Q1. destruct sides as (L & S & O & P). unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. unfold rho. fold l s n. rewrite E.
+  intros M E T B Q1. destruct sides as (L & S & O & P). unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. unfold rho.
+    fold l s n. rewrite E.
   destruct Rlt_dec as [_|W]; [|contradiction].
   assert (G := Rle_trans _ _ _ quarter_of_larger T).
   assert (F : forall z, float64 z -> bpow radix2 (-1020) <= z -> float64 (m * z)).
-  { intros z Z Zb. destruct M as [-> | ->]; [|rewrite Rmult_1_l; exact Z]. replace (1/2 * z) with (z * bpow radix2 (-1)) by (simpl; lra). apply (scaled_float64 z (-1020)); [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs] | easy]. }
+  { intros z Z Zb. destruct M as [-> | ->]; [|rewrite Rmult_1_l; exact Z]. replace (1/2 * z) with (z * bpow radix2 (-1)) by (simpl; lra). apply
+    (scaled_float64 z (-1020)); [exact Z | eapply Rle_trans; [exact Zb | apply Rle_abs] | easy]. }
   assert (Fs := F s S G). assert (Fl := F l L (Rle_trans _ _ _ G (proj2 O))). rewrite (Rmult_comm l), (kept _ Fs), (kept _ Fl).
-  replace (l + m * s) with (l - - (m * s)) in * by ring. destruct (rounded_difference _ _ L (generic_format_opp _ _ _ Fs)) as (dd & Dd & ->). destruct (rounded_difference _ _ S Fl) as (dn & Dn & ->).
+  replace (l + m * s) with (l - - (m * s)) in * by ring. destruct (rounded_difference _ _ L (generic_format_opp _ _ _ Fs)) as (dd & Dd & ->). destruct
+    (rounded_difference _ _ S Fl) as (dn & Dn & ->).
   apply quotient_error; try assumption. destruct M as [-> | ->]; lra.
 Qed.
 Lemma between_rates (a b Q : R) : 0 < b -> - Q * b <= a <= Q * b -> Rabs (a / b) <= Q.
@@ -132,25 +148,33 @@ Proof. intros P B. apply Rabs_le. split; [apply Rle_div_r | apply Rle_div_l]; lr
 Let v := angle_in_half_turns_float64.node_value y x.
 Let r := angle_in_half_turns_float64.ratio y x.
 Lemma by_node : 0 <= n <= 1 /\ 0 <= k <= 1 / 2 ^ 56 /\ 0 <= v <= 1/4 /\ Rabs (v + k - atan n / PI) <= 1 / 2 ^ 100 /\
-  (n = 0 /\ k = 0 /\ v = 0 /\ Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= / 2 ^ 53 * Rabs rho + bpow radix2 (-1074) \/ Rabs rho <= 182/1000 /\ Rabs (r - rho) <= 547/1000 / 2 ^ 53 /\ 312/1000 * l <= s).
+  (n = 0 /\ k = 0 /\ v = 0 /\ Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= / 2 ^ 53 * Rabs rho + bpow radix2 (-1074) \/ Rabs rho <= 182/1000 /\
+    Rabs (r - rho) <= 547/1000 / 2 ^ 53 /\ 312/1000 * l <= s).
 Proof.
   destruct sides as (L & S & O & P). generalize (part_of_larger (5/16) ltac:(lra)) (part_of_larger (3/4) ltac:(lra)). intros C5 C3.
   assert (G := taken_off). unfold r, rho in *. assert (En : n = n) by reflexivity. unfold n at 2, angle_in_half_turns_float64.node in En.
   unfold k, v, angle_in_half_turns_float64.node_correction, angle_in_half_turns_float64.node_value.
   unfold angle_in_half_turns_float64.steep, angle_in_half_turns_float64.middle in *. fold l s in En |- *.
-  destruct (Rlt_dec (rounded (3/4 * l)) s) as [St|St]; [|destruct (Rlt_dec (rounded (5/16 * l)) s) as [Mi|Mi]]; repeat destruct Rlt_dec; try lra; rewrite En; (split; [lra | split; [lra | split; [lra | split; [interval with (i_prec 150)|]]]]).
-  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra). right. split; [lra | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G 1 (15/100)); try assumption; lra | lra].
-  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 182/1000) by (apply between_rates; lra). right. split; [exact R | split; [|lra]]. rewrite <- En. eapply Rle_trans; [apply (G (1/2) (182/1000)); try assumption; lra | lra].
-  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). rewrite Z. left. do 3 (split; [reflexivity|]). split; [apply between_rates; lra|]. unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W]; [|contradiction].
+  destruct (Rlt_dec (rounded (3/4 * l)) s) as [St|St]; [|destruct (Rlt_dec (rounded (5/16 * l)) s) as [Mi|Mi]]; repeat destruct Rlt_dec; try lra;
+    rewrite En; (split; [lra | split; [lra | split; [lra | split; [interval with (i_prec 150)|]]]]).
+  - assert (R : Rabs ((s - 1 * l) / (l + 1 * s)) <= 15/100) by (apply between_rates; lra). right. split; [lra | split; [|lra]]. rewrite <- En. eapply
+    Rle_trans; [apply (G 1 (15/100)); try assumption; lra | lra].
+  - assert (R : Rabs ((s - 1/2 * l) / (l + 1/2 * s)) <= 182/1000) by (apply between_rates; lra). right. split; [exact R | split; [|lra]]. rewrite <-
+    En. eapply Rle_trans; [apply (G (1/2) (182/1000)); try assumption; lra | lra].
+  - assert (Z : (s - 0 * l) / (l + 0 * s) = s / l) by (f_equal; ring). rewrite Z. left. do 3 (split; [reflexivity|]). split; [apply between_rates;
+    lra|]. unfold angle_in_half_turns_float64.ratio, angle_in_half_turns_float64.denominator. fold l s n. rewrite En. destruct Rlt_dec as [_|W];
+    [|contradiction].
       rewrite Rmult_0_l, Rmult_0_r, !rounded_0, Rplus_0_r, Rminus_0_r, (kept _ S), (kept _ L). apply one_rounding.
 Qed.
-Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_half_turns_float64.first_octant y x - o) in d <= 85/100 / 2 ^ 53 /\ d <= 49/10 / 2 ^ 53 * o + 8 * bpow radix2 (-1074) /\ 0 <= o <= 26/100.
+Lemma first_octant_near : let o := atan (s / l) / PI in let d := Rabs (angle_in_half_turns_float64.first_octant y x - o) in d <= 85/100 / 2 ^ 53 /\ d
+  <= 49/10 / 2 ^ 53 * o + 8 * bpow radix2 (-1074) /\ 0 <= o <= 26/100.
 Proof.
   intro o. cbv zeta. destruct sides as (L & S & O & P). destruct by_node as (N & K & V & A & C). assert (U := underflow_is_less).
   assert (T : 0 <= s / l <= 1) by (split; [apply Rle_div_r | apply Rle_div_l]; lra).
   assert (Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) as [Rh Er] by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra).
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
-  { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ Rh Er) | interval]. }
+  { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [exact (Rplus_le_compat
+    _ _ _ _ Rh Er) | interval]. }
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
     assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | apply atan_bound]. }
@@ -159,56 +183,81 @@ Proof.
     rewrite <- atan_0. apply atan_rises, T. }
   assert (E3 : Rabs ((atan r - atan rho) / PI) <= 3184/10000 * Rabs (r - rho)).
   { unfold Rdiv at 1. rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; [interval | apply atan_moves]. }
-  assert (F : o = atan n / PI + atan r / PI - (atan r - atan rho) / PI) by (unfold o; rewrite Add; field; apply PI_neq0). set (g := (atan r - atan rho) / PI) in *.
+  assert (F : o = atan n / PI + atan r / PI - (atan r - atan rho) / PI) by (unfold o; rewrite Add; field; apply PI_neq0). set (g := (atan r - atan
+    rho) / PI) in *.
   unfold angle_in_half_turns_float64.first_octant. fold v. destruct C as [(N0 & K0 & V0 & Wr & Wd)|(Wr & Wd & Z)].
-  - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (both_ways Wr; lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp, Wr, Wd.
-    assert (E2 := factor_near y x Br). fold r in E2. assert (E4 := arctangent_relative r Br). destruct (factor_of_ratio r Br) as [Br' Fr]. rewrite Fr in E4. unfold angle_in_half_turns_float64.small_part. fold k r. set (f := rounded (_ + _)) in *. set (p := _ + _) in Br', E2, E4. set (p' := _ + _) in Bp, E0.
-    rewrite V0, K0, !Rplus_0_l, !(kept _ (rounded_is_float64 _)). assert (E1 := one_rounding (r * f)). rewrite N0, atan_0 in F. unfold Rdiv at 1 in F. rewrite Rmult_0_l, Rplus_0_l in F.
-    assert (M1 : Rabs (r * f - r * p) <= Rabs r * (38/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat_l; [apply Rabs_pos | exact E2]).
+  - assert (Q : rho = s / l) by (unfold rho; rewrite N0; f_equal; ring). assert (Bo : - (5/16 + 1/2^30) <= rho <= 5/16 + 1/2^30) by (both_ways Wr;
+    lra). assert (E0 := arctangent_relative rho Bo). destruct (factor_of_ratio rho Bo) as [Bp Fo]. rewrite Fo, Q in E0. fold o in E0. rewrite Q in Bp,
+    Wr, Wd.
+    assert (E2 := factor_near y x Br). fold r in E2. assert (E4 := arctangent_relative r Br). destruct (factor_of_ratio r Br) as [Br' Fr]. rewrite Fr
+      in E4. unfold angle_in_half_turns_float64.small_part. fold k r. set (f := rounded (_ + _)) in *. set (p := _ + _) in Br', E2, E4. set (p' := _ +
+      _) in Bp, E0.
+    rewrite V0, K0, !Rplus_0_l, !(kept _ (rounded_is_float64 _)). assert (E1 := one_rounding (r * f)). rewrite N0, atan_0 in F. unfold Rdiv at 1 in F.
+      rewrite Rmult_0_l, Rplus_0_l in F.
+    assert (M1 : Rabs (r * f - r * p) <= Rabs r * (38/100 / 2 ^ 53)) by (rewrite <- Rmult_minus_distr_l, Rabs_mult; apply Rmult_le_compat_l; [apply
+      Rabs_pos | exact E2]).
     assert (M2 : Rabs (r * p) <= Rabs r * (3184/10000)) by (rewrite Rabs_mult, (Rabs_pos_eq p) by lra; apply Rmult_le_compat_l; [apply Rabs_pos | lra]).
-    assert (M3 : 307/1000 * (s / l) <= s / l * p') by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra). assert (M4 := Rabs_triang_inv (r * f) (r * p)). assert (M5 := Rabs_triang_inv r (s / l)). rewrite Q in Er, E3. rewrite (Rabs_pos_eq (s / l)) in * by lra.
-    set (a := s / l) in *. set (R := Rabs r) in *. set (q := rounded (r * f)) in *. set (e := Rabs (r * f)) in *. set (w := Rabs (r - a)) in *. assert (M6 : e <= R * (38/100 / 2 ^ 53) + R * (3184/10000)) by lra. both_ways E0. both_ways M1. both_ways E1. both_ways E3. both_ways E4.
+    assert (M3 : 307/1000 * (s / l) <= s / l * p') by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra). assert (M4 := Rabs_triang_inv (r * f) (r *
+      p)). assert (M5 := Rabs_triang_inv r (s / l)). rewrite Q in Er, E3. rewrite (Rabs_pos_eq (s / l)) in * by lra.
+    set (a := s / l) in *. set (R := Rabs r) in *. set (q := rounded (r * f)) in *. set (e := Rabs (r * f)) in *. set (w := Rabs (r - a)) in *. assert
+      (M6 : e <= R * (38/100 / 2 ^ 53) + R * (3184/10000)) by lra. both_ways E0. both_ways M1. both_ways E1. both_ways E3. both_ways E4.
     assert (G : Rabs (q - o) <= 13/10 / 2 ^ 53 * a + 4 * bpow radix2 (-1074)) by (clearbody a R q e w g o p p'; apply Rabs_le; lra). clearbody a. lra.
-  - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (both_ways Q; lra). assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m := angle_in_half_turns_float64.small_part y x) in *.
+  - assert (Q : Rabs r <= 1821/10000) by (generalize (Rabs_triang_inv r rho); lra). assert (Qr : -183/1000 <= r <= 183/1000) by (both_ways Q; lra).
+    assert (E1 := small_part_rounded y x Br _ Q ltac:(lra) K). assert (E2 := arctangent_nearer r Qr). fold r k in E1. set (m :=
+    angle_in_half_turns_float64.small_part y x) in *.
     assert (E : Rabs (v + m - o) <= 37/100 / 2 ^ 53) by (both_ways E1; both_ways E2; both_ways E3; both_ways A; apply Rabs_le; lra).
     assert (Ol : 962/10000 <= o).
-    { apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0 | apply atan_rises; apply -> Rle_div_r; lra]. }
-    assert (E4 := one_rounding (v + m)). assert (E5 := Rabs_triang_inv (v + m) o). rewrite (Rabs_pos_eq o) in E5 by lra. assert (G := through _ _ _ _ _ E4 E). lra.
+    { apply Rle_trans with (atan (312/1000) / PI); [interval|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, PI_RGT_0 | apply atan_rises;
+      apply -> Rle_div_r; lra]. }
+    assert (E4 := one_rounding (v + m)). assert (E5 := Rabs_triang_inv (v + m) o). rewrite (Rabs_pos_eq o) in E5 by lra. assert (G := through _ _ _ _
+      _ E4 E). lra.
 Qed.
 (* The octant, of the exact angle and of the computed one. *)
-Lemma octants : let o := atan (s / l) / PI in let q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o in let h := if Rlt_dec x 0 then 1 - q else q in atan2pi y x = if Rlt_dec y 0 then - h else h.
+Lemma octants : let o := atan (s / l) / PI in let q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o in let h := if Rlt_dec x 0 then 1 - q else q
+  in atan2pi y x = if Rlt_dec y 0 then - h else h.
 Proof.
-  destruct sides as (_ & _ & _ & L). assert (Px := Rabs_pos x). assert (Py := Rabs_pos y). unfold l, s, angle_in_half_turns_float64.larger, angle_in_half_turns_float64.smaller in *. cbv zeta. unfold atan2pi, atan2. destruct (Req_EM_T x 0) as [Z|Z].
-  - rewrite Z, Rabs_R0, Rmax_right, Rmin_left in * by lra. unfold Rdiv. rewrite !Rmult_0_l, atan_0. revert L. unfold Rabs. destruct Rcase_abs; intro; repeat destruct Rlt_dec; try lra; field; apply PI_neq0.
-  - assert (Z' := Rabs_pos_lt x Z). assert (Q : atan (Rabs y / Rabs x) / PI = if Rlt_dec (Rabs x) (Rabs y) then 1/2 - atan (Rmin (Rabs x) (Rabs y) / Rmax (Rabs x) (Rabs y)) / PI else atan (Rmin (Rabs x) (Rabs y) / Rmax (Rabs x) (Rabs y)) / PI).
+  destruct sides as (_ & _ & _ & L). assert (Px := Rabs_pos x). assert (Py := Rabs_pos y). unfold l, s, angle_in_half_turns_float64.larger,
+    angle_in_half_turns_float64.smaller in *. cbv zeta. unfold atan2pi, atan2. destruct (Req_EM_T x 0) as [Z|Z].
+  - rewrite Z, Rabs_R0, Rmax_right, Rmin_left in * by lra. unfold Rdiv. rewrite !Rmult_0_l, atan_0. revert L. unfold Rabs. destruct Rcase_abs; intro;
+    repeat destruct Rlt_dec; try lra; field; apply PI_neq0.
+  - assert (Z' := Rabs_pos_lt x Z). assert (Q : atan (Rabs y / Rabs x) / PI = if Rlt_dec (Rabs x) (Rabs y) then 1/2 - atan (Rmin (Rabs x) (Rabs y) /
+    Rmax (Rabs x) (Rabs y)) / PI else atan (Rmin (Rabs x) (Rabs y) / Rmax (Rabs x) (Rabs y)) / PI).
     { destruct Rlt_dec; [rewrite Rmin_left, Rmax_right by lra | rewrite Rmin_right, Rmax_left by lra; reflexivity].
       replace (Rabs y / Rabs x) with (/ (Rabs x / Rabs y)) by (field; lra). rewrite atan_inv by (apply Rdiv_lt_0_compat; lra). field. apply PI_neq0. }
     rewrite <- Q.
     assert (A : forall a b, atan (- a / b) = - atan (a / b)) by (intros a b; rewrite <- atan_opp; f_equal; unfold Rdiv; ring).
     assert (A' : forall a b, b <> 0 -> atan (a / - b) = - atan (a / b)) by (intros a b H; rewrite <- atan_opp; f_equal; field; lra).
-    unfold Rabs; destruct (Rcase_abs x); destruct (Rcase_abs y); repeat destruct Rlt_dec; try destruct Rle_dec; try lra; rewrite ?A', ?A, ?Ropp_involutive by lra; field; apply PI_neq0.
+    unfold Rabs; destruct (Rcase_abs x); destruct (Rcase_abs y); repeat destruct Rlt_dec; try destruct Rle_dec; try lra; rewrite ?A', ?A,
+      ?Ropp_involutive by lra; field; apply PI_neq0.
 Qed.
-Lemma angle_near : let d := Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) in d <= 5/2 * (1 / 2 ^ 53) /\ d <= 49/10 / 2 ^ 53 * Rabs (atan2pi y x) + 2 ^ 4 * bpow radix2 (-1074).
+Lemma angle_near : let d := Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) in d <= 5/2 * (1 / 2 ^ 53) /\ d <= 49/10 / 2 ^ 53 * Rabs
+  (atan2pi y x) + 2 ^ 4 * bpow radix2 (-1074).
 Proof.
-  destruct first_octant_near as (E & E' & B). rewrite octants. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant.
+  destruct first_octant_near as (E & E' & B). rewrite octants. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane,
+    angle_in_half_turns_float64.first_quadrant.
   set (o := atan (s / l) / PI) in *. set (oh := angle_in_half_turns_float64.first_octant y x) in *. assert (U := underflow_is_less).
   assert (Q : forall a b c, 0 <= c - b -> Rabs (rounded (c - a) - (c - b)) <= / 2 ^ 53 * (c - b + Rabs (a - b)) + bpow radix2 (-1074) + Rabs (a - b)).
-  { intros a b c H. assert (M : Rabs (c - a - (c - b)) <= Rabs (a - b)) by (rewrite <- Rabs_Ropp; apply Req_le; f_equal; ring). apply through with (c - a); [|exact M]. eapply Rle_trans; [apply one_rounding|]. generalize (Rabs_triang_inv (c - a) (c - b)). rewrite (Rabs_pos_eq (c - b)) by exact H. lra. }
+  { intros a b c H. assert (M : Rabs (c - a - (c - b)) <= Rabs (a - b)) by (rewrite <- Rabs_Ropp; apply Req_le; f_equal; ring). apply through with (c
+    - a); [|exact M]. eapply Rle_trans; [apply one_rounding|]. generalize (Rabs_triang_inv (c - a) (c - b)). rewrite (Rabs_pos_eq (c - b)) by exact H.
+    lra. }
   set (q := if Rlt_dec (Rabs x) (Rabs y) then 1/2 - o else o). set (qh := if Rlt_dec (Rabs x) (Rabs y) then _ else oh).
   assert (Eq : Rabs (qh - q) <= 136/100 / 2 ^ 53 /\ Rabs (qh - q) <= 49/10 / 2 ^ 53 * q + 8 * bpow radix2 (-1074) /\ 0 <= q <= 1/2).
   { unfold qh, q. destruct Rlt_dec; [|lra]. generalize (Q oh o (1/2) ltac:(lra)). lra. }
-  clearbody q qh. assert (Eh := Q qh q 1 ltac:(lra)). cbv zeta. assert (F : forall a b, Rabs (- a - - b) = Rabs (a - b)) by (intros; rewrite <- Rabs_Ropp; f_equal; ring).
+  clearbody q qh. assert (Eh := Q qh q 1 ltac:(lra)). cbv zeta. assert (F : forall a b, Rabs (- a - - b) = Rabs (a - b)) by (intros; rewrite <-
+    Rabs_Ropp; f_equal; ring).
   repeat destruct Rlt_dec; rewrite ?F, ?Rabs_Ropp, ?(Rabs_pos_eq q), ?(Rabs_pos_eq (1 - q)) by lra; lra.
 Qed.
 End angle.
 
 (* The angle of a point whose coordinates float64 holds, the larger of them not near underflow, is within 5/2 2^-53 of the angle; *)
-Theorem elementary_functions__atan2pi (y x : R) : float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs (angle_in_half_turns_float64.angle y x - atan2pi y x) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__atan2pi (y x : R) : float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs
+  (angle_in_half_turns_float64.angle y x - atan2pi y x) <= 5/2 * (1 / 2 ^ 53).
 Proof. apply angle_near. Qed.
 (* of the origin it is 0. *)
 Theorem elementary_functions__origin : angle_in_half_turns_float64.angle 0 0 = 0.
 Proof.
-  angle_in_half_turns_float64.lines. rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra. rewrite (Rmult_0_l (rounded (_ + 5734161139222659 / 18014398509481984))), !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
+  angle_in_half_turns_float64.lines. rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra. rewrite
+    (Rmult_0_l (rounded (_ + 5734161139222659 / 18014398509481984))), !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
 Qed.
 Theorem elementary_functions__arctangent__point : exists r : R, - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
 Proof. exists 0. lra. Qed.
@@ -222,13 +271,15 @@ Theorem elementary_functions__arctangent__false : ~ forall r, -1 <= r <= 1 -> Ra
 Proof.
   intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. arctangent_polynomial.lines. interval with (i_prec 120).
 Qed.
-Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs
+  (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
 Proof.
   intro H. assert (F := generic_format_opp _ _ _ one_is_float64 : float64 (-1)).
   assert (M : bpow radix2 (-1018) <= Rmax (Rabs (-1)) (Rabs 0)).
   { rewrite Rabs_left by lra. eapply Rle_trans; [|apply Rmax_l]. replace (- -1) with 1 by ring. apply (bpow_le radix2 (-1018) 0). easy. }
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
-  unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra. destruct Rle_dec; try lra. unfold Rdiv. rewrite Rmult_0_l, atan_0, Rmult_0_l, Rplus_0_l, Rinv_r by apply PI_neq0.
+  unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra. destruct Rle_dec; try lra. unfold Rdiv. rewrite Rmult_0_l, atan_0, Rmult_0_l, Rplus_0_l,
+    Rinv_r by apply PI_neq0.
   intros A B. both_ways A. both_ways B. lra.
 Qed.
 Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.

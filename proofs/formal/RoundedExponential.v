@@ -8,16 +8,19 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 Open Scope R_scope.
 
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
-Theorem elementary_functions__exponential (r : R) : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
+Theorem elementary_functions__exponential (r : R) : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <=
+  1 / 2 ^ 57.
 Proof.
   intro B. exponential_polynomial.lines.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
-Lemma rest_is_float64 (p : R) (k : Z) : float64 p -> Rabs (p - IZR k * bpow radix2 (-15)) < 1/2 -> 1/4 <= Rabs p \/ k = 0%Z -> float64 (p - IZR k * bpow radix2 (-15)).
+Lemma rest_is_float64 (p : R) (k : Z) : float64 p -> Rabs (p - IZR k * bpow radix2 (-15)) < 1/2 -> 1/4 <= Rabs p \/ k = 0%Z -> float64 (p - IZR k *
+  bpow radix2 (-15)).
 Proof.
   intros F S [B | ->]; [|rewrite Rmult_0_l, Rminus_0_r; exact F]. destruct (multiple_of_power p (-54) F) as [m E]; [simpl; lra|].
-  assert (H : p - IZR k * bpow radix2 (-15) = IZR (m - k * 2 ^ 39) * bpow radix2 (-54)) by (rewrite E, minus_IZR, mult_IZR; simpl; lra). rewrite H in *. apply whole_is_float64; [|easy].
+  assert (H : p - IZR k * bpow radix2 (-15) = IZR (m - k * 2 ^ 39) * bpow radix2 (-54)) by (rewrite E, minus_IZR, mult_IZR; simpl; lra). rewrite H in
+    *. apply whole_is_float64; [|easy].
   apply lt_IZR. rewrite abs_IZR. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in S by apply bpow_ge_0. simpl in *. lra.
 Qed.
 
@@ -70,7 +73,8 @@ Proof.
       eapply Rle_trans; [eapply difference_error; [exact T | exact (rounded_error _ _ P) | apply no_error] | lra].
     - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   destruct E1 as [E1 Bl]. assert (E2 : Rabs (h - l - r) <= 4/1000 / 2 ^ 53).
-  { assert (G : Rabs (IZR n * (ln 2 - 22713/32768 - L)) <= 3/10000 / 2 ^ 53) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval with (i_prec 100)).
+  { assert (G : Rabs (IZR n * (ln 2 - 22713/32768 - L)) <= 3/10000 / 2 ^ 53) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval with
+    (i_prec 100)).
     replace (h - l - r) with (IZR n * (ln 2 - 22713/32768 - L) - (l - (L * IZR n - e))) by (rewrite H; unfold r; ring).
     eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   assert (Br : Rabs r <= 34659/100000).
@@ -79,17 +83,21 @@ Proof.
   { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E4 : Rabs (exponential_of_sum_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
   { assert (T : Rabs (h - a) <= 1471/1000000).
-    { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. apply Rabs_le_between in Bl. apply Rabs_le_between in E1. apply Rabs_le_between in E3. apply Rabs_le. lra. }
+    { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. apply Rabs_le_between in Bl. apply Rabs_le_between in
+      E1. apply Rabs_le_between in E3. apply Rabs_le. lra. }
     eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E5 : Rabs (b - (h - a - l)) <= 2/1000 / 2 ^ 53).
-  { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a - (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
+  { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a -
+    (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
     eapply Rle_trans; [eapply difference_error; [exact T | exact E4 | apply no_error] | lra]. }
   apply Rabs_le_between in Br. apply Rabs_le_between in E2. apply Rabs_le_between in E3. apply Rabs_le_between in E5. repeat split; apply Rabs_le; lra.
 Qed.
 End exponential.
 
-Lemma both_error (a ah b bh S ea eb : R) : Rabs (a + b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah + bh) - (a + b)) <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
-Proof. intros S1 A1 B1. replace (ah + bh) with (ah - - bh) by ring. replace (a + b) with (a - - b) in * by ring. apply difference_error; try assumption. apply of_opposites, B1. Qed.
+Lemma both_error (a ah b bh S ea eb : R) : Rabs (a + b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah + bh) - (a + b)) <= (S
+  + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
+Proof. intros S1 A1 B1. replace (ah + bh) with (ah - - bh) by ring. replace (a + b) with (a - - b) in * by ring. apply difference_error; try
+  assumption. apply of_opposites, B1. Qed.
 Lemma near_one (t : R) : - (3467/10000) <= t <= 3467/10000 -> 7/10 <= exp t <= 15/10.
 Proof. split; interval. Qed.
 
@@ -102,7 +110,8 @@ Hypothesis A : - (3467/10000) <= a <= 3467/10000.
 Hypothesis B : Rabs b <= 35/100 / 2 ^ 53.
 Lemma departure_rounded : Rabs (exponential_of_sum_float64.departure_low p e - (b + exponential_polynomial.departure_low a 0)) <= 31/100 / 2 ^ 53.
 Proof.
-  unfold exponential_of_sum_float64.departure_low, exponential_polynomial.departure_low, exponential_of_sum_float64.exponential_tail, exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
+  unfold exponential_of_sum_float64.departure_low, exponential_polynomial.departure_low, exponential_of_sum_float64.exponential_tail,
+    exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
   fold a b. set (zh := exponential_of_sum_float64.away_squared p e). set (z := exponential_polynomial.away_squared a).
   assert (Z : 0 <= z <= 12021/100000).
   { assert (G : forall t, - (3467/10000) <= t <= 3467/10000 -> 0 <= t ^ 2 <= 12021/100000) by (intros; split; [apply pow2_ge_0 | interval]). exact (G a A). }
@@ -110,18 +119,23 @@ Proof.
   { unfold zh, exponential_of_sum_float64.away_squared. fold a. replace (a * a) with z by (unfold z, exponential_polynomial.away_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (12021/100000)); apply Rabs_le; lra | lra]. }
   clearbody zh z a b.
-  lazymatch goal with |- context [zh * rounded (rounded (rounded (a * ?ph) + rounded (zh * ?qh)) + _)] => lazymatch goal with |- context [z * (a * ?P + z * ?Q + _)] =>
-    assert (Ep : Rabs (rounded (a * ph) - a * P) <= 14/100 / 2 ^ 53) by (eapply Rle_trans; [find_error | interval]); assert (Eq : Rabs (rounded (zh * qh) - z * Q) <= 2/100 / 2 ^ 53) by (eapply Rle_trans; [find_error | interval]);
-    assert (Es : Rabs (rounded (rounded (a * ph) + rounded (zh * qh)) - (a * P + z * Q)) <= 23/100 / 2 ^ 53) by (eapply Rle_trans; [eapply both_error; [find_bound | exact Ep | exact Eq] | interval]) end end.
+  lazymatch goal with |- context [zh * rounded (rounded (rounded (a * ?ph) + rounded (zh * ?qh)) + _)] => lazymatch goal with |- context [z * (a * ?P
+    + z * ?Q + _)] =>
+    assert (Ep : Rabs (rounded (a * ph) - a * P) <= 14/100 / 2 ^ 53) by (eapply Rle_trans; [find_error | interval]); assert (Eq : Rabs (rounded (zh *
+      qh) - z * Q) <= 2/100 / 2 ^ 53) by (eapply Rle_trans; [find_error | interval]);
+    assert (Es : Rabs (rounded (rounded (a * ph) + rounded (zh * qh)) - (a * P + z * Q)) <= 23/100 / 2 ^ 53) by (eapply Rle_trans; [eapply both_error;
+      [find_bound | exact Ep | exact Eq] | interval]) end end.
   eapply Rle_trans; [eapply both_error; [find_bound | apply no_error | find_error] | interval].
 Qed.
 Lemma near_rounded : let v := exp a in Rabs (exponential_of_sum_float64.exponential_near p e - (v + b)) <= (v + Rabs (v - 1) + 376/1000) / 2 ^ 53.
 Proof.
   intro v. assert (M := departure_rounded). assert (X := elementary_functions__exponential a A). fold v in X. assert (V := near_one a A). fold v in V.
   unfold exponential_polynomial.exponential_near, exponential_polynomial.departure in X. set (w := exponential_polynomial.departure_low a 0) in *.
-  unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh := exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
+  unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh :=
+    exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
   assert (S : Rabs (a + (b + w)) <= Rabs (v - 1) + 1/1000).
-  { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))). rewrite Rabs_Ropp. apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y. intros. apply Rabs_le. lra. }
+  { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))). rewrite Rabs_Ropp. apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y.
+    intros. apply Rabs_le. lra. }
   assert (E1 := both_error a a (b + w) wh _ _ _ S (no_error a) M).
   assert (S' : Rabs (a + (b + w) + 1) <= v + 1/1000).
   { apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y. apply Rabs_le. lra. }
@@ -135,17 +149,20 @@ Lemma exponential_near_float64 (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs
   Rabs (exponential_of_sum_float64.exponential_near p e - exp r) <= 11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_of_sum_float64.exponential_near p e.
 Proof.
   intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. apply Rabs_le_between in A. assert (N := near_rounded p e A C). cbv zeta in N.
-  set (a := exponential_of_sum_float64.away p e) in *. set (b := exponential_of_sum_float64.away_error p e) in *. set (near := exponential_of_sum_float64.exponential_near p e) in *.
+  set (a := exponential_of_sum_float64.away p e) in *. set (b := exponential_of_sum_float64.away_error p e) in *. set (near :=
+    exponential_of_sum_float64.exponential_near p e) in *.
   assert (V := near_one _ A).
   assert (G : forall t, Rabs t <= 36/100 / 2 ^ 53 -> Rabs (exp t - 1 - t) <= 1 / 2 ^ 100).
   { intros t T. apply Rabs_le_between in T. interval with (i_taylor t, i_degree 4, i_prec 200). }
   assert (Q : Rabs (r - a) <= 36/100 / 2 ^ 53).
   { replace (r - a) with (b - (a + b - r)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   generalize (G _ Q). clear G. replace (exp r) with (exp a * exp (r - a)) by (rewrite <- exp_plus; f_equal; ring). set (t := exp (r - a) - 1 - (r - a)).
-  replace (exp (r - a)) with (1 + b - (a + b - r) + t) by (unfold t; ring). intro T. clearbody t near a b r. set (v := exp a) in *. clearbody v. set (h := a + b - r) in *. clearbody h.
+  replace (exp (r - a)) with (1 + b - (a + b - r) + t) by (unfold t; ring). intro T. clearbody t near a b r. set (v := exp a) in *. clearbody v. set
+    (h := a + b - r) in *. clearbody h.
   assert (I : forall x m y, Rabs x <= m -> 0 <= y -> - (m * y) <= x * y <= m * y).
   { intros x m y K O. apply Rabs_le_between in K. split; nra. }
-  generalize (I h _ v D ltac:(lra)) (I t _ v T ltac:(lra)) (I b _ v C ltac:(lra)) (I b _ (Rabs (v - 1)) C (Rabs_pos _)). clear I. intros Ih It Ib Ibd. apply Rabs_le_between in N.
+  generalize (I h _ v D ltac:(lra)) (I t _ v T ltac:(lra)) (I b _ v C ltac:(lra)) (I b _ (Rabs (v - 1)) C (Rabs_pos _)). clear I. intros Ih It Ib Ibd.
+    apply Rabs_le_between in N.
   destruct (Rle_lt_dec 1 v) as [O|O]; [rewrite (Rabs_pos_eq (v - 1)) in * by lra | rewrite (Rabs_left (v - 1)) in * by lra]; (split; [apply Rabs_le|]; lra).
 Qed.
 
@@ -153,13 +170,16 @@ Qed.
 Theorem elementary_functions__exp (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
   Rabs (exponential_of_sum_float64.exponential p e - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
 Proof.
-  intros F B E. destruct (exponential_near_float64 p e F B E) as [N H]. set (n := Znearest _ _) in N. set (near := exponential_of_sum_float64.exponential_near p e) in *.
+  intros F B E. destruct (exponential_near_float64 p e F B E) as [N H]. set (n := Znearest _ _) in N. set (near :=
+    exponential_of_sum_float64.exponential_near p e) in *.
   destruct (near_doublings p B) as [_ M]. change (-1021 <= n <= 1023)%Z in M.
   assert (X : exp (p + e) = exp (p + e - IZR n * ln 2) * bpow radix2 n) by (rewrite bpow_exp, <- exp_plus; f_equal; change (IZR radix2) with 2; ring).
   assert (Y : exponential_of_sum_float64.exponential p e = near * bpow radix2 n).
-  { unfold exponential_of_sum_float64.exponential, power_of_two. fold near. change (exponential_of_sum_float64.whole p) with (IZR n). rewrite Zfloor_IZR. repeat destruct Rlt_dec; try lra.
+  { unfold exponential_of_sum_float64.exponential, power_of_two. fold near. change (exponential_of_sum_float64.whole p) with (IZR n). rewrite
+    Zfloor_IZR. repeat destruct Rlt_dec; try lra.
     apply kept, (scaled_float64 near (-1)); [apply rounded_is_float64 | rewrite Rabs_pos_eq; simpl; lra | lia]. }
-  rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact N].
+  rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply
+    bpow_ge_0 | exact N].
 Qed.
 Theorem elementary_functions__exponential__point : exists r : R, - (3467/10000) <= r <= 3467/10000.
 Proof. exists 0. lra. Qed.
@@ -174,6 +194,8 @@ Qed.
 Theorem elementary_functions__exp__false : ~ forall p e, float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
   Rabs (exponential_of_sum_float64.exponential p e - exp p) <= 11/5 * (1 / 2 ^ 53) * exp p.
 Proof.
-  intro H. assert (E : Rabs (1 / 2 ^ 42) <= 1 / 2 ^ 42) by (rewrite Rabs_pos_eq; lra). generalize (H 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E) (elementary_functions__exp 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E).
-  rewrite exp_0, Rplus_0_l. intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (1 + 9 / 2 ^ 53 < exp (1 / 2 ^ 42) < 2) by (split; interval with (i_prec 100)). lra.
+  intro H. assert (E : Rabs (1 / 2 ^ 42) <= 1 / 2 ^ 42) by (rewrite Rabs_pos_eq; lra). generalize (H 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra)
+    E) (elementary_functions__exp 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E).
+  rewrite exp_0, Rplus_0_l. intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (1 + 9 / 2 ^ 53 < exp (1 / 2 ^ 42) < 2) by
+    (split; interval with (i_prec 100)). lra.
 Qed.

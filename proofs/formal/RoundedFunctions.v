@@ -8,28 +8,35 @@ From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns Rounde
 Open Scope R_scope.
 
 (* Sine and cosine of any float64. *)
-Lemma remainder_of_float64 (x : R) : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters x) / 2 <= 1/4.
+Lemma remainder_of_float64 (x : R) : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters
+  x) / 2 <= 1/4.
 Proof.
   intro F. split; [|apply Rabs_le_between, near_quarters]. rewrite (remainder_printed _ _ F), Rplus_0_r. exact (kept _ (remainder_is_float64 _ F)).
 Qed.
-Lemma sine_of_float64 (x : R) : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c := half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in
+Lemma sine_of_float64 (x : R) : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c :=
+  half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in
   sine_of_half_turns_float64.sine x 0 = match (quarters x mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
   cosine_of_half_turns_float64.cosine x 0 = match (quarters x mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof. intro F. rewrite <- (proj1 (remainder_of_float64 x F)). exact (sine_printed x 0 F). Qed.
 
 (* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)
-Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\
+  Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). fold q in B |- *. set (r := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
-  assert (C := elementary_functions__cosine_float64 r N). assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2 ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
+  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). fold q in B |- *. set (r
+    := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
+  assert (C := elementary_functions__cosine_float64 r N). assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2
+    ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
   replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->].
   apply (in_each_quadrant (fun x y => Rabs (x - y) <= 5/2 * (1 / 2 ^ 53))); [exact S | exact C | intros; apply of_opposites; assumption].
 Qed.
 (* and at every whole number of quarters of a turn they are exact. *)
-Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\ cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
+Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\
+  cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
 Proof.
   intros F H. set (q := quarters x). assert (Q : q = m) by (unfold q, quarters; rewrite H; apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n))))).
-  assert (R : x - IZR q / 2 = 0) by (rewrite Q, <- H; field). destruct (sine_of_float64 x F) as [-> ->]. fold q. rewrite R. destruct elementary_functions__zero_float64 as [-> ->].
+  assert (R : x - IZR q / 2 = 0) by (rewrite Q, <- H; field). destruct (sine_of_float64 x F) as [-> ->]. fold q. rewrite R. destruct
+    elementary_functions__zero_float64 as [-> ->].
   replace x with (0 + IZR q / 2) by lra. destruct (by_quadrant 0 q) as [-> ->]. rewrite Rmult_0_r, sin_0, cos_0. split; reflexivity.
 Qed.
 Lemma half_is_float64 : float64 (1/2).

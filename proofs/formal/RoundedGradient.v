@@ -21,7 +21,8 @@ Proof.
 Qed.
 Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
-  intro F. generalize (what_is_left_is_float64 p (/ 2) F (generic_format_bpow radix2 (FLT_exp (-1074) 53) (-1) ltac:(easy))). replace (p / / 2) with (2 * p) by field. trivial.
+  intro F. generalize (what_is_left_is_float64 p (/ 2) F (generic_format_bpow radix2 (FLT_exp (-1074) 53) (-1) ltac:(easy))). replace (p / / 2) with
+    (2 * p) by field. trivial.
 Qed.
 
 Section reduction.
@@ -32,25 +33,31 @@ Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
 Proof. unfold sine_of_half_turns_float64.quarters. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
 Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
 Proof.
-  intros -> J. apply kept. rewrite Rmult_comm. destruct (Z.eq_dec q 0) as [Z|N]; [rewrite Z, Rmult_0_l; apply generic_format_0|]. apply mult_bpow_exact_FLT; [exact (whole_part_is_float64 _ _ (valid_rnd_N _) (twice_float64 _ F))|].
+  intros -> J. apply kept. rewrite Rmult_comm. destruct (Z.eq_dec q 0) as [Z|N]; [rewrite Z, Rmult_0_l; apply generic_format_0|]. apply
+    mult_bpow_exact_FLT; [exact (whole_part_is_float64 _ _ (valid_rnd_N _) (twice_float64 _ F))|].
   assert (1 <= mag radix2 (IZR q))%Z by (apply mag_ge_bpow; rewrite <- abs_IZR; apply (IZR_le 1); lia). lia.
 Qed.
 Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p - IZR q / 2 + e).
 Proof.
-  unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite quarters_printed, (part_of_quarters _ (-1)) by (simpl; lra || lia).
-  replace (p - 1 / 2 * IZR q) with (p - IZR q / 2) by field. assert (K : rounded (p - IZR q / 2) = p - IZR q / 2) by exact (kept _ (remainder_is_float64 _ F)). rewrite K. f_equal. ring.
+  unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite quarters_printed, (part_of_quarters _ (-1)) by
+    (simpl; lra || lia).
+  replace (p - 1 / 2 * IZR q) with (p - IZR q / 2) by field. assert (K : rounded (p - IZR q / 2) = p - IZR q / 2) by exact (kept _
+    (remainder_is_float64 _ F)). rewrite K. f_equal. ring.
 Qed.
 Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
 Proof.
   unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
-  assert (W : float64 (IZR (Zfloor (1 / 4 * IZR q)))) by (apply whole_part_is_float64; [typeclasses eauto | rewrite <- (part_of_quarters _ (-2)) by (simpl; lra || lia); apply rounded_is_float64]).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. assert (D := Z.div_mod q 4 ltac:(easy)). assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  assert (W : float64 (IZR (Zfloor (1 / 4 * IZR q)))) by (apply whole_part_is_float64; [typeclasses eauto | rewrite <- (part_of_quarters _ (-2)) by
+    (simpl; lra || lia); apply rounded_is_float64]).
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. assert (D := Z.div_mod q 4 ltac:(easy)).
+    assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
   rewrite Rmult_comm, (kept (_ * 4)) by (apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 _ 2); [exact W | easy]).
   replace (IZR q - IZR (q / 4) * 4) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
   apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
 Qed.
 (* What the sine and the cosine return, by the quadrant. *)
-Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s := half_turn_polynomials_float64.sine_near r in let c := half_turn_polynomials_float64.cosine_near r in
+Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s := half_turn_polynomials_float64.sine_near r in let c :=
+  half_turn_polynomials_float64.cosine_near r in
   sine_of_half_turns_float64.sine p e = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
   cosine_of_half_turns_float64.cosine p e = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof.
@@ -64,16 +71,19 @@ End reduction.
 
 Lemma turn (r : R) (n : Z) : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
 Proof.
-  assert (Z : sin (IZR n * PI) = 0) by (apply sin_eq_0_1; exists n; reflexivity). rewrite mult_IZR, Rmult_assoc, sin_plus, cos_plus, sin_2a, cos_2a_sin, Z. split; ring.
+  assert (Z : sin (IZR n * PI) = 0) by (apply sin_eq_0_1; exists n; reflexivity). rewrite mult_IZR, Rmult_assoc, sin_plus, cos_plus, sin_2a,
+    cos_2a_sin, Z. split; ring.
 Qed.
 Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
   sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
   cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Proof.
   intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
-  replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR; field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
+  replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR;
+    field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
   destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K;
-    [rewrite Rmult_0_l, sin_0, cos_0 | rewrite Rmult_1_l, sin_PI2, cos_PI2 | replace (2 * (PI / 2)) with PI by field; rewrite sin_PI, cos_PI | rewrite sin_3PI2, cos_3PI2]; split; ring.
+    [rewrite Rmult_0_l, sin_0, cos_0 | rewrite Rmult_1_l, sin_PI2, cos_PI2 | replace (2 * (PI / 2)) with PI by field; rewrite sin_PI, cos_PI | rewrite
+      sin_3PI2, cos_3PI2]; split; ring.
 Qed.
 
 Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
@@ -95,8 +105,10 @@ Proof.
   intros S C N. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
-Lemma half_turns_apart (f g : R -> R) (x y : R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <= PI * Rabs (x - y).
-Proof. intros D G. rewrite <- (Rabs_pos_eq PI) at 3 by (generalize PI_RGT_0; lra). rewrite <- Rabs_mult, Rmult_minus_distr_l, <- Rmult_1_l. exact (moved_by_at_most f g 1 _ _ D G). Qed.
+Lemma half_turns_apart (f g : R -> R) (x y : R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <=
+  PI * Rabs (x - y).
+Proof. intros D G. rewrite <- (Rabs_pos_eq PI) at 3 by (generalize PI_RGT_0; lra). rewrite <- Rabs_mult, Rmult_minus_distr_l, <- Rmult_1_l. exact
+  (moved_by_at_most f g 1 _ _ D G). Qed.
 Section product.
 Variables a b : R.
 Hypothesis A : float64 a.
@@ -132,35 +144,44 @@ Proof.
 Qed.
 Lemma turned (f g : R -> R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
 Proof.
-  intros D G. eapply Rle_trans; [exact (half_turns_apart f g r w D G)|]. apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l; [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
+  intros D G. eapply Rle_trans; [exact (half_turns_apart f g r w D G)|]. apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l;
+    [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
 Qed.
 Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
 Proof.
   destruct remainder_error as [_ R]. split.
-  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _ (COS_bound x)))) | lra].
+  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _
+    (COS_bound x)))) | lra].
   - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
     eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
-Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
+Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine
+  p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
-  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S | exact C | intros; apply of_opposites; assumption].
+  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S |
+    exact C | intros; apply of_opposites; assumption].
 Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
 Proof.
   destruct remainder_near as [-> _]. assert (N : w <> 0 -> rounded w <> 0).
-  { replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring). apply round_plus_neq_0; try typeclasses eauto; [apply remainder_is_float64, product_is_float64 | apply rounded_is_float64]. }
-  apply same_sign; intro S; [assert (Q := not_negative_rounded w ltac:(lra)) | assert (Q := not_negative_rounded (- w) ltac:(lra)); rewrite rounded_opp in Q | rewrite S; apply rounded_0]; apply Rnot_le_lt; intro; apply N; lra.
+  { replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring). apply round_plus_neq_0; try typeclasses eauto; [apply
+    remainder_is_float64, product_is_float64 | apply rounded_is_float64]. }
+  apply same_sign; intro S; [assert (Q := not_negative_rounded w ltac:(lra)) | assert (Q := not_negative_rounded (- w) ltac:(lra)); rewrite
+    rounded_opp in Q | rewrite S; apply rounded_0]; apply Rnot_le_lt; intro; apply N; lra.
 Qed.
 Lemma sign_of_sine : sign s = sign (sin (PI * w)).
 Proof.
-  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. both_ways W. destruct (factor_rounded r R) as [T P]. both_ways T. assert (F : float64 r) by (rewrite Rw; apply rounded_is_float64). transitivity (sign r).
-  - unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + _)) in *. assert (1 <= t) by lra. apply same_sign; intro S.
+  destruct remainder_error as [_ R]. destruct remainder_near as [Rw W]. both_ways W. destruct (factor_rounded r R) as [T P]. both_ways T. assert (F :
+    float64 r) by (rewrite Rw; apply rounded_is_float64). transitivity (sign r).
+  - unfold s, half_turn_polynomials_float64.sine_near. set (t := rounded (half_turn_polynomials_float64.sine_tail r + _)) in *. assert (1 <= t) by
+    lra. apply same_sign; intro S.
     + apply Rlt_le_trans with r; [exact S | apply round_ge_generic; [typeclasses eauto..| exact F | nra]].
     + apply Rle_lt_trans with r; [apply round_le_generic; [typeclasses eauto..| exact F | nra] | exact S].
     + rewrite S, Rmult_0_l. apply rounded_0.
-  - rewrite sign_of_remainder. symmetry. apply same_sign; intro S; [apply sin_gt_0 | apply sin_lt_0_var | rewrite S, Rmult_0_r; apply sin_0]; generalize PI_RGT_0; nra.
+  - rewrite sign_of_remainder. symmetry. apply same_sign; intro S; [apply sin_gt_0 | apply sin_lt_0_var | rewrite S, Rmult_0_r; apply sin_0];
+    generalize PI_RGT_0; nra.
 Qed.
 Lemma sign_of_cosine : sign c = sign (cos (PI * w)).
 Proof.
@@ -170,14 +191,16 @@ Qed.
 Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
-  destruct (sine_printed p e product_is_float64) as [-> _]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
+  destruct (sine_printed p e product_is_float64) as [-> _]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact
+    sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
 Qed.
 End product.
 
 Definition carried (a b : R) : Prop := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
 Lemma factors_near (a b : R) : carried a b ->
   let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in
-  Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\
+  Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI *
+    (a * b))) <= 3289/1000 / 2 ^ 53 /\
   sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
 
@@ -202,7 +225,8 @@ Proof.
 Qed.
 Lemma times_sign (x s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
 Proof.
-  intro F. rewrite <- sign_mult. assert (O := rounded_opp 1 : rounded (-1) = - rounded 1). unfold sign. destruct total_order_T as [[|]|]; rewrite ?O, ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
+  intro F. rewrite <- sign_mult. assert (O := rounded_opp 1 : rounded (-1) = - rounded 1). unfold sign. destruct total_order_T as [[|]|]; rewrite ?O,
+    ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
   replace (x * - (1)) with (- x) by ring. rewrite rounded_opp, (kept x F). ring.
 Qed.
 Lemma beside_a_sign (x y m s : R) : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
@@ -213,11 +237,14 @@ Lemma slopes_of_ridges (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
   Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
   Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
 Proof.
-  intros U V. destruct (slopes_of_sine u v k_u k_v U V) as [Hu Hv]. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_ & _ & Sv).
+  intros U V. destruct (slopes_of_sine u v k_u k_v U V) as [Hu Hv]. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_
+    & _ & Sv).
   unfold gradient_ridges_float64.h_u, gradient_ridges_float64.h_v, gradient_ridges.h_u, gradient_ridges.h_v.
   rewrite !times_sign by first [exact 0 | apply rounded_is_float64]. rewrite !sign_mult.
-  change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u) (two_product_float64.product_error k_u u))).
-  change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v) (two_product_float64.product_error k_v v))).
+  change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u)
+    (two_product_float64.product_error k_u u))).
+  change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v)
+    (two_product_float64.product_error k_v v))).
   rewrite Su, Sv. gradient_ridges.lines. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
 Qed.
 Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
@@ -229,7 +256,8 @@ Proof.
   { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
   gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
   assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
-  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq 2) by lra; lra).
+  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq
+    2) by lra; lra).
   generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
   assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
   generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
@@ -243,7 +271,8 @@ Proof.
   change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
   apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
 Qed.
-Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) -> carried k x.
+Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0)
+  -> carried k x.
 Proof.
   intros X K L H B U. repeat split; [exact K | exact X | apply not_tiny, U|]. rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
 Qed.

@@ -17,12 +17,14 @@ Proof. intros S E. replace ah with (a + (ah - a)) by ring. eapply Rle_trans; [ap
 (* One rounding: a factor, or below the normal range less than 2^-1074. *)
 Lemma rounding (x : R) : exists d t, Rabs d <= / 2 ^ 53 /\ Rabs t <= bpow radix2 (-1074) /\ d * t = 0 /\ rounded x = x * (1 + d) + t.
 Proof.
-  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [eapply Rle_trans; [exact D | unfold u_ro; simpl; lra]|].
+  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [eapply Rle_trans;
+    [exact D | unfold u_ro; simpl; lra]|].
   split; [eapply Rle_trans; [exact T | generalize (bpow_gt_0 radix2 (-1074)); lra] | split; [exact Z | exact E]].
 Qed.
 Lemma one_rounding (x : R) : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
 Proof.
-  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_mult.
+  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    rewrite Rabs_mult.
   apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | exact D] | exact E].
 Qed.
 (* What underflows is off by far less than 2^-100. *)
@@ -36,7 +38,8 @@ Lemma sum_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Ra
 Proof.
   intros B A. replace (ah - a) with (ah + c - (a + c)) in A by ring. apply through with (ah + c); [|exact A]. exact (rounded_error _ _ (size _ _ _ _ B A)).
 Qed.
-Lemma minus_error (a ah c d S e : R) : c = - d -> Rabs (a + d) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah - c) - (a + d)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
+Lemma minus_error (a ah c d S e : R) : c = - d -> Rabs (a + d) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah - c) - (a + d)) <= (S + e) / 2 ^ 53 + 1
+  / 2 ^ 100 + e.
 Proof. intros ->. replace (ah - - d) with (ah + d) by ring. apply sum_error. Qed.
 Lemma times_error (z zh a ah Z A ez ea : R) : Rabs z <= Z -> Rabs a <= A -> Rabs (zh - z) <= ez -> Rabs (ah - a) <= ea ->
   Rabs (rounded (zh * ah) - z * a) <= (Z + ez) * (A + ea) / 2 ^ 53 + 1 / 2 ^ 100 + (ez * (A + ea) + Z * ea).
@@ -67,7 +70,8 @@ Let z := r ^ 2.
 Let zh := rounded (r * r).
 Lemma z_is : 0 <= z <= 1/16 + 1/2^30 /\ Rabs (zh - z) <= 63 / 1000 / 2 ^ 53.
 Proof.
-  assert (Q : 0 <= z <= 1/16 + 1/2^30) by (unfold z; split; [apply pow2_ge_0 | interval]). split; [exact Q|]. unfold zh. replace (r * r) with z by (unfold z; ring).
+  assert (Q : 0 <= z <= 1/16 + 1/2^30) by (unfold z; split; [apply pow2_ge_0 | interval]). split; [exact Q|]. unfold zh. replace (r * r) with z by
+    (unfold z; ring).
   eapply Rle_trans; [apply (rounded_error _ (1/16 + 1/2^30)); apply Rabs_le; lra | interval].
 Qed.
 Lemma cosine_rounded : Rabs (half_turn_polynomials_float64.cosine_near r - half_turn_polynomials.cosine_near r) <= 989 / 500 / 2 ^ 53.
@@ -76,16 +80,19 @@ Proof.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
   eapply Rle_trans; [find_error | interval].
 Qed.
-Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P := half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
+Lemma factor_rounded : let f := rounded (half_turn_polynomials_float64.sine_tail r + 884279719003555 / 281474976710656) in let P :=
+  half_turn_polynomials.sine_tail r + 884279719003555 / 281474976710656 in
   Rabs (f - P) <= 45/10 / 2 ^ 53 /\ 28/10 <= P <= 315/100.
 Proof.
   intros f P. destruct z_is as [z0 Ez]. unfold f, P.
-  unfold half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z.
+  unfold half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail. change (half_turn_polynomials_float64.z r) with zh. change
+    (half_turn_polynomials.z r) with z.
   clearbody zh z. split; [eapply Rle_trans; [find_error | interval] | split; interval].
 Qed.
 Lemma sine_rounded : Rabs (half_turn_polynomials_float64.sine_near r - half_turn_polynomials.sine_near r) <= 207 / 100 / 2 ^ 53.
 Proof.
-  destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail, half_turn_polynomials.sine_tail.
+  destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail,
+    half_turn_polynomials.sine_tail.
   change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
   eapply Rle_trans; [find_error | interval].
 Qed.
@@ -113,12 +120,14 @@ Proof. exists 0. lra. Qed.
 Theorem elementary_functions__sine_float64__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof. exists 0. lra. Qed.
 (* They are not so near 1 and 0. *)
-Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs
+  (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
 Proof.
   intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__cosine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
   assert (cos (PI * (1/4)) < 1/1 - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
-Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near r) <= 9/4 * (1 / 2 ^ 53).
+Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near
+  r) <= 9/4 * (1 / 2 ^ 53).
 Proof.
   intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__sine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
   assert (6 * (1 / 2 ^ 53) < sin (PI * (1/4))) by interval. lra.

@@ -10,9 +10,11 @@ Open Scope R_scope.
 (* Twice the quotient and the series are within 13/1000 2^-53 of its logarithm, relative to the quotient. *)
 Lemma series_relative (q : R) : Rabs q <= 589/10000 -> Rabs (2 * q + logarithm_polynomial.log_tail q - (ln (1 + q) - ln (1 - q))) <= 13/1000 / 2 ^ 53 * Rabs q.
 Proof.
-  intro B. set (g := fun t => 2 * t + logarithm_polynomial.log_tail t - (ln (1 + t) - ln (1 - t))). change (Rabs (g q) <= 13/1000 / 2 ^ 53 * Rabs q). destruct (Rle_lt_dec (3/64) (Rabs q)) as [L|L].
+  intro B. set (g := fun t => 2 * t + logarithm_polynomial.log_tail t - (ln (1 + t) - ln (1 - t))). change (Rabs (g q) <= 13/1000 / 2 ^ 53 * Rabs q).
+    destruct (Rle_lt_dec (3/64) (Rabs q)) as [L|L].
   - apply Rle_trans with (13/1000 / 2 ^ 53 * (3/64)); [|lra]. apply Rabs_le_between in B. unfold g; logarithm_polynomial.lines.
-    unfold Rabs in L; destruct Rcase_abs in L; [assert (- (59/1000) <= q <= - (3/64)) by lra | assert (3/64 <= q <= 59/1000) by lra]; interval with (i_taylor q, i_degree 20, i_prec 120).
+    unfold Rabs in L; destruct Rcase_abs in L; [assert (- (59/1000) <= q <= - (3/64)) by lra | assert (3/64 <= q <= 59/1000) by lra]; interval with
+      (i_taylor q, i_degree 20, i_prec 120).
   - assert (G : g 0 = 0) by (unfold g; logarithm_polynomial.lines; rewrite Rplus_0_r, Rminus_0_r; ring).
     replace (g q) with (g q - g 0) by (rewrite G; ring). rewrite <- (Rminus_0_r q) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
     assert (T' : - (3/64) <= t <= 3/64) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; lra). clear T. split.
@@ -22,13 +24,17 @@ Qed.
 
 (* A rounding to so many digits, relative to a number that is not negligible. *)
 Definition negligible : R := bpow radix2 (-900).
-Lemma relative (digits : Z) (b x y : R) : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb (Z.even n))) x ->
+Lemma relative (digits : Z) (b x y : R) : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb
+  (Z.even n))) x ->
   exists d t, Rabs d <= bpow radix2 (- digits) /\ Rabs t <= / 2 ^ 100 /\ y = x * (1 + d) + b * t.
 Proof.
-  intros P B ->. assert (B0 := bpow_gt_0 radix2 (-900)). fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even n)) x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
+  intros P B ->. assert (B0 := bpow_gt_0 radix2 (-900)). fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even
+    n)) x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
   - eapply Rle_trans; [exact D|]. unfold u_ro. rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
-  - apply Rmult_le_reg_r with b; [lra|]. rewrite <- (Rabs_pos_eq b) at 2 by lra. rewrite <- Rabs_mult. replace (t / b * b) with t by (field; lra). eapply Rle_trans; [exact T|].
-    apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+  - apply Rmult_le_reg_r with b; [lra|]. rewrite <- (Rabs_pos_eq b) at 2 by lra. rewrite <- Rabs_mult. replace (t / b * b) with t by (field; lra).
+    eapply Rle_trans; [exact T|].
+    apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra).
+      unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
   - rewrite E. field. lra.
 Qed.
 Lemma bounded_product (a b A B : R) : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
@@ -39,18 +45,23 @@ Proof.
   intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. apply bounded_product; assumption.
 Qed.
 (* The part of 26 digits, which is split off by a multiplication. *)
-Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26) (Znearest (fun n => negb (Z.even n))) x.
+Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
+  (Znearest (fun n => negb (Z.even n))) x.
 Proof.
   intro F. assert (H := Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl).
-  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H by (simpl; lra).
+  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
+    by (simpl; lra).
   rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
 Qed.
 (* Its product with a number of 27 digits is exact. *)
-Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/ bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
+Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/
+  bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
 Proof.
   intros F K [-> | L]; [apply generic_format_0|].
   apply generic_format_FLT_FLX; [exact L|]. apply generic_format_FLX_FLT, FLX_format_generic in F; [|easy]. destruct F as [[n j] E N]. cbn [Fnum] in N.
-  apply generic_format_FLX. exists (Float radix2 (n * k) (j + e)); [|cbn [Fnum]; change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; rewrite Z.abs_mul; apply Z.le_lt_trans with (Z.abs n * 2 ^ 27)%Z; [apply Z.mul_le_mono_nonneg_l; lia | change (radix_val radix2 ^ 53)%Z with (2 ^ 26 * 2 ^ 27)%Z; lia]].
+  apply generic_format_FLX. exists (Float radix2 (n * k) (j + e)); [|cbn [Fnum]; change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; rewrite
+    Z.abs_mul; apply Z.le_lt_trans with (Z.abs n * 2 ^ 27)%Z; [apply Z.mul_le_mono_nonneg_l; lia | change (radix_val radix2 ^ 53)%Z with (2 ^ 26 * 2 ^
+    27)%Z; lia]].
   rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, bpow_plus. ring.
 Qed.
 Lemma units_below (z e k : Z) : (0 <= k)%Z -> Rabs (IZR z * bpow radix2 e) < bpow radix2 (k + e) -> (Z.abs z < 2 ^ k)%Z.
@@ -60,7 +71,8 @@ Proof.
 Qed.
 Lemma no_part (z e : Z) : IZR z * bpow radix2 e = 0 \/ bpow radix2 e <= Rabs (IZR z * bpow radix2 e).
 Proof.
-  destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. assert (P := bpow_gt_0 radix2 e). rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR by lra. assert (1 <= IZR (Z.abs z)) by (apply IZR_le; lia). nra.
+  destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. assert (P := bpow_gt_0 radix2 e). rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR
+    by lra. assert (1 <= IZR (Z.abs z)) by (apply IZR_le; lia). nra.
 Qed.
 Lemma at_the_scale_of (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
 Proof. intros. apply bounded_product; [assumption | rewrite Rabs_pos_eq; lra]. Qed.
@@ -72,35 +84,45 @@ Hypothesis F : float64 x.
 Hypothesis P : 0 < x < bpow radix2 1024.
 Let m := natural_logarithm_float64.mantissa x.
 (* The mantissa and the doublings are exact. *)
-Lemma doublings_and_mantissa : exists n : Z, natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z /\ float64 m /\ 7071067/10000000 <= m <= 14142137/10000000 /\ ln x = IZR n * ln 2 + ln m.
+Lemma doublings_and_mantissa : exists n : Z, natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z /\ float64 m /\ 7071067/10000000
+  <= m <= 14142137/10000000 /\ ln x = IZR n * ln 2 + ln m.
 Proof.
   assert (L := generic_format_ge_bpow radix2 (FLT_exp (-1074) 53) (-1074) ltac:(intro; apply Z.le_max_r) x (proj1 P) F).
   assert (K : exists b k, natural_logarithm_float64.scaled_by x = IZR b /\ bpow radix2 k <= x /\ (-1022 - k <= b)%Z /\ (-874 <= k + b)%Z).
-  { unfold natural_logarithm_float64.scaled_by. destruct Rlt_dec as [W|W]; [exists 200%Z, (-1074)%Z | exists (-200)%Z, 0%Z; apply Rnot_lt_le in W]; repeat split; assumption || easy. }
+  { unfold natural_logarithm_float64.scaled_by. destruct Rlt_dec as [W|W]; [exists 200%Z, (-1074)%Z | exists (-200)%Z, 0%Z; apply Rnot_lt_le in W];
+    repeat split; assumption || easy. }
   destruct K as (b & k & B & K & Kb & Ks). set (s := x * bpow radix2 b). assert (S : natural_logarithm_float64.scaled x = s).
-  { unfold natural_logarithm_float64.scaled, power_of_two. rewrite B, Zfloor_IZR. apply kept, (scaled_float64 x k); [exact F | rewrite Rabs_pos_eq; lra | exact Kb]. }
+  { unfold natural_logarithm_float64.scaled, power_of_two. rewrite B, Zfloor_IZR. apply kept, (scaled_float64 x k); [exact F | rewrite Rabs_pos_eq;
+    lra | exact Kb]. }
   assert (Sl : bpow radix2 (-874) <= s).
   { apply Rle_trans with (bpow radix2 (k + b)); [apply bpow_le, Ks|]. rewrite bpow_plus. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact K]. }
   assert (S0 := bpow_gt_0 radix2 (-874)). set (c := 6369051672525773 / 4503599627370496). destruct (standard_model (c * s)) as (d & D & W).
   { rewrite Rabs_pos_eq by (unfold c; lra). apply Rle_trans with (bpow radix2 (-874)); [apply bpow_le; easy | unfold c; lra]. }
   replace unit_roundoff with (/ 2 ^ 53) in D by (unfold unit_roundoff; simpl; lra). apply Rabs_le_between in D. set (e := (mag radix2 (c * s * (1 + d)) - 1)%Z).
-  assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). assert (M := bpow_mag_gt radix2 (c * s * (1 + d))). assert (N := bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra)).
-  rewrite Rabs_pos_eq in M, N by lra. fold e in N. replace (mag radix2 (c * s * (1 + d)) : Z) with (e + 1)%Z in M by (unfold e; lia). rewrite bpow_plus in M. change (bpow radix2 1) with 2 in M.
-  assert (E0 := bpow_gt_0 radix2 e). set (g := c * (1 + d)). assert (G : 14142135/10000000 <= g <= 14142136/10000000) by (unfold g, c; lra). replace (c * s * (1 + d)) with (s * g) in M, N by (unfold g; ring).
+  assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). assert (M := bpow_mag_gt radix2 (c * s * (1 + d))). assert (N :=
+    bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra)).
+  rewrite Rabs_pos_eq in M, N by lra. fold e in N. replace (mag radix2 (c * s * (1 + d)) : Z) with (e + 1)%Z in M by (unfold e; lia). rewrite
+    bpow_plus in M. change (bpow radix2 1) with 2 in M.
+  assert (E0 := bpow_gt_0 radix2 e). set (g := c * (1 + d)). assert (G : 14142135/10000000 <= g <= 14142136/10000000) by (unfold g, c; lra). replace
+    (c * s * (1 + d)) with (s * g) in M, N by (unfold g; ring).
   assert (Bi : natural_logarithm_float64.binary x = IZR e) by (unfold natural_logarithm_float64.binary; rewrite S; fold c; rewrite W; reflexivity).
   assert (Mm : m = s * bpow radix2 (- e)).
-  { unfold m, natural_logarithm_float64.mantissa, power_of_two. rewrite S, Bi, <- opp_IZR, Zfloor_IZR. apply kept, (scaled_float64 s (e - 1)); [rewrite <- S; apply rounded_is_float64 | | lia].
+  { unfold m, natural_logarithm_float64.mantissa, power_of_two. rewrite S, Bi, <- opp_IZR, Zfloor_IZR. apply kept, (scaled_float64 s (e - 1));
+    [rewrite <- S; apply rounded_is_float64 | | lia].
     unfold Z.sub. rewrite bpow_plus. change (bpow radix2 (- (1))) with (/ 2). rewrite Rabs_pos_eq by lra. nra. }
   assert (Back : forall i z, z * bpow radix2 i * bpow radix2 (- i) = z) by (intros; rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r; apply Rmult_1_r).
   assert (Ms : m * bpow radix2 e = s) by (rewrite Mm; rewrite <- (Back (- e)%Z s) at 2; rewrite Z.opp_involutive; reflexivity).
   assert (X : x = m * bpow radix2 (e - b)) by (unfold Z.sub; rewrite bpow_plus, <- Rmult_assoc, Ms; symmetry; apply Back).
   assert (Bm : 7071067/10000000 <= m <= 14142137/10000000) by (rewrite <- Ms in M, N; clearbody g; split; nra).
   assert (Q : (-1075 <= e - b <= 1025)%Z).
-  { assert (E1 := bpow_gt_0 radix2 (e - b)). assert (U : bpow radix2 (e - b) < bpow radix2 (1 + 1024)) by (rewrite (bpow_plus radix2 1); change (bpow radix2 1) with 2; nra). apply lt_bpow in U.
-    assert (V : bpow radix2 (-1 + -1074) < bpow radix2 (e - b)) by (rewrite (bpow_plus radix2 (-1)); change (bpow radix2 (-1)) with (/ 2); nra). apply lt_bpow in V. lia. }
+  { assert (E1 := bpow_gt_0 radix2 (e - b)). assert (U : bpow radix2 (e - b) < bpow radix2 (1 + 1024)) by (rewrite (bpow_plus radix2 1); change (bpow
+    radix2 1) with 2; nra). apply lt_bpow in U.
+    assert (V : bpow radix2 (-1 + -1074) < bpow radix2 (e - b)) by (rewrite (bpow_plus radix2 (-1)); change (bpow radix2 (-1)) with (/ 2); nra). apply
+      lt_bpow in V. lia. }
   exists (e - b)%Z. split; [|split; [exact Q | split; [apply rounded_is_float64 | split; [exact Bm|]]]].
   2: rewrite X, ln_mult, bpow_exp, ln_exp by (lra || apply bpow_gt_0); apply Rplus_comm.
-  unfold natural_logarithm_float64.doublings. rewrite Bi, B, <- minus_IZR. apply kept. replace (IZR (e - b)) with (IZR (e - b) * bpow radix2 0) by apply Rmult_1_r. apply whole_is_float64; lia.
+  unfold natural_logarithm_float64.doublings. rewrite Bi, B, <- minus_IZR. apply kept. replace (IZR (e - b)) with (IZR (e - b) * bpow radix2 0) by
+    apply Rmult_1_r. apply whole_is_float64; lia.
 Qed.
 End doublings.
 
@@ -113,13 +135,16 @@ Let v := natural_logarithm_float64.node_short x.
 Let r := natural_logarithm_float64.node_rest x.
 Hypothesis M : float64 m /\ 7071067/10000000 <= m <= 14142137/10000000.
 Lemma node_of_mantissa : Rabs (m - d) <= 589/10000 * (m + d) /\ 79/100 <= d <= 127/100 /\ Rabs (v + r - ln d) <= 1 / 2 ^ 70 /\ Rabs r <= 8/1000000 /\
-  (exists k j, d = IZR k * bpow radix2 (-8) /\ v = IZR j * bpow radix2 (-16) /\ (0 <= k <= 400 /\ Z.abs j <= 2 ^ 14)%Z) /\ (d = 1 /\ v = 0 /\ r = 0 \/ 1/5 <= Rabs v <= 24/100 /\ 115/1000 <= Rabs (ln m)).
+  (exists k j, d = IZR k * bpow radix2 (-8) /\ v = IZR j * bpow radix2 (-16) /\ (0 <= k <= 400 /\ Z.abs j <= 2 ^ 14)%Z) /\ (d = 1 /\ v = 0 /\ r = 0 \/
+    1/5 <= Rabs v <= 24/100 /\ 115/1000 <= Rabs (ln m)).
 Proof.
   destruct M as [_ B]. unfold d, v, r, natural_logarithm_float64.node, natural_logarithm_float64.node_short, natural_logarithm_float64.node_rest. fold m.
   destruct Rlt_dec as [C|C]; [|destruct Rlt_dec as [D|D]]; clear d v r M; clearbody m; (split; [apply Rabs_le; lra | split; [lra|]]).
-  - split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 203%Z, (-15202)%Z; simpl bpow; repeat split; lra || lia|]. right. split; [split; interval|]. rewrite Rabs_left by interval. interval.
+  - split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 203%Z, (-15202)%Z; simpl bpow; repeat split; lra || lia|]. right. split;
+    [split; interval|]. rewrite Rabs_left by interval. interval.
   - rewrite ln_1, Rplus_0_r, Rminus_0_r, Rabs_R0. split; [lra|]. split; [lra|]. split; [exists 256%Z, 0%Z; simpl bpow; repeat split; lra || lia|]. left. lra.
-  - apply Rnot_lt_le in D. split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 323%Z, 15235%Z; simpl bpow; repeat split; lra || lia|]. right. split; [split; interval|]. rewrite Rabs_pos_eq by interval. interval.
+  - apply Rnot_lt_le in D. split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 323%Z, 15235%Z; simpl bpow; repeat split; lra ||
+    lia|]. right. split; [split; interval|]. rewrite Rabs_pos_eq by interval. interval.
 Qed.
 Lemma log_whole_exact (n : Z) : natural_logarithm_float64.doublings x = IZR n -> (-1075 <= n <= 1025)%Z ->
   W = 22713/32768 * IZR n + v /\ exists k, W = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z.
@@ -138,7 +163,8 @@ Lemma above_node_exact : natural_logarithm_float64.above_node x = m - d /\ (m - 
 Proof.
   destruct node_of_mantissa as (_ & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct M as [Fm Bm]. fold d in Bd, D.
   destruct (multiple_of_power m (-53) Fm) as [j J]; [rewrite Rabs_pos_eq by lra; apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; easy | simpl; lra]|].
-  assert (A : m - d = IZR (j - k * 2 ^ 45) * bpow radix2 (-53)) by (rewrite J, D, minus_IZR, mult_IZR; change (IZR (2 ^ 45)) with (bpow radix2 45); replace (bpow radix2 (-8)) with (bpow radix2 45 * bpow radix2 (-53)) by (rewrite <- bpow_plus; reflexivity); ring).
+  assert (A : m - d = IZR (j - k * 2 ^ 45) * bpow radix2 (-53)) by (rewrite J, D, minus_IZR, mult_IZR; change (IZR (2 ^ 45)) with (bpow radix2 45);
+    replace (bpow radix2 (-8)) with (bpow radix2 45 * bpow radix2 (-53)) by (rewrite <- bpow_plus; reflexivity); ring).
   split.
   - apply (kept (m - d)). rewrite A. apply whole_is_float64; [apply (units_below _ (-53)); [easy | rewrite <- A; apply Rabs_lt; simpl bpow; lra] | easy].
   - rewrite A. apply no_part.
@@ -148,70 +174,101 @@ Let b := Rabs q + negligible.
 Let c := q / b.
 Lemma scale : Rabs q <= 589/10000 /\ 0 < negligible <= bpow radix2 (-100) /\ negligible <= b /\ 0 < b <= 59/1000 /\ q = c * b /\ Rabs c <= 1.
 Proof.
-  destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (unfold q; fold m d in Bq, Bd; rewrite Rabs_div, (Rabs_pos_eq (m + d)) by lra; apply Rle_div_l; lra).
-  assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). assert (q0 := Rabs_pos q). assert (b0 : negligible <= b) by (unfold b; lra).
-  split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c. rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
+  destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (unfold q; fold m d in Bq, Bd; rewrite
+    Rabs_div, (Rabs_pos_eq (m + d)) by lra; apply Rle_div_l; lra).
+  assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). assert (q0 := Rabs_pos q). assert (b0 :
+    negligible <= b) by (unfold b; lra).
+  split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c.
+    rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
 Qed.
-Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * b /\ Rabs (e - (q - h)) <= 1 / 2 ^ 70 * b.
+Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * b
+  /\ Rabs (e - (q - h)) <= 1 / 2 ^ 70 * b.
 Proof.
-  destruct node_of_mantissa as (Bq & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct above_node_exact as [A A0]. destruct M as [Fm Bm]. fold m d in Bq, Bd, D.
+  destruct node_of_mantissa as (Bq & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct above_node_exact as [A A0]. destruct M as [Fm Bm]. fold m d
+    in Bq, Bd, D.
   assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by (unfold S; lra).
   assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). destruct scale as (Q & t0 & b0 & Bb & cb & Bc).
   destruct (rounded_sum m d Fm Fd) as (u & Bu & Es).
-  set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es; reflexivity)) as (d1 & t1 & D1 & T1 & E1).
-  set (a := natural_logarithm_float64.a x). destruct (relative 53 b (q * S * I) a eq_refl b0 ltac:(rewrite <- qS, <- A; reflexivity)) as (d2 & t2 & D2 & T2 & E2).
+  set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es;
+    reflexivity)) as (d1 & t1 & D1 & T1 & E1).
+  set (a := natural_logarithm_float64.a x). destruct (relative 53 b (q * S * I) a eq_refl b0 ltac:(rewrite <- qS, <- A; reflexivity)) as (d2 & t2 & D2
+    & T2 & E2).
   destruct (relative 26 b a h eq_refl b0 (high_part a (rounded_is_float64 _))) as (d3 & t3 & D3 & T3 & E3).
   set (f := (h - q) / b). assert (Hf : h = b * (c + f)) by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold f; field; lra).
   assert (Bf : Rabs f <= 101/100 / 2 ^ 26).
   { replace f with (c * ((1 + d1) / (1 + u) * (1 + d2) * (1 + d3) - 1) + c * S * b * t1 * (1 + d2) * (1 + d3) + t2 * (1 + d3) + t3).
     - simpl bpow in *. clearbody c b f S. interval with (i_prec 120).
-    - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field. apply Rabs_le_between in Bu. split; lra. }
+    - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field.
+      apply Rabs_le_between in Bu. split; lra. }
   clearbody f.
   assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_the_scale_of, Bf; lra).
   assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
   { destruct A0 as [Z|Z].
     - left. assert (a0 : a = 0) by (unfold a, natural_logarithm_float64.a; rewrite A, Z, Rmult_0_l; apply rounded_0).
-      unfold h, natural_logarithm_float64.a_high, natural_logarithm_float64.a_excess, natural_logarithm_float64.a_split. fold a. rewrite a0, Rmult_0_r, !rounded_0, Rminus_0_r, !rounded_0, Rminus_0_r. apply rounded_0.
-    - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. generalize (Rabs_triang_inv q h). rewrite (Rabs_minus_sym q h). simpl bpow in *. unfold b in Eh. assert (X : Rabs q * S <= Rabs q * (27/10)) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]). intro. lra. }
-  assert (G : Prec_gt_0 26) by easy. assert (Fh : generic_format radix2 (FLT_exp (-1074) 26) h) by (rewrite (high_part a (rounded_is_float64 _) : h = _); apply generic_format_round; typeclasses eauto).
-  split; [exact Fh | split; [exact h0 | split; [exact Eh|]]]. set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728)) <= 1001/1000 / 2 ^ 26).
+      unfold h, natural_logarithm_float64.a_high, natural_logarithm_float64.a_excess, natural_logarithm_float64.a_split. fold a. rewrite a0,
+        Rmult_0_r, !rounded_0, Rminus_0_r, !rounded_0, Rminus_0_r. apply rounded_0.
+    - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. generalize (Rabs_triang_inv q h). rewrite (Rabs_minus_sym q h). simpl bpow in *.
+      unfold b in Eh. assert (X : Rabs q * S <= Rabs q * (27/10)) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]). intro. lra. }
+  assert (G : Prec_gt_0 26) by easy. assert (Fh : generic_format radix2 (FLT_exp (-1074) 26) h) by (rewrite (high_part a (rounded_is_float64 _) : h =
+    _); apply generic_format_round; typeclasses eauto).
+  split; [exact Fh | split; [exact h0 | split; [exact Eh|]]]. set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728))
+    <= 1001/1000 / 2 ^ 26).
   { assert (B : Rabs (m + 134217728) <= 134217730) by (apply Rabs_le; lra). eapply Rle_trans; [exact (rounded_error _ _ B) | lra]. }
   destruct (multiple_of_power l (-25)) as [i L]; [apply rounded_is_float64 | change (bpow radix2 (-25 + 52)) with 134217728; rewrite Rabs_pos_eq; by_sides|].
-  set (p := natural_logarithm_float64.mantissa_short x). assert (Lp : l - 134217728 = IZR (i - 2 ^ 52) * bpow radix2 (-25)) by (rewrite L, minus_IZR; simpl bpow; lra).
+  set (p := natural_logarithm_float64.mantissa_short x). assert (Lp : l - 134217728 = IZR (i - 2 ^ 52) * bpow radix2 (-25)) by (rewrite L, minus_IZR;
+    simpl bpow; lra).
   assert (Ip : (Z.abs (i - 2 ^ 52) < 2 ^ 26)%Z) by (apply (units_below _ (-25)); [easy|]; rewrite <- Lp; apply Rabs_lt; simpl bpow; by_sides).
   assert (Pl : p = l - 134217728) by (unfold p, natural_logarithm_float64.mantissa_short; fold l; apply kept; rewrite Lp; apply whole_is_float64; lia).
   assert (Ps : p + d = IZR (i - 2 ^ 52 + k * 2 ^ 17) * bpow radix2 (-25)) by (rewrite Pl, Lp, D, plus_IZR, mult_IZR; simpl bpow; lra).
-  assert (Ss : natural_logarithm_float64.sum_short x = p + d) by (unfold natural_logarithm_float64.sum_short; fold p d; apply kept; rewrite Ps; apply whole_is_float64; lia).
-  assert (H1 : rounded (h * natural_logarithm_float64.sum_short x) = h * (p + d)).
-  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; rewrite h0; ring | right]. rewrite <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
+  assert (Ss : natural_logarithm_float64.sum_short x = p + d) by (unfold natural_logarithm_float64.sum_short; fold p d; apply kept; rewrite Ps; apply
+    whole_is_float64; lia).
+  assert (K1 : rounded (h * natural_logarithm_float64.sum_short x) = h * (p + d)).
+  { rewrite Ss. apply kept. rewrite Ps. apply short_product; [exact Fh | lia |]. destruct h0 as [h0 | h0]; [left; rewrite h0; ring | right]. rewrite
+    <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
     apply Rmult_le_compat; [apply bpow_ge_0 | lra | exact h0 | rewrite Rabs_pos_eq; rewrite Pl; by_sides]. }
   set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
-  set (r' := natural_logarithm_float64.mantissa_rest x). destruct (relative 53 b (m - p) r' eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). set (w := rounded (h * r')). destruct (relative 53 b (h * r') w eq_refl b0 eq_refl) as (d5 & t5 & D5 & T5 & E5).
-  set (n := natural_logarithm_float64.undivided_near x). destruct (relative 53 b (q * S - h * (p + d)) n eq_refl b0 ltac:(rewrite <- H1, <- qS, <- A; reflexivity)) as (d6 & t6 & D6 & T6 & E6).
-  set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
+  set (r' := natural_logarithm_float64.mantissa_rest x). destruct (relative 53 b (m - p) r' eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). set (w :=
+    rounded (h * r')). destruct (relative 53 b (h * r') w eq_refl b0 eq_refl) as (d5 & t5 & D5 & T5 & E5).
+  set (n := natural_logarithm_float64.undivided_near x). destruct (relative 53 b (q * S - h * (p + d)) n eq_refl b0 ltac:(rewrite <- K1, <- qS, <- A;
+    reflexivity)) as (d6 & t6 & D6 & T6 & E6).
+  set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct
+    (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
   replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
-  rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) - b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
+  rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) -
+    b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
   apply at_the_scale_of; [lra|].
-  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *. clearbody c b s S. interval with (i_prec 120).
+  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *.
+    clearbody c b s S. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
 Proof.
   destruct node_of_mantissa as (_ & Bd & _). destruct M as [_ Bm]. assert (S : 0 < 2 / (m + d)) by (apply Rdiv_lt_0_compat; lra).
-  replace (1 + q) with (m * (2 / (m + d))) by (unfold q; field; lra). replace (1 - q) with (d * (2 / (m + d))) by (unfold q; field; lra). rewrite !ln_mult by lra. ring.
+  replace (1 + q) with (m * (2 / (m + d))) by (unfold q; field; lra). replace (1 - q) with (d * (2 / (m + d))) by (unfold q; field; lra). rewrite
+    !ln_mult by lra. ring.
 Qed.
 Lemma tail_near : let s := logarithm_polynomial.log_tail q in Rabs (natural_logarithm_float64.log_tail x - s) <= 17/1000 / 2 ^ 53 * b /\ Rabs s <= 24/10000 * b.
 Proof.
-  destruct scale as (Q & t0 & b0 & Bb & cb & Bc). destruct quotient_in_two as (_ & _ & _ & Ee). set (g := (e - (q - h)) / b). assert (Bg : Rabs g <= 1 / 2 ^ 70) by (unfold g; rewrite Rabs_div, (Rabs_pos_eq b) by lra; apply Rle_div_l; lra).
-  set (p := natural_logarithm_float64.quotient x). destruct (relative 53 b (h + e) p eq_refl b0 eq_refl) as (d1 & t1 & D1 & T1 & E1). replace (h + e) with (b * (c + g)) in E1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
-  set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). destruct (relative 53 b (p * p) zh eq_refl b0 eq_refl) as (d2 & t2 & D2 & T2 & E2).
-  unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) * ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
-  destruct (relative 53 b (p * zh) _ eq_refl b0 eq_refl) as (d3 & t3 & D3 & T3 & E3). destruct (relative 53 b (rounded (p * zh) * F') _ eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). simpl bpow in *.
-  set (k := g + (c + g) * d1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
+  destruct scale as (Q & t0 & b0 & Bb & cb & Bc). destruct quotient_in_two as (_ & _ & _ & Ee). set (g := (e - (q - h)) / b). assert (Bg : Rabs g <= 1
+    / 2 ^ 70) by (unfold g; rewrite Rabs_div, (Rabs_pos_eq b) by lra; apply Rle_div_l; lra).
+  set (p := natural_logarithm_float64.quotient x). destruct (relative 53 b (h + e) p eq_refl b0 eq_refl) as (d1 & t1 & D1 & T1 & E1). replace (h + e)
+    with (b * (c + g)) in E1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
+  set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). destruct (relative 53 b (p * p) zh
+    eq_refl b0 eq_refl) as (d2 & t2 & D2 & T2 & E2).
+  unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) *
+    ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
+  destruct (relative 53 b (p * zh) _ eq_refl b0 eq_refl) as (d3 & t3 & D3 & T3 & E3). destruct (relative 53 b (rounded (p * zh) * F') _ eq_refl b0
+    eq_refl) as (d4 & t4 & D4 & T4 & E4). simpl bpow in *.
+  set (k := g + (c + g) * d1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by
+    (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
   assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
-  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2)) + b * t2) by (unfold k; ring); clearbody b c k; interval).
-  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F', G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
+  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2))
+    + b * t2) by (unfold k; ring); clearbody b c k; interval).
+  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F',
+    G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
   change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b * t3) in E3.
-  split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1 + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F' - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
+  split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1
+    + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F'
+    - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
     (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
 Qed.
 
@@ -220,39 +277,59 @@ Variable n : Z.
 Hypothesis Doublings : natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z.
 Let y := IZR n * ln 2 + ln m.
 Let w := natural_logarithm_float64.log_whole_rest x.
-Lemma without_quotient : Rabs w <= 8/100000 * Rabs y /\ Rabs (W + w - (IZR n * ln 2 + ln d)) <= 4/10000 / 2 ^ 53 * Rabs y /\ Rabs q <= 52/100 * Rabs y + negligible /\ (W = 0 \/ 1/5 <= Rabs W).
+Lemma without_quotient : Rabs w <= 8/100000 * Rabs y /\ Rabs (W + w - (IZR n * ln 2 + ln d)) <= 4/10000 / 2 ^ 53 * Rabs y /\ Rabs q <= 52/100 * Rabs y
+  + negligible /\ (W = 0 \/ 1/5 <= Rabs W).
 Proof.
-  destruct scale as (Q & t0 & _). destruct node_of_mantissa as (_ & _ & Ev & Br & _ & C). destruct (log_whole_exact n (proj1 Doublings) (proj2 Doublings)) as [H _]. fold m in C. unfold y.
-  set (L := 3373202482714085 / 2361183241434822606848). assert (E : w = rounded (rounded (L * IZR n) + r)) by (unfold w, natural_logarithm_float64.log_whole_rest; rewrite (proj1 Doublings); reflexivity).
-  assert (Y : Rabs (ln m) <= 3466/10000) by (clear - M; destruct M as [_ B]; clear M; clearbody m; interval). assert (B : 693/1000 <= ln 2 <= 694/1000) by (split; interval). assert (Small : n = 0%Z /\ d = 1 /\ v = 0 /\ r = 0 \/ 115/1000 + Rabs (IZR n) / 5 <= Rabs (IZR n * ln 2 + ln m) /\ 1/5 <= Rabs W).
+  destruct scale as (Q & t0 & _). destruct node_of_mantissa as (_ & _ & Ev & Br & _ & C). destruct (log_whole_exact n (proj1 Doublings) (proj2
+    Doublings)) as [H _]. fold m in C. unfold y.
+  set (L := 3373202482714085 / 2361183241434822606848). assert (E : w = rounded (rounded (L * IZR n) + r)) by (unfold w,
+    natural_logarithm_float64.log_whole_rest; rewrite (proj1 Doublings); reflexivity).
+  assert (Y : Rabs (ln m) <= 3466/10000) by (clear - M; destruct M as [_ B]; clear M; clearbody m; interval). assert (B : 693/1000 <= ln 2 <=
+    694/1000) by (split; interval). assert (Small : n = 0%Z /\ d = 1 /\ v = 0 /\ r = 0 \/ 115/1000 + Rabs (IZR n) / 5 <= Rabs (IZR n * ln 2 + ln m) /\
+    1/5 <= Rabs W).
   { rewrite H. destruct (Z.eq_dec n 0) as [-> | Z].
     - destruct C as [C | C]; [left; split; [reflexivity | exact C] | right]. rewrite !Rmult_0_l, Rmult_0_r, !Rplus_0_l, Rabs_R0. lra.
-    - right. assert (O : 1 <= Rabs (IZR n)) by (rewrite <- abs_IZR; apply IZR_le; lia). assert (V : Rabs v <= 24/100) by (destruct C as [(_ & -> & _) | C]; [rewrite Rabs_R0|]; lra).
+    - right. assert (O : 1 <= Rabs (IZR n)) by (rewrite <- abs_IZR; apply IZR_le; lia). assert (V : Rabs v <= 24/100) by (destruct C as [(_ & -> & _)
+      | C]; [rewrite Rabs_R0|]; lra).
       clear - Y B O V. clearbody m v. split; unfold Rabs in *; repeat destruct Rcase_abs; nra. }
   destruct Small as [(n0 & d1 & v0 & r0) | [By BW]].
-  - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). assert (Y0 := Rabs_pos (ln m)). assert (S := series_relative q Q). rewrite quotient_logarithm in S. destruct tail_near as [_ T].
-    rewrite H, K, n0, v0, d1, ln_1, Rmult_0_r, Rmult_0_l, !Rplus_0_l, ?Rplus_0_r, Rminus_0_r, Rabs_R0 in *. split; [lra | split; [lra | split; [|left; reflexivity]]].
+  - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). assert (Y0 := Rabs_pos (ln m)). assert (S :=
+    series_relative q Q). rewrite quotient_logarithm in S. destruct tail_near as [_ T].
+    rewrite H, K, n0, v0, d1, ln_1, Rmult_0_r, Rmult_0_l, !Rplus_0_l, ?Rplus_0_r, Rminus_0_r, Rabs_R0 in *. split; [lra | split; [lra | split; [|left;
+      reflexivity]]].
     unfold b in T. clear - S T t0. unfold Rabs in *. repeat destruct Rcase_abs; lra.
-  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (apply bounded_product; [unfold L; interval | apply Rle_refl]).
-    assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (eapply Rle_trans; [apply Rabs_triang | lra]). assert (X := sum_error _ _ r _ _ Bs (rounded_error _ _ BL)). rewrite <- E in X.
+  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (apply bounded_product;
+    [unfold L; interval | apply Rle_refl]).
+    assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (eapply Rle_trans; [apply Rabs_triang | lra]). assert (X := sum_error _ _ r
+      _ _ Bs (rounded_error _ _ BL)). rewrite <- E in X.
     assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) | apply Rle_refl]).
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
     replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
 Qed.
-Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\ Rabs (2 * h) <= 11/10 * Rabs y + 3 * negligible /\
-  Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + negligible /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <= 19/1000 / 2 ^ 53 * Rabs y + negligible.
+Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\ Rabs (2 * h) <= 11/10 * Rabs y + 3
+  * negligible /\
+  Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + negligible /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <=
+    19/1000 / 2 ^ 53 * Rabs y + negligible.
 Proof.
-  destruct scale as (Q & t0 & _ & [_ b1] & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es := series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
-  assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1); apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
+  destruct scale as (Q & t0 & _ & [_ b1] & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es :=
+    series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
+  assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1);
+    apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
   assert (Fl := rounded_is_float64).
-  split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in t0. assert (Y0 := Rabs_pos y).
+  split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in
+    t0. assert (Y0 := Rabs_pos y).
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
   assert (Bh : Rabs (2 * h) = 2 * Rabs h) by (rewrite Rabs_mult, (Rabs_pos_eq 2); lra). rewrite Bh.
-  split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize (size _ _ _ _ Bq Eh); lra|].
-  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := sum_within t w _ (Fl _) (Fl _) B1). set (a := rounded (t + w)) in E1.
-  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides). assert (E2 := sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
-  change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2. set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
-  replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
+  split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize
+    (size _ _ _ _ Bq Eh); lra|].
+  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := sum_within t w _ (Fl _) (Fl _) B1). set (a :=
+    rounded (t + w)) in E1.
+  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides).
+    assert (E2 := sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
+  change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2.
+    set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
+  replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e
+    - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
 Qed.
 End parts.
 End logarithm.
@@ -262,17 +339,24 @@ Lemma sum_in_two (a b : R) : float64 a -> float64 b -> a = 0 \/ Rabs b <= Rabs a
 Proof.
   intros A B [-> | S].
   - rewrite Rplus_0_r, (kept b B), Rminus_0_l, (kept (- b) (generic_format_opp _ _ _ B)). rewrite Rplus_opp_l, rounded_0. ring.
-  - rewrite (Rplus_comm b a), (Rplus_comm (rounded _) b). apply (Fast2Sum_correct (-1074) 53 (fun n => negb (Z.even n))); [easy | easy | | exact A | exact B | exact S].
+  - rewrite (Rplus_comm b a), (Rplus_comm (rounded _) b). apply (Fast2Sum_correct (-1074) 53 (fun n => negb (Z.even n))); [easy | easy | | exact A |
+    exact B | exact S].
     intro n. rewrite Z.even_opp, Z.even_add. destruct (Z.even n); reflexivity.
 Qed.
-Lemma parts_of_logarithm (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> let w := natural_logarithm_float64.log_whole x in let q := natural_logarithm_float64.log_quotient x in let r := natural_logarithm_float64.log_rest x in
-  (w = 0 \/ Rabs q <= Rabs w) /\ Rabs q <= 11/10 * Rabs (ln x) + 3 * negligible /\ Rabs r <= 14/10000 * Rabs (ln x) + negligible /\ Rabs (w + q + r - ln x) <= 19/1000 / 2 ^ 53 * Rabs (ln x) + negligible /\
-  (exists k, w = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z) /\ (exists h, q = 2 * h /\ generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h)).
+Lemma parts_of_logarithm (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> let w := natural_logarithm_float64.log_whole x in let q :=
+  natural_logarithm_float64.log_quotient x in let r := natural_logarithm_float64.log_rest x in
+  (w = 0 \/ Rabs q <= Rabs w) /\ Rabs q <= 11/10 * Rabs (ln x) + 3 * negligible /\ Rabs r <= 14/10000 * Rabs (ln x) + negligible /\ Rabs (w + q + r -
+    ln x) <= 19/1000 / 2 ^ 53 * Rabs (ln x) + negligible /\
+  (exists k, w = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z) /\ (exists h, q = 2 * h /\ generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0
+    \/ bpow radix2 (-60) <= Rabs h)).
 Proof.
-  intros F [P L] w q r. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply IZR_lt; easy]).
-  destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S & Q & BR & E).
+  intros F [P L] w q r. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply
+    IZR_lt; easy]).
+  destruct (doublings_and_mantissa x F (conj P U)) as (n & D & N & Fm & Bm & X). destruct (logarithm_in_three x (conj Fm Bm) n (conj D N)) as (H & S &
+    Q & BR & E).
   destruct (quotient_in_two x (conj Fm Bm)) as (Fh & Oh & _). rewrite <- X in Q, BR, E. rewrite <- H in S, Q, E.
-  split; [exact S | split; [exact Q | split; [exact BR | split; [exact E | split; [exact (proj2 (log_whole_exact x (conj Fm Bm) n D N)) | exists (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
+  split; [exact S | split; [exact Q | split; [exact BR | split; [exact E | split; [exact (proj2 (log_whole_exact x (conj Fm Bm) n D N)) | exists
+    (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
 Qed.
 (* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)
 Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
@@ -280,15 +364,21 @@ Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 
 Proof.
   intros F [P L]. destruct (parts_of_logarithm x F (conj P L)) as (S & _ & BR & E & _).
   unfold natural_logarithm_float64.logarithm. destruct both as [_ | [C | C]]; [|destruct C; exact L | destruct C; exact P]. clear L F.
-  set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r := natural_logarithm_float64.log_rest x) in *.
+  set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r :=
+    natural_logarithm_float64.log_rest x) in *.
   assert (Fl := rounded_is_float64). assert (Q := sum_in_two w q (Fl _) (Fl _) S). set (y := ln x) in *. assert (y0 := Rabs_pos y).
-  assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
+  assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite
+    <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
   assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q + r - y) y). lra. }
-  assert (Es := sum_within q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s + c = w + q) in Q.
-  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := sum_within r c _ (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
+  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
+    r - y) y). lra. }
+  assert (Es := sum_within q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s +
+    c = w + q) in Q.
+  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := sum_within r c _
+    (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
   assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
-  generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with (natural_logarithm_float64.log_near x). lra.
+  generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with
+    (natural_logarithm_float64.log_near x). lra.
 Qed.
 Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
@@ -297,6 +387,8 @@ Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR
   Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
 Proof.
   intro H. assert (F := two_is_float64). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
-  generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow radix2 (-10)) with (/ 1024) in T.
-  assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H. intros. by_sides.
+  generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow
+    radix2 (-10)) with (/ 1024) in T.
+  assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H.
+    intros. by_sides.
 Qed.

@@ -16,84 +16,121 @@ Hypothesis Bp : / 2048 <= p <= 2 ^ 20.
 Let y := ln x.
 Let t := raised_float64.product x p.
 Let e := raised_float64.product_error x p.
-Lemma same_logarithm : natural_logarithm_float64.log_whole x = raised_float64.log_whole x /\ natural_logarithm_float64.log_quotient x = raised_float64.log_quotient x /\ natural_logarithm_float64.log_rest x = raised_float64.log_rest x.
+Lemma same_logarithm : natural_logarithm_float64.log_whole x = raised_float64.log_whole x /\ natural_logarithm_float64.log_quotient x =
+  raised_float64.log_quotient x /\ natural_logarithm_float64.log_rest x = raised_float64.log_rest x.
 Proof. repeat split. Qed.
 (* The product with the logarithm, in two parts. *)
 Lemma product_in_two : let z := p * (Rabs y + / 2 ^ 200) in Rabs (t + e - p * y) <= 26/1000 / 2 ^ 53 * z /\ Rabs e <= 2 / 2 ^ 53 * z.
 Proof.
-  generalize (parts_of_logarithm x Fx Bx). cbv zeta. destruct same_logarithm as (-> & -> & ->). fold y. intros (S & Bq & Br & E & (k & K & Bk) & (h & H & Fh & Oh)).
+  generalize (parts_of_logarithm x Fx Bx). cbv zeta. destruct same_logarithm as (-> & -> & ->). fold y. intros (S & Bq & Br & E & (k & K & Bk) & (h &
+    H & Fh & Oh)).
   set (w := raised_float64.log_whole x) in *. set (q := raised_float64.log_quotient x) in *. set (r := raised_float64.log_rest x) in *.
-  assert (t0 : 0 < negligible <= bpow radix2 (-300)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). simpl bpow in t0. set (Y := Rabs y + / 2 ^ 200). assert (y0 := Rabs_pos y). set (z := p * Y).
-  assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply Rmult_le_compat_r; lra]).
-  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64). assert (Opp := fun f => generic_format_opp radix2 (FLT_exp (-1074) 53) f).
-  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
+  assert (t0 : 0 < negligible <= bpow radix2 (-300)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). simpl bpow in t0. set (Y := Rabs y + / 2 ^
+    200). assert (y0 := Rabs_pos y). set (z := p * Y).
+  assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply
+    Rmult_le_compat_r; lra]).
+  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64). assert (Opp := fun f => generic_format_opp radix2
+    (FLT_exp (-1074) 53) f).
+  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite
+    (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
-  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 + t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
+  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 +
+    t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
   assert (b0 : / 4096 <= b) by (apply Rabs_le_between in Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
-  { intros f [-> | B]; [left; ring | right]. apply Rle_trans with (bpow radix2 (-12 + -70)); [apply bpow_le; easy|]. rewrite bpow_plus, Rabs_mult. apply Rmult_le_compat; try apply bpow_ge_0; [|exact B]. rewrite Rabs_pos_eq; simpl bpow; lra. }
+  { intros f [-> | B]; [left; ring | right]. apply Rle_trans with (bpow radix2 (-12 + -70)); [apply bpow_le; easy|]. rewrite bpow_plus, Rabs_mult.
+    apply Rmult_le_compat; try apply bpow_ge_0; [|exact B]. rewrite Rabs_pos_eq; simpl bpow; lra. }
   set (u := raised_float64.of_whole x p). assert (Hw : u = b * w).
-  { apply (kept (b * w)). rewrite K. apply short_product; [exact Fb | lia | apply Long]. destruct (no_part k (-16)) as [Z | Z]; [left; exact Z | right; eapply Rle_trans; [|exact Z]; apply bpow_le; easy]. }
+  { apply (kept (b * w)). rewrite K. apply short_product; [exact Fb | lia | apply Long]. destruct (no_part k (-16)) as [Z | Z]; [left; exact Z |
+    right; eapply Rle_trans; [|exact Z]; apply bpow_le; easy]. }
   set (v := raised_float64.of_quotient x p). assert (Hq : v = b * q).
-  { apply (kept (b * q)). rewrite H. destruct (FLX_format_generic radix2 26 h (generic_format_FLX_FLT radix2 (-1074) 26 h Fh)) as [[j i] J N]. unfold F2R in J. cbn [Fnum Fexp] in J, N. assert (Dh : 2 * h = IZR j * bpow radix2 (i + 1)) by (rewrite J, bpow_plus; change (bpow radix2 1) with 2; ring).
-    rewrite Dh. apply short_product; [exact Fb | change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; lia | apply Long]. rewrite <- Dh, Rabs_mult, (Rabs_pos_eq 2) by lra. destruct Oh as [-> | h0]; [left; ring | right]. generalize (bpow_le radix2 (-70) (-60) ltac:(easy)) (Rabs_pos h). lra. }
+  { apply (kept (b * q)). rewrite H. destruct (FLX_format_generic radix2 26 h (generic_format_FLX_FLT radix2 (-1074) 26 h Fh)) as [[j i] J N]. unfold
+    F2R in J. cbn [Fnum Fexp] in J, N. assert (Dh : 2 * h = IZR j * bpow radix2 (i + 1)) by (rewrite J, bpow_plus; change (bpow radix2 1) with 2;
+    ring).
+    rewrite Dh. apply short_product; [exact Fb | change (radix_val radix2 ^ 26)%Z with (2 ^ 26)%Z in N; lia | apply Long]. rewrite <- Dh, Rabs_mult,
+      (Rabs_pos_eq 2) by lra. destruct Oh as [-> | h0]; [left; ring | right]. generalize (bpow_le radix2 (-70) (-60) ltac:(easy)) (Rabs_pos h). lra. }
   set (o := raised_float64.product_near x p). set (g := raised_float64.product_near_rest x p). assert (Og : o + g = u + v).
-  { rewrite <- (sum_in_two u v (Fl _) (Fl _)); [unfold g, raised_float64.product_near_rest; fold v; rewrite (Rplus_comm v); reflexivity|]. rewrite Hw, Hq, !Rabs_mult. destruct S as [-> | S]; [left; ring | right; apply Rmult_le_compat_l; [apply Rabs_pos | exact S]]. }
+  { rewrite <- (sum_in_two u v (Fl _) (Fl _)); [unfold g, raised_float64.product_near_rest; fold v; rewrite (Rplus_comm v); reflexivity|]. rewrite Hw,
+    Hq, !Rabs_mult. destruct S as [-> | S]; [left; ring | right; apply Rmult_le_compat_l; [apply Rabs_pos | exact S]]. }
   assert (Bqw : Rabs (q + w) <= 1002/1000 * Y).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q + r - y) y). unfold Y. lra. }
-  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; eapply Rle_trans; [apply Rabs_triang | rewrite Rabs_Ropp; lra]).
+  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
+    r - y) y). unfold Y. lra. }
+  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; eapply Rle_trans;
+    [apply Rabs_triang | rewrite Rabs_Ropp; lra]).
   assert (Bb : Rabs b <= 10001/10000 * p) by (rewrite Rabs_pos_eq; by_sides). assert (Bu : Rabs (v + u) <= 1003/1000 * z).
   { rewrite Hq, Hw, <- Rmult_plus_distr_l. eapply Rle_trans; [exact (bounded_product _ _ _ _ Bb Bqw) | unfold z in *; lra]. }
   set (c := raised_float64.b_low p). assert (Ec : Rabs (c - (p - b)) <= / 2 ^ 77 * p).
-  { destruct (relative 53 p (p - b) c eq_refl ltac:(lra) eq_refl) as (d1 & t1 & D1 & T1 & ->). simpl bpow in D1. replace (_ - (p - b)) with ((p - b) * d1 + t1 * p) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  { destruct (relative 53 p (p - b) c eq_refl ltac:(lra) eq_refl) as (d1 & t1 & D1 & T1 & ->). simpl bpow in D1. replace (_ - (p - b)) with ((p - b) *
+    d1 + t1 * p) by ring. eapply Rle_trans; [apply Rabs_triang|].
     generalize (bounded_product _ _ _ _ Eb D1) (bounded_product _ _ _ _ T1 Pp). lra. }
   assert (Any : forall f X, Rabs f <= X -> Rabs (rounded f - f) <= / 2 ^ 53 * X + / 2 ^ 100 * z).
-  { intros f X B. assert (T : bpow radix2 (-1074) <= / 2 ^ 100 * negligible) by (replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); unfold negligible; rewrite <- bpow_plus; apply bpow_le; easy). generalize (one_rounding f). lra. }
+  { intros f X B. assert (T : bpow radix2 (-1074) <= / 2 ^ 100 * negligible) by (replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); unfold
+    negligible; rewrite <- bpow_plus; apply bpow_le; easy). generalize (one_rounding f). lra. }
   assert (Bc : Rabs c <= / 2 ^ 24 * p) by (generalize (size _ _ _ _ Eb Ec); lra).
-  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bq') | unfold z in *; lra]). assert (Bcw : Rabs (c * w) <= 3 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bw) | unfold z in *; lra]).
+  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bq') | unfold z in *; lra]). assert (Bcw :
+    Rabs (c * w) <= 3 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bw) | unfold z in *; lra]).
   assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z in *; lra]).
   assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Ec Bqw) | unfold z in *; lra]).
-  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp); unfold Y; lra | unfold z in *; lra]).
-  assert (E3 := Any _ _ Bcq). assert (E4 := Any _ _ Bcw). assert (E5 := Any _ _ Bpr). assert (Eo := sum_within v u _ (Fl _) (Fl _) Bu). change (rounded (v + u)) with o in Eo.
-  set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p). set (gained := raised_float64.product_gained x p).
+  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp);
+    unfold Y; lra | unfold z in *; lra]).
+  assert (E3 := Any _ _ Bcq). assert (E4 := Any _ _ Bcw). assert (E5 := Any _ _ Bpr). assert (Eo := sum_within v u _ (Fl _) (Fl _) Bu). change
+    (rounded (v + u)) with o in Eo.
+  set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p).
+    set (gained := raised_float64.product_gained x p).
   assert (z1 : 0 < z) by lra. clearbody z Y.
   assert (B1 : Rabs (f1 + f2) <= 6 / 2 ^ 24 * z) by by_sides. assert (E6 := sum_within f1 f2 _ (Fl _) (Fl _) B1). set (f4 := rounded (f1 + f2)) in *.
   assert (B2 : Rabs (f4 + f3) <= 142/100000 * z) by by_sides. assert (E7 := sum_within f4 f3 _ (Fl _) (Fl _) B2). set (f5 := rounded (f4 + f3)) in *.
-  assert (B3 : Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). assert (E8 := sum_within f5 g _ (Fl _) (Fl _) B3). change (rounded (f5 + g)) with rest in E8.
+  assert (B3 : Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). assert (E8 := sum_within f5 g _ (Fl _) (Fl _) B3).
+    change (rounded (f5 + g)) with rest in E8.
   assert (B4 : Rabs (o + rest) <= 1005/1000 * z) by by_sides. assert (E9 := sum_within o rest _ (Fl _) (Fl _) B4). change (rounded (o + rest)) with t in E9.
-  assert (B5 : Rabs (t + - o) <= 144/100000 * z) by by_sides. assert (E10 := sum_within t (- o) _ (Fl _) (Opp _ (Fl _)) B5). change (rounded (t + - o)) with gained in E10.
-  assert (B6 : Rabs (rest + - gained) <= 101/100 / 2 ^ 53 * z) by by_sides. assert (E11 := sum_within rest (- gained) _ (Fl _) (Opp _ (Fl _)) B6). change (rounded (rest + - gained)) with e in E11.
+  assert (B5 : Rabs (t + - o) <= 144/100000 * z) by by_sides. assert (E10 := sum_within t (- o) _ (Fl _) (Opp _ (Fl _)) B5). change (rounded (t + -
+    o)) with gained in E10.
+  assert (B6 : Rabs (rest + - gained) <= 101/100 / 2 ^ 53 * z) by by_sides. assert (E11 := sum_within rest (- gained) _ (Fl _) (Opp _ (Fl _)) B6).
+    change (rounded (rest + - gained)) with e in E11.
   split.
-  - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5 - (f4 + f3)) + (rest - (f5 + g)) - (gained - (t + - o)) + (e - (rest + - gained)) + (o + g - (b * w + b * q))) by ring. rewrite Og, Hw, Hq. by_sides.
+  - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5
+    - (f4 + f3)) + (rest - (f5 + g)) - (gained - (t + - o)) + (e - (rest + - gained)) + (o + g - (b * w + b * q))) by ring. rewrite Og, Hw, Hq.
+    by_sides.
   - by_sides.
 Qed.
 Hypothesis By : - (70799/100) <= p * y <= 70899/100.
 Lemma power_near : Rabs (raised_float64.power x p - exp (p * y)) <= (5/2 + 3/100 * Rabs (p * y)) * (1 / 2 ^ 53) * exp (p * y).
 Proof.
-  destruct product_in_two as [E Be]. set (s := p * y) in *. assert (Z : p * (Rabs y + / 2 ^ 200) <= Rabs s + / 2 ^ 100) by (unfold s; rewrite Rabs_mult, (Rabs_pos_eq p); lra).
-  assert (Bs : Rabs s <= 709) by (apply Rabs_le; lra). assert (E' : Rabs (t + e - s) <= (26/1000 * Rabs s + 1/1000) / 2 ^ 53) by lra. assert (Be' : Rabs e <= 1 / 2 ^ 42) by lra.
+  destruct product_in_two as [E Be]. set (s := p * y) in *. assert (Z : p * (Rabs y + / 2 ^ 200) <= Rabs s + / 2 ^ 100) by (unfold s; rewrite
+    Rabs_mult, (Rabs_pos_eq p); lra).
+  assert (Bs : Rabs s <= 709) by (apply Rabs_le; lra). assert (E' : Rabs (t + e - s) <= (26/1000 * Rabs s + 1/1000) / 2 ^ 53) by lra. assert (Be' :
+    Rabs e <= 1 / 2 ^ 42) by lra.
   assert (Bt : -708 <= t <= 709) by (clear Be E Z; assert (Rabs (t + e - s) <= 20 / 2 ^ 53) by lra; clear E'; by_sides).
-  assert (X := elementary_functions__exp t e (rounded_is_float64 _) Bt Be'). change (exponential_of_sum_float64.exponential t e) with (raised_float64.exponential x p) in X.
+  assert (X := elementary_functions__exp t e (rounded_is_float64 _) Bt Be'). change (exponential_of_sum_float64.exponential t e) with
+    (raised_float64.exponential x p) in X.
   unfold raised_float64.power. destruct Rle_dec as [N|_]; [lra|]. set (f := raised_float64.exponential x p) in *.
-  replace (t + e) with (s + (t + e - s)) in X by ring. rewrite exp_plus in X. set (v := exp s) in *. assert (V : 0 < v) by apply exp_pos. set (d := t + e - s) in *.
+  replace (t + e) with (s + (t + e - s)) in X by ring. rewrite exp_plus in X. set (v := exp s) in *. assert (V : 0 < v) by apply exp_pos. set (d := t
+    + e - s) in *.
   assert (G : Rabs (exp d - 1 - d) <= 1 / 2 ^ 90).
   { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. apply Rabs_le_between in B. interval with (i_taylor d, i_degree 4, i_prec 200). }
-  set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
+  set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring; eapply
+    Rle_trans; [apply Rabs_triang | lra]).
   assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1)); lra] | lra]).
   replace (f - v) with (f - v * k + v * (k - 1)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
 End raised_in_two.
-(* The power of a float64 above 0 is within (5/2 + 3/100 |p ln x|) 2^-53 of the power, relative to that: it errs like the exponential, and by what the logarithm's error becomes. *)
-Theorem elementary_functions__power (x p : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <= p * ln x <= 70899/100 ->
+(* The power of a float64 above 0 is within (5/2 + 3/100 |p ln x|) 2^-53 of the power, relative to that: it errs like the exponential, and by what the
+  logarithm's error becomes. *)
+Theorem elementary_functions__power (x p : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100)
+  <= p * ln x <= 70899/100 ->
   Rabs (raised_float64.power x p - Rpower x p) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower x p.
 Proof. apply power_near. Qed.
-Theorem elementary_functions__power__point : exists x p : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) /\ float64 p /\ / 2048 <= p <= 2 ^ 20 /\ - (70799/100) <= p * ln x <= 70899/100.
+Theorem elementary_functions__power__point : exists x p : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) /\ float64 p /\ / 2048 <= p <= 2 ^ 20 /\ -
+  (70799/100) <= p * ln x <= 70899/100.
 Proof. exists 1, 1. rewrite ln_1. repeat split; try apply one_is_float64; try apply IZR_le; lra || easy. Qed.
 (* Base and exponent do not change places. *)
-Theorem elementary_functions__power__false : ~ forall x p, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <= p * ln x <= 70899/100 ->
+Theorem elementary_functions__power__false : ~ forall x p, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> -
+  (70799/100) <= p * ln x <= 70899/100 ->
   Rabs (raised_float64.power x p - Rpower p x) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower p x.
 Proof.
-  intro H. assert (P : 0 < 1 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]). assert (B : - (70799/100) <= 2 * ln 1 <= 70899/100) by (rewrite ln_1; lra).
-  generalize (H 1 2 one_is_float64 P two_is_float64 ltac:(lra) B) (elementary_functions__power 1 2 one_is_float64 P two_is_float64 ltac:(lra) B). rewrite Rpower_1 by lra. unfold Rpower. rewrite ln_1, Rmult_0_r, exp_0, Rabs_R0. intros. by_sides.
+  intro H. assert (P : 0 < 1 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]). assert (B : - (70799/100) <= 2 * ln 1 <= 70899/100)
+    by (rewrite ln_1; lra).
+  generalize (H 1 2 one_is_float64 P two_is_float64 ltac:(lra) B) (elementary_functions__power 1 2 one_is_float64 P two_is_float64 ltac:(lra) B).
+    rewrite Rpower_1 by lra. unfold Rpower. rewrite ln_1, Rmult_0_r, exp_0, Rabs_R0. intros. by_sides.
 Qed.

@@ -26,7 +26,8 @@ Lemma one_product (kappa A B s t : R) (a b c : C) : 0 <= kappa -> Cmod (a - on_c
   Cmod (c - a * b)%C <= kappa * Cmod (a * b)%C -> Cmod (c - on_circle (s + t))%C <= (1 + kappa) * (A * B) - 1.
 Proof.
   intros K Ha Hb Hc. rewrite on_circle_plus.
-  assert (S : forall z r Z, Cmod (z - on_circle r)%C <= Z - 1 -> Cmod z <= Z) by (intros z r Z H; replace z with ((z - on_circle r) + on_circle r)%C by ring; eapply Rle_trans; [apply Cmod_triangle | rewrite size_on_circle; lra]).
+  assert (S : forall z r Z, Cmod (z - on_circle r)%C <= Z - 1 -> Cmod z <= Z) by (intros z r Z H; replace z with ((z - on_circle r) + on_circle r)%C
+    by ring; eapply Rle_trans; [apply Cmod_triangle | rewrite size_on_circle; lra]).
   assert (Sa := S _ _ _ Ha). assert (Sb := S _ _ _ Hb).
   assert (Sab : Cmod (a * b)%C <= A * B) by (rewrite Cmod_mult; apply Rmult_le_compat; try apply Cmod_ge_0; assumption).
   replace (c - on_circle s * on_circle t)%C with ((c - a * b) + ((a - on_circle s) * b + on_circle s * (b - on_circle t)))%C by ring.
@@ -51,16 +52,21 @@ Proof.
 Qed.
 Theorem rounded_powers__error__point : exists (z : C) (t delta kappa : R) (w : C), 0 <= kappa /\ Cmod (z - on_circle t)%C <= delta /\ computed z kappa 2 w.
 Proof.
-  assert (N : forall z : C, Cmod (z - z)%C <= 0) by (intro z; replace (z - z)%C with (RtoC 0) by ring; rewrite Cmod_0; lra). exists (on_circle 0), 0, 0, 0, (on_circle 0 * on_circle 0)%C. repeat split; [lra | apply N|].
+  assert (N : forall z : C, Cmod (z - z)%C <= 0) by (intro z; replace (z - z)%C with (RtoC 0) by ring; rewrite Cmod_0; lra). exists (on_circle 0), 0,
+    0, 0, (on_circle 0 * on_circle 0)%C. repeat split; [lra | apply N|].
   apply (product _ _ 1 1 (on_circle 0) (on_circle 0)); [apply itself | apply itself | rewrite Rmult_0_l; apply N].
 Qed.
 (* The base's error is not the power's: it grows with n. *)
-Theorem rounded_powers__error__false : ~ forall (z : C) (t delta kappa : R) (n : nat) (w : C), 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w ->
+Theorem rounded_powers__error__false : ~ forall (z : C) (t delta kappa : R) (n : nat) (w : C), 0 <= kappa -> Cmod (z - on_circle t)%C <= delta ->
+  computed z kappa n w ->
   Cmod (w - on_circle (INR n * t))%C <= delta + kappa.
 Proof.
-  assert (U : on_circle 0 = RtoC 1) by (unfold on_circle; rewrite cos_0, sin_0; reflexivity). intro H. generalize (H (RtoC 2) 0 1 0 2%nat (RtoC 2 * RtoC 2)%C ltac:(lra)).
-  rewrite Rmult_0_r, U, <- RtoC_mult, <- !RtoC_minus, !Cmod_R, !Rabs_pos_eq by lra. intro E. assert (2 * 2 - 1 <= 1 + 0); [|lra]. apply E; [lra|]. rewrite RtoC_mult.
-  apply (product _ _ 1 1 (RtoC 2) (RtoC 2)); [apply itself | apply itself|]. replace (RtoC 2 * RtoC 2 - RtoC 2 * RtoC 2)%C with (RtoC 0) by ring. rewrite Cmod_0. lra.
+  assert (U : on_circle 0 = RtoC 1) by (unfold on_circle; rewrite cos_0, sin_0; reflexivity). intro H. generalize (H (RtoC 2) 0 1 0 2%nat (RtoC 2 *
+    RtoC 2)%C ltac:(lra)).
+  rewrite Rmult_0_r, U, <- RtoC_mult, <- !RtoC_minus, !Cmod_R, !Rabs_pos_eq by lra. intro E. assert (2 * 2 - 1 <= 1 + 0); [|lra]. apply E; [lra|].
+    rewrite RtoC_mult.
+  apply (product _ _ 1 1 (RtoC 2) (RtoC 2)); [apply itself | apply itself|]. replace (RtoC 2 * RtoC 2 - RtoC 2 * RtoC 2)%C with (RtoC 0) by ring.
+    rewrite Cmod_0. lra.
 Qed.
 
 (* The printed claims. *)
@@ -91,7 +97,8 @@ Proof.
     assert (((u + 1) ^ 3 - 1) ^ 2 >= (3 / 2 * m) ^ 2) by (apply Rle_ge, pow_incr; lra). generalize (pow2_ge_0 m). lra. }
   repeat split; try lra; try ring.
   assert (N : 0 <= (i ^ 2 + r ^ 2) * (oi ^ 2 + or ^ 2)) by (apply Rmult_le_pos; apply Rplus_le_le_0_compat; apply pow2_ge_0).
-  assert (Z : 2 * m ^ 2 * ((i * oi) ^ 2 + (or * r) ^ 2) + 2 * m ^ 2 * ((i * or) ^ 2 + (oi * r) ^ 2) = 2 * m ^ 2 * ((i ^ 2 + r ^ 2) * (oi ^ 2 + or ^ 2))) by ring.
+  assert (Z : 2 * m ^ 2 * ((i * oi) ^ 2 + (or * r) ^ 2) + 2 * m ^ 2 * ((i * or) ^ 2 + (oi * r) ^ 2) = 2 * m ^ 2 * ((i ^ 2 + r ^ 2) * (oi ^ 2 + or ^
+    2))) by ring.
   generalize (Rmult_le_compat_r _ _ _ N (Rge_le _ _ E)). lra.
 Qed.
 Theorem rounded_powers__power : Statements.rounded_powers__power.

@@ -32,7 +32,8 @@ Proof.
 Qed.
 Theorem roundoff_bound__in_u : Statements.roundoff_bound__in_u.
 Proof.
-  red. intros. destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (2 * epsilon) h_u) as (N & R); try assumption; [lra | | ].
+  red. intros. destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (2 * epsilon) h_u) as (N & R); try
+    assumption; [lra | | ].
   - unfold h_u, h_u_plus, h_u_minus. field. lra.
   - repeat split; try apply R; lra.
 Qed.
@@ -47,7 +48,7 @@ Theorem roundoff_bound__clamped : Statements.roundoff_bound__clamped.
 Proof.
   red. intros. at_the_pole span_v.
   destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (epsilon + v) h_v) as (N & R); try assumption.
-  - unfold h_v, h_v_plus, h_v_minus. rewrite H12. field. lra.
+  - unfold h_v, h_v_plus, h_v_minus. rewrite Span. field. lra.
   - rewrite (Rmult_comm mean (epsilon + v)). repeat split; try apply R; lra.
 Qed.
 Theorem roundoff_bound__two_roundings : Statements.roundoff_bound__two_roundings.
@@ -63,7 +64,8 @@ Proof.
 Qed.
 
 Lemma over_length (x e L : R) : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
-Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact X. Qed.
+Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc,
+  Rinv_l, Rmult_1_r by lra. exact X. Qed.
 Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
 Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
 (* So of any height with slopes of at most L: its samples off by at most eta, its arguments by at most alpha, and a factor in 1 +- kappa. *)
@@ -72,18 +74,23 @@ Theorem roundoff_bound__of_any_height (h h1 : R -> R) (L a b S kappa eta alpha a
   Rabs (a' - a) <= alpha -> Rabs (b' - b) <= alpha -> Rabs (h_a - h a') <= eta -> Rabs (h_b - h b') <= eta ->
   Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
 Proof.
-  intros D B P AB T A1 A2 H1 H2. assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
-  { intros x x' y X Y. apply through with (h x'); [exact Y|]. eapply Rle_trans; [exact (moved_by_at_most h h1 L x x' D B)|]. apply Rmult_le_compat_l; [eapply Rle_trans; [apply Rabs_pos | apply (B 0)] | exact X]. }
-  assert (E1 := E _ _ _ A1 H1). assert (E2 := E _ _ _ A2 H2). both_ways E1. both_ways E2. replace (_ - _) with ((h_a - h a - (h_b - h b)) / S * t + (h a - h b) / S * (t - 1)) by (field; lra).
-  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; try apply over_length; try assumption.
+  intros D B P AB T A1 A2 K1 K2. assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
+  { intros x x' y X Y. apply through with (h x'); [exact Y|]. eapply Rle_trans; [exact (moved_by_at_most h h1 L x x' D B)|]. apply Rmult_le_compat_l;
+    [eapply Rle_trans; [apply Rabs_pos | apply (B 0)] | exact X]. }
+  assert (E1 := E _ _ _ A1 K1). assert (E2 := E _ _ _ A2 K2). both_ways E1. both_ways E2. replace (_ - _) with ((h_a - h a - (h_b - h b)) / S * t + (h
+    a - h b) / S * (t - 1)) by (field; lra).
+  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; try apply over_length;
+    try assumption.
   - replace (_ / S * S) with (2 * (eta + L * alpha)) by (field; lra). apply Rabs_le. lra.
   - both_ways T. apply Rabs_le. lra.
   - rewrite <- AB, <- (Rabs_pos_eq (a - b)) by lra. exact (moved_by_at_most h h1 L b a D B).
 Qed.
-Theorem roundoff_bound__of_any_height__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S ->
+Theorem roundoff_bound__of_any_height__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1
+  w) <= L) -> 0 < S -> a - b = S ->
   Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
 Proof.
-  intro H. generalize (H (fun w => w) (fun _ => 1) 1 1 0 1 1 2 ltac:(intro; auto_derive; trivial) ltac:(intro; cbv beta; rewrite Rabs_R1; lra) ltac:(lra) ltac:(lra)).
+  intro H. generalize (H (fun w => w) (fun _ => 1) 1 1 0 1 1 2 ltac:(intro; auto_derive; trivial) ltac:(intro; cbv beta; rewrite Rabs_R1; lra)
+    ltac:(lra) ltac:(lra)).
   intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.
 
@@ -96,10 +103,12 @@ Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact
 (* The sum and the difference of two float64 numbers need no such condition. *)
 Lemma rounded_sum (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a + b) = (a + b) * (1 + d).
 Proof.
-  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E). exists d. split; [|exact E]. eapply Rle_trans; [exact D | unfold u_ro; simpl; lra].
+  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E). exists d. split; [|exact E]. eapply
+    Rle_trans; [exact D | unfold u_ro; simpl; lra].
 Qed.
 Lemma rounded_difference (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intros A B. destruct (rounded_sum a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [unfold unit_roundoff; simpl; lra | exact E]. Qed.
+Proof. intros A B. destruct (rounded_sum a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [unfold unit_roundoff; simpl; lra |
+  exact E]. Qed.
 
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
 Theorem elementary_functions__two_product (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
@@ -114,7 +123,8 @@ Proof.
   { intro x. rewrite (Rmult_comm x). f_equal. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr. ring. }
   rewrite !N.
   two_product_float64.lines.
-  f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold two_product_float64.product. ring.
+  f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. rewrite Rplus_comm. f_equal. f_equal. unfold
+    two_product_float64.product. ring.
 Qed.
 
 Lemma float64_is_whole (x : R) : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
@@ -136,12 +146,14 @@ Lemma whole_part_is_float64 (part : R -> Z) (x : R) : Valid_rnd part -> float64 
 Proof. intros V F. rewrite <- round_FIX_IZR. apply generic_round_generic; [typeclasses eauto..| exact F]. Qed.
 Lemma what_is_left_is_float64 (x y : R) : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
 Proof. apply format_REM_N; typeclasses eauto. Qed.
-Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b + two_product_float64.product_error a b = a * b.
+Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b +
+  two_product_float64.product_error a b = a * b.
 Proof.
   intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ _ F F).
   destruct (float64_is_whole (two_product_float64.product (bpow radix2 (-1074)) (bpow radix2 (-1074))) ltac:(apply rounded_is_float64)) as [m ->].
   destruct (float64_is_whole (two_product_float64.product_error (bpow radix2 (-1074)) (bpow radix2 (-1074))) ltac:(apply rounded_is_float64)) as [n ->].
-  generalize (bpow_gt_0 radix2 (-1074)). intros B E. assert (S : bpow radix2 (-1074) < bpow radix2 0) by (apply bpow_lt; easy). change (bpow radix2 0) with 1 in S.
+  generalize (bpow_gt_0 radix2 (-1074)). intros B E. assert (S : bpow radix2 (-1074) < bpow radix2 0) by (apply bpow_lt; easy). change (bpow radix2 0)
+    with 1 in S.
   set (b := bpow radix2 (-1074)) in *. assert (K : IZR (m + n) = b) by (rewrite plus_IZR; apply Rmult_eq_reg_r with b; lra).
   assert (0 < m + n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.

@@ -20,7 +20,7 @@ Theorem specular_lipschitz__clamps : Statements.specular_lipschitz__clamps.
 Proof. red. intros. unfold Rabs, Rmax, Rmin. repeat destruct Rle_dec; destruct Rcase_abs; lra. Qed.
 Theorem specular_lipschitz__blinn : Statements.specular_lipschitz__blinn.
 Proof.
-  red. intros. rewrite <- H0. repeat split; [lra | apply pow_nonzero; lra | field; lra | field; lra].
+  red. intros. match goal with L : halfway_length ^ 2 = _ |- _ => rewrite <- L end. repeat split; [lra | apply pow_nonzero; lra | field; lra | field; lra].
 Qed.
 Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
 Proof.
@@ -58,7 +58,7 @@ Proof.
 Qed.
 Theorem squared_highlight__opposite : Statements.squared_highlight__opposite.
 Proof.
-  red. intros. assert (halfway_squared = 0) by (unfold halfway_squared; rewrite H0, H1, H2; ring).
+  red. intros. assert (halfway_squared = 0) by (unfold halfway_squared; put halfway_x; put halfway_y; put halfway_z; ring).
   unfold mu. destruct (Rlt_dec 0 halfway_squared); [lra|].
   repeat split; try lra. sum_of_squares.
 Qed.
@@ -68,11 +68,13 @@ Proof.
   assert (S : distance_squared >= 0) by sum_of_squares.
   assert (L : light_distance <> 0).
   { intro Z. assert (distance_squared = 0) by (apply sqrt_eq_0; [apply Rge_le, S | exact Z]). unfold distance_squared in *. 
-    assert (to_light_x = 0) by nra. assert (to_light_y = 0) by nra. assert (to_light_z = 0) by nra. 
-    assert (halfway_squared = 0); [|lra]. unfold halfway_squared, halfway_x, halfway_y, halfway_z. rewrite Z, H1, H2, H3. ring. }
+    assert (X : to_light_x = 0) by nra. assert (Y : to_light_y = 0) by nra. assert (W : to_light_z = 0) by nra. 
+    assert (halfway_squared = 0); [|lra]. unfold halfway_squared, halfway_x, halfway_y, halfway_z. rewrite Z, X, Y, W. ring. }
   assert (K : halfway_squared <> 0) by lra. repeat split; trivial.
   unfold mu, light_scale. destruct (Rlt_dec 0 halfway_squared) as [_|X]; [|lra].
-  unfold mu_plain, towards_x_plain, towards_y_plain, towards_z_plain, light_scale_plain, along_light. change light_distance_plain with light_distance. change to_light_x_plain with to_light_x. change to_light_y_plain with to_light_y. change to_light_z_plain with to_light_z. clearbody light_distance halfway_squared. field. split; assumption.
+  unfold mu_plain, towards_x_plain, towards_y_plain, towards_z_plain, light_scale_plain, along_light. change light_distance_plain with light_distance.
+    change to_light_x_plain with to_light_x. change to_light_y_plain with to_light_y. change to_light_z_plain with to_light_z. clearbody
+    light_distance halfway_squared. field. split; assumption.
 Qed.
 
 (* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)
@@ -201,13 +203,15 @@ Proof.
 Qed.
 
 (* mu is Lipschitz with 1 in N', and the highlight base^p with p (Blinn) and 2p (Phong), for every whole p. *)
-Theorem specular_lipschitz__highlight (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+Theorem specular_lipschitz__highlight (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 ->
+  magnitude v = 1 ->
   Rabs (mu P L n - mu P L m) <= magnitude (difference n m) /\
   Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * magnitude (difference n m) /\
   Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. generalize (pos_INR p). intro I. split; [apply mu_is_lipschitz, H | split].
-  - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply blinn_base_is_lipschitz].
+  - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply
+    blinn_base_is_lipschitz].
   - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply phong_base_in_unit; assumption|].
     replace (2 * INR p * magnitude (difference n m)) with (INR p * (2 * magnitude (difference n m))) by ring.
     apply Rmult_le_compat_l; [exact I | apply phong_base_is_lipschitz; assumption].
@@ -262,14 +266,16 @@ Variables P L v n : vector.
 Definition mu_squared : R :=
   let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.mu px py pz lx ly lz x y z vx vy vz.
 Definition base_squared : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.specular_base px py pz lx ly lz x y z vx vy vz.
+  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.specular_base px py pz lx ly lz x
+    y z vx vy vz.
 Let d := difference L P.
 Let k := vector_sum d (scaled (magnitude d) v).
 Let s := / (magnitude d * dot k k).
 Lemma squared_is : 0 < dot k k -> mu_squared = dot n d * dot k k * s /\ base_squared = Rmax 0 (dot n k) ^ 2 * magnitude d * s.
 Proof.
   unfold s, k, d, mu_squared, base_squared. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
-  unfold magnitude; blinn_squared.lines. rewrite difference_is, dot_itself. set (r := sqrt _). unfold vector_sum, scaled. rewrite dot_itself, !(Rplus_comm (r * _)). intro K.
+  unfold magnitude; blinn_squared.lines. rewrite difference_is, dot_itself. set (r := sqrt _). unfold vector_sum, scaled. rewrite dot_itself,
+    !(Rplus_comm (r * _)). intro K.
   destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold dot, Rdiv. rewrite !Rinv_mult. split; ring.
 Qed.
 (* With d = L - P, k = d + |d| v and s = 1/(|d| k.k): mu = (N'.d)(k.k)s, and the square of Blinn's base is (N'.k)^2 |d| s where N'.k >= 0.
@@ -279,11 +285,13 @@ Theorem squared_highlight__formulas : 0 < magnitude d -> 0 < dot k k -> mu P L n
 Proof.
   intros D K. destruct (squared_is K) as [-> ->]. set (h := vector_sum (omega P L) v).
   assert (E : k = scaled (magnitude d) h).
-  { unfold k, h, omega. fold d. destruct d as [[a b] c], v as [[x y] z]. unfold vector_sum, scaled. set (r := magnitude _) in *. f_equal; [f_equal|]; field; lra. }
+  { unfold k, h, omega. fold d. destruct d as [[a b] c], v as [[x y] z]. unfold vector_sum, scaled. set (r := magnitude _) in *. f_equal; [f_equal|];
+    field; lra. }
   assert (Q : dot k k = magnitude d ^ 2 * dot h h) by (rewrite E, dot_scaled, (dot_comm h), dot_scaled; ring).
   assert (H : 0 < dot h h) by nra. assert (S : magnitude h ^ 2 = dot h h) by apply length_squared. assert (S0 : 0 < magnitude h) by (apply sqrt_lt_R0, H).
   assert (B : blinn_base P L v n ^ 2 = Rmax 0 (dot n k) ^ 2 * magnitude d * s).
-  { rewrite blinn_base_is. fold h. destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold s. rewrite Q, E, <- S, (dot_comm n (scaled (magnitude d) h)), (dot_comm n), !dot_scaled.
+  { rewrite blinn_base_is. fold h. destruct (Rlt_dec _ _) as [_|X]; [|contradiction]. unfold s. rewrite Q, E, <- S, (dot_comm n (scaled (magnitude d)
+    h)), (dot_comm n), !dot_scaled.
     assert (F : forall p x, 0 < p -> Rmax 0 (p * x) = p * Rmax 0 x) by (intros p x X; rewrite <- (Rmult_0_r p) at 1; apply RmaxRmult; lra).
     rewrite !F by (exact D || apply Rinv_0_lt_compat, S0). field. lra. }
   assert (M : mu P L n = dot n d * dot k k * s) by (rewrite mu_is_a_product; unfold omega, s; fold d; rewrite dot_comm, dot_scaled, (dot_comm d); field; lra).
@@ -296,29 +304,36 @@ Proof.
 Qed.
 Lemma above_apart : magnitude (difference (0, 0, 1) (0, 0, 0)) = 1.
 Proof. apply length_of_unit. unfold dot, difference, vector_sum, scaled. ring. Qed.
-Theorem squared_highlight__formulas__point : exists P L v : vector, let d := difference L P in 0 < magnitude d /\ 0 < dot (vector_sum d (scaled (magnitude d) v)) (vector_sum d (scaled (magnitude d) v)).
+Theorem squared_highlight__formulas__point : exists P L v : vector, let d := difference L P in 0 < magnitude d /\ 0 < dot (vector_sum d (scaled
+  (magnitude d) v)) (vector_sum d (scaled (magnitude d) v)).
 Proof. exists (0, 0, 0), (0, 0, 1), (0, 0, 1). cbv zeta. rewrite above_apart. unfold difference, dot, vector_sum, scaled. lra. Qed.
 (* The square, not the base. *)
 Theorem squared_highlight__formulas__false : ~ forall P L v n : vector, let d := difference L P in let k := vector_sum d (scaled (magnitude d) v) in
   0 < magnitude d -> 0 < dot k k -> 0 <= dot n k -> blinn_base P L v n = dot n k ^ 2 * magnitude d * / (magnitude d * dot k k).
 Proof.
-  intro H. set (n := (0, 3/5, 4/5) : vector). generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) n) (squared_highlight__formulas (0, 0, 0) (0, 0, 1) (0, 0, 1) n). cbv zeta.
+  intro H. set (n := (0, 3/5, 4/5) : vector). generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) n) (squared_highlight__formulas (0, 0, 0) (0, 0, 1) (0, 0,
+    1) n). cbv zeta.
   rewrite above_apart. unfold n, difference, dot, vector_sum, scaled. intros E F. destruct F as (_ & F & _); try lra. rewrite E in F; lra.
 Qed.
 (* False variants: each with half its bound, or without what it rests on. *)
-Theorem specular_lipschitz__highlight__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+Theorem specular_lipschitz__highlight__false : ~ forall P L v n m : vector, 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 ->
+  magnitude v = 1 ->
   Rabs (phong_base P L v n - phong_base P L v m) <= magnitude (difference n m).
 Proof.
-  assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 4/5, 3/5) = 1) by (apply length_of_unit; unfold dot; field).
-  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 4/5, 3/5) ltac:(rewrite above_apart; lra) A B A) (length_squared (difference (0, 0, 1) (0, 4/5, 3/5)))
+  assert (A : magnitude (0, 0, 1) = 1) by (apply length_of_unit; unfold dot; ring). assert (B : magnitude (0, 4/5, 3/5) = 1) by (apply length_of_unit;
+    unfold dot; field).
+  intro H. generalize (H (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 1) (0, 4/5, 3/5) ltac:(rewrite above_apart; lra) A B A) (length_squared (difference (0,
+    0, 1) (0, 4/5, 3/5)))
     (length_nonneg (difference (0, 0, 1) (0, 4/5, 3/5))). rewrite !phong_base_is. fold (omega (0, 0, 0) (0, 0, 1)). rewrite above_is.
-  set (d := magnitude (difference (0, 0, 1) (0, 4/5, 3/5))). unfold dot, difference, vector_sum, scaled. rewrite (Rmax_right 0 (2 * _ * _ - _)), (Rmax_left 0 (2 * _ * _ - _)) by lra.
+  set (d := magnitude (difference (0, 0, 1) (0, 4/5, 3/5))). unfold dot, difference, vector_sum, scaled. rewrite (Rmax_right 0 (2 * _ * _ - _)),
+    (Rmax_left 0 (2 * _ * _ - _)) by lra.
   rewrite Rabs_pos_eq by lra. nra.
 Qed.
 Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat),
   0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
   Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * magnitude (difference n m).
 Proof.
-  intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite above_apart; lra)). rewrite above_apart.
+  intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite
+    above_apart; lra)). rewrite above_apart.
   cbn [snd pow]. unfold share; light_term.lines. cbn [snd pow]. intro K. specialize (K ltac:(rewrite Rabs_pos_eq; lra)). rewrite Rabs_pos_eq in K; lra.
 Qed.

@@ -112,7 +112,8 @@ Theorem shadow_of_b_on_floor__hyperbola : Statements.shadow_of_b_on_floor__hyper
 Proof. claim. Qed.
 Theorem shadow_of_b_on_floor__away : Statements.shadow_of_b_on_floor__away.
 Proof. claim. Qed.
-Ltac outline_from_the_light outline := red; intros r cx cy cz lx ly lz x y; intros; destruct (outline (cx - lx) (cy - ly) r (lz - cz) lz (x - lx) (y - ly)); lra.
+Ltac outline_from_the_light outline := red; intros r cx cy cz lx ly lz x y; intros; destruct (outline (cx - lx) (cy - ly) r (lz - cz) lz (x - lx) (y -
+  ly)); lra.
 Theorem shadow_of_b_on_floor__all_seen : Statements.shadow_of_b_on_floor__all_seen.
 Proof. outline_from_the_light silhouette_of_b__all_seen. Qed.
 Theorem shadow_of_b_on_floor__none_seen : Statements.shadow_of_b_on_floor__none_seen.
@@ -252,7 +253,7 @@ Proof. claim. Qed.
 Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
 Proof.
   red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 +
-    (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (rewrite H3, H4, H5; ring).
+    (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (put (distance ^ 2); put (wander ^ 2); put product; ring).
   assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; sum_of_squares). assert (P : distance * wander >= 0) by nra.
   assert (distance * wander + product >= 0) by nra. each ltac:(first [assumption | lra | nra]).
 Qed.
@@ -261,7 +262,8 @@ Proof. claim. Qed.
 Theorem shadow_out_of_reach__turns_before : Statements.shadow_out_of_reach__turns_before.
 Proof. claim. Qed.
 Theorem shadow_out_of_reach__turns_between : Statements.shadow_out_of_reach__turns_between.
-Proof. red. intros. assert (0 <= bend * (share - at_) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). replace slope with (- (at_ * bend)) by lra. lra. Qed.
+Proof. red. intros. assert (0 <= bend * (share - at_) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). replace slope with (- (at_ * bend)) by
+  lra. lra. Qed.
 Theorem shadow_out_of_reach__turns_after : Statements.shadow_out_of_reach__turns_after.
 Proof. red. intros. assert (0 <= (1 - share) * (bend * (1 - share) - 2 * (bend + slope))) by (apply Rmult_le_pos; nra). lra. Qed.
 Theorem shadow_out_of_reach__bends_down : Statements.shadow_out_of_reach__bends_down.
@@ -271,12 +273,16 @@ Lemma len_axis x : 0 <= x -> len x 0 0 = x.
 Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
 
 (* On [0, 1] the program's shortest is the least value of its quadratic: at an end or where it turns. *)
-Lemma least_of_quadratic (low slope bend t : R) : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else - slope / bend in
-  let at_ball := low + bend + 2 * slope in let at_turning := low + turning * (bend * turning + 2 * slope) in let at_an_end := if Rlt_dec at_ball low then at_ball else low in
+Lemma least_of_quadratic (low slope bend t : R) : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else
+  - slope / bend in
+  let at_ball := low + bend + 2 * slope in let at_turning := low + turning * (bend * turning + 2 * slope) in let at_an_end := if Rlt_dec at_ball low
+    then at_ball else low in
   (if Rlt_dec at_turning at_an_end then at_turning else at_an_end) <= low + t * (bend * t + 2 * slope).
 Proof.
-  assert (L : forall x y, (if Rlt_dec x y then x else y) <= x /\ (if Rlt_dec x y then x else y) <= y) by (split; destruct Rlt_dec; lra). intros [T0 T1] turning at_ball at_turning at_an_end.
-  destruct (L at_ball low) as [M M']. fold at_an_end in M, M'. generalize (L at_turning at_an_end). set (least := if Rlt_dec at_turning _ then _ else _). intros [U V]. clearbody least at_an_end. destruct (Rle_lt_dec bend 0) as [N|P].
+  assert (L : forall x y, (if Rlt_dec x y then x else y) <= x /\ (if Rlt_dec x y then x else y) <= y) by (split; destruct Rlt_dec; lra). intros [T0
+    T1] turning at_ball at_turning at_an_end.
+  destruct (L at_ball low) as [M M']. fold at_an_end in M, M'. generalize (L at_turning at_an_end). set (least := if Rlt_dec at_turning _ then _ else
+    _). intros [U V]. clearbody least at_an_end. destruct (Rle_lt_dec bend 0) as [N|P].
   - generalize (shadow_out_of_reach__bends_down bend low t slope ltac:(lra) ltac:(lra) N). unfold at_ball in M. nra.
   - revert U. unfold at_turning, turning. destruct (Rle_dec 0 slope) as [A|A]; [|destruct (Rle_dec (bend + slope) 0) as [B|B]].
     + generalize (shadow_out_of_reach__turns_before bend low t slope ltac:(lra) P ltac:(lra)). lra.
@@ -302,8 +308,10 @@ Proof.
   { assert (0 <= n) by apply len_pos. assert (0 <= t * s) by nra. assert (0 < n ^ 2 - (r + t * s) ^ 2); [|nra].
     eapply Rlt_le_trans; [exact P|]. eapply Rle_trans; [exact (least_of_quadratic _ _ _ t T)|]. unfold n. rewrite len_squared. shadow_clearance.lines. lra. }
   pose proof (len_pos (qx - bx) (qy - by_) (qz - bz)).
-  epose proof (shadow_out_of_reach__cone (t * (qx - bx)) (t * (qy - by_)) (t * (qz - bz)) (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))
-    r n _ (t * s) (t * len (qx - bx) (qy - by_) (qz - bz)) R) as E. destruct E as (_ & _ & _ & _ & _ & _ & _ & E); try nra; try reflexivity; try (unfold n; rewrite ?Rpow_mult_distr, len_squared; ring).
+  epose proof (shadow_out_of_reach__cone (t * (qx - bx)) (t * (qy - by_)) (t * (qz - bz)) (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz -
+    cz + t * (bz - lz))
+    r n _ (t * s) (t * len (qx - bx) (qy - by_) (qz - bz)) R) as E. destruct E as (_ & _ & _ & _ & _ & _ & _ & E); try nra; try reflexivity; try
+      (unfold n; rewrite ?Rpow_mult_distr, len_squared; ring).
   rewrite <- (sqrt_pow2 r) by lra. apply sqrt_lt_1_alt. split; [apply pow2_ge_0 | lra].
 Qed.
 

@@ -3189,6 +3189,116 @@ Definition bump_is_not_displacement__angle : Prop :=
   displaced_z * displaced_z + displaced_x * displaced_x + displaced_y * displaced_y = beta ^ 2 * ((h_v / PI) ^ 2 + (h_u
       / (2 * PI * sin_phi)) ^ 2) + lift ^ 2.
 
+Definition surface_bump__dropped : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v radius sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := h * beta / radius + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) / radius in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) / radius in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) / radius in
+  let arc := -PI * radius in
+  let slope_theta := (if Rlt_dec 0 sin_phi then (1 / 2) * h_u / (arc * sin_phi) else 0) in
+  let slope_phi := (if Rlt_dec 0 sin_phi then h_v / arc else 0) in
+  let g_x := e_phi_x * slope_phi + e_theta_x * slope_theta in
+  let g_y := e_phi_y * slope_phi + e_theta_y * slope_theta in
+  let g_z := e_phi_z * slope_phi + e_theta_z * slope_theta in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  radius > 0 ->
+  radius <> 0 /\
+  sin_phi <> 0 /\
+  (sin_phi > 0 -> arc <> 0) /\
+  (sin_phi > 0 -> sin_phi <> 0) /\
+  lift * radius = beta * h + radius /\
+  displaced_x - m_x = normal_x * h * beta / radius /\
+  displaced_y - m_y = normal_y * h * beta / radius /\
+  displaced_z - m_z = normal_z * h * beta / radius.
+
+Definition surface_bump__second_order : Prop :=
+  forall beta cos_phi cos_theta h h_u h_v radius sin_phi sin_theta : R,
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let h_theta := (1 / 2) * h_u / PI in
+  let h_phi := h_v / PI in
+  let lift := h * beta / radius + 1 in
+  let displaced_x := lift * normal_x - beta * (e_phi_x * h_phi + e_theta_x * h_theta / sin_phi) / radius in
+  let displaced_y := lift * normal_y - beta * (e_phi_y * h_phi + e_theta_y * h_theta / sin_phi) / radius in
+  let displaced_z := lift * normal_z - beta * (e_phi_z * h_phi + e_theta_z * h_theta / sin_phi) / radius in
+  let arc := -PI * radius in
+  let slope_theta := (if Rlt_dec 0 sin_phi then (1 / 2) * h_u / (arc * sin_phi) else 0) in
+  let slope_phi := (if Rlt_dec 0 sin_phi then h_v / arc else 0) in
+  let g_x := e_phi_x * slope_phi + e_theta_x * slope_theta in
+  let g_y := e_phi_y * slope_phi + e_theta_y * slope_theta in
+  let g_z := e_phi_z * slope_phi + e_theta_z * slope_theta in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi > 0 ->
+  radius > 0 ->
+  radius <> 0 /\
+  sin_phi <> 0 /\
+  (sin_phi > 0 -> arc <> 0) /\
+  (sin_phi > 0 -> sin_phi <> 0) /\
+  displaced_z * m_z + displaced_x * m_x + displaced_y * m_y = beta ^ 2 * (slope_phi ^ 2 + slope_theta ^ 2) + lift /\
+  (displaced_y * m_x - displaced_x * m_y) * (displaced_y * m_x - displaced_x * m_y) + (displaced_x * m_z - displaced_z *
+      m_x) * (displaced_x * m_z - displaced_z * m_x) + (displaced_z * m_y - displaced_y * m_z) * (displaced_z * m_y -
+      displaced_y * m_z) = (beta ^ 2 * h / radius) ^ 2 * (slope_phi ^ 2 + slope_theta ^ 2).
+
+Definition surface_bump__at_the_pole : Prop :=
+  forall beta cos_phi cos_theta h_u h_v radius sin_phi sin_theta : R,
+  let arc := -PI * radius in
+  let slope_theta := (if Rlt_dec 0 sin_phi then (1 / 2) * h_u / (arc * sin_phi) else 0) in
+  let slope_phi := (if Rlt_dec 0 sin_phi then h_v / arc else 0) in
+  let normal_x := cos_theta * sin_phi in
+  let normal_y := sin_phi * sin_theta in
+  let normal_z := cos_phi in
+  let e_theta_x := -sin_theta in
+  let e_theta_y := cos_theta in
+  let e_theta_z := 0 in
+  let e_phi_x := cos_phi * cos_theta in
+  let e_phi_y := cos_phi * sin_theta in
+  let e_phi_z := -sin_phi in
+  let g_x := e_phi_x * slope_phi + e_theta_x * slope_theta in
+  let g_y := e_phi_y * slope_phi + e_theta_y * slope_theta in
+  let g_z := e_phi_z * slope_phi + e_theta_z * slope_theta in
+  let m_x := beta * g_x + normal_x in
+  let m_y := beta * g_y + normal_y in
+  let m_z := beta * g_z + normal_z in
+  cos_theta ^ 2 + sin_theta ^ 2 = 1 ->
+  cos_phi ^ 2 + sin_phi ^ 2 = 1 ->
+  sin_phi = 0 ->
+  (sin_phi > 0 -> arc <> 0) /\
+  (sin_phi > 0 -> sin_phi <> 0) /\
+  g_x = 0 /\
+  g_y = 0 /\
+  g_z = 0 /\
+  m_x = normal_x /\
+  m_y = normal_y /\
+  m_z = normal_z.
+
 Definition attached_shadow__in_light : Prop :=
   ~ (
   forall beta g_x g_y g_z normal_x normal_y normal_z towards_x towards_y towards_z : R,

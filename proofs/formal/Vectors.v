@@ -54,6 +54,7 @@ Proof.
 Qed.
 Lemma halfway_above : blinn.halfway_length 0 0 0 0 0 1 0 0 1 = 2.
 Proof.
-  destruct above as (X & Y & Z). change (sqrt ((light_direction.towards_x 0 0 0 0 0 1 + 0) ^ 2 + (light_direction.towards_y 0 0 0 0 0 1 + 0) ^ 2 + (light_direction.towards_z 0 0 0 0 0 1 + 1) ^ 2) = 2).
+  destruct above as (X & Y & Z). change (sqrt ((light_direction.towards_x 0 0 0 0 0 1 + 0) ^ 2 + (light_direction.towards_y 0 0 0 0 0 1 + 0) ^ 2 +
+    (light_direction.towards_z 0 0 0 0 0 1 + 1) ^ 2) = 2).
   rewrite X, Y, Z. replace (_ + _) with (2 ^ 2) by ring. apply sqrt_pow2. lra.
 Qed.

@@ -13,6 +13,7 @@ from proofs.engine.vectors import Vector, real, vector, where
 from proofs.formulas import camera, shading, shadow
 from proofs.formulas.bump import bumped_normal
 from proofs.formulas.chart import chart
+from proofs.formulas.displacement import surface_normal
 from proofs.formulas.height_fields import HeightField, gradient
 from proofs.formulas.symbols import ball_center, ball_on, bumped, light, mu, normal, point, radius, specular
 
@@ -65,7 +66,12 @@ def _each_by_surface(names, *on_each):
     return {name: _by_surface(*on) for name, *on in zip(names, *on_each, strict=True)}
 
 
-def _places(gradient_program):
+BUMPS = {"chart": bumped_normal, "surface": surface_normal}
+
+_UPRIGHT = (normal, "on_a"), (normal, "on_b"), (bumped, "on_floor")
+
+
+def _places(gradient_program, bump):
     """Return the programs for the visible point and its shading normal, on whichever surface it is."""
     seen = chain("seen", camera.image_extent, camera.image_point, camera.visible_surface, camera.angles_on_a)
     return [
@@ -73,7 +79,7 @@ def _places(gradient_program):
         instance(camera.point_on_a, "on_a"),
         chart,
         gradient_program,
-        instance(bumped_normal, "on_a"),
+        instance(BUMPS[bump], "on_a"),
         instance(camera.normal_of_b, "on_b", dict(seen.definitions)),
         instance(camera.normal_of_floor, "on_floor"),
         _each_by_surface(point, *(_suffixed(point, surface) for surface in ("on_a", "on_b", "on_floor")))
@@ -94,7 +100,7 @@ def _shadows(number):
     return [by_a, by_b, {occlusion(number): _by_surface(b, a, Max(a, b))}]
 
 
-def _light(number, model, before):
+def _light(number, model, before, horizon):
     """Return the programs for one light's share of the colour, and the symbols of the colour after it."""
     base = instance(shading.LIGHT_MODELS[model].program, number, given={light: light_position(number)})
     from_base = (mu, shading.specular_base, specular)
@@ -104,23 +110,32 @@ def _light(number, model, before):
         shading.light_term, number, given=own | {shading.light_colors: light_color(number), shading.colors: before}
     )
     after = _channels("", f"_after_{number}")
-    lines = {s: where(occlusion(number) > 0, b, lit) for s, b, lit in zip(after, before, term.outputs, strict=True)}
-    return [base, power, term, lines], after
+    lit, parts = term.outputs, [base, power, term]
+    if horizon:
+        parts.append(instance(shading.height_of_light, number, given={light: light_position(number)}))
+        lit = [where(parts[-1].outputs[0] > 0, c, b) for b, c in zip(before, lit, strict=True)]
+    return [*parts, {s: where(occlusion(number) > 0, b, c) for s, b, c in zip(after, before, lit, strict=True)}], after
 
 
 @evaluated
 def pixel(
-    field: HeightField, model: str = "blinn", lights: int = 2, gradient_program: Program | None = None
+    field: HeightField,
+    model: str = "blinn",
+    lights: int = 2,
+    gradient_program: Program | None = None,
+    bump: str = "chart",
+    horizon: bool = False,
 ) -> Program:
     """Return the program of a whole pixel.
 
     field: a HeightField. model: one of LIGHT_MODELS. lights: how many. gradient_program: (u, v, …) → h_u, h_v; default,
-    the exact gradient. Outputs: surface, occluded_0 …, dark_square, rgb.
+    the exact gradient. bump: one of BUMPS. horizon: whether a light from behind the surface itself adds nothing.
+    Outputs: surface, occluded_0 …, dark_square, rgb.
     """
     color = _channels("", "_before")
     floor = (shading.floor_red, shading.floor_red, shading.floor_blue)
     parts = [
-        *_places(gradient_program or gradient(field)),
+        *_places(gradient_program or gradient(field), bump),
         shadow.checker,
         {dark_square: _by_surface(0, 0, shadow.dark)},
         shading.floor_albedo.at({shading.floor_dark: dark_square}),
@@ -132,8 +147,10 @@ def pixel(
             for s, a in zip(color, ambient_light, strict=True)
         },
     ]
+    if horizon:
+        parts.append(_each_by_surface(normal, *(_suffixed(n, on) for n, on in _UPRIGHT)))
     for number in range(lights):
-        programs, color = _light(number, model, color)
+        programs, color = _light(number, model, color, horizon)
         parts += [*_shadows(number), *programs]
     clipped = [shading.clipped_value(c) for c in color]
     parts.append(_each_by_surface(rgb, clipped, clipped, clipped))

@@ -7,12 +7,12 @@ from sympy import Expr, Max, Min, Pow, sqrt
 from proofs.engine.program import Program, chain
 from proofs.engine.registry import by_name, check_name
 from proofs.engine.vectors import dot, real, squared, vectors, where
-from proofs.formulas.symbols import bumped, light, mu, point, shininess, specular, specular_base, towards, view
+from proofs.formulas.symbols import bumped, light, mu, normal, point, shininess, specular, specular_base, towards, view
 
 to_light, halfway = vectors("to_light halfway")
-light_distance, light_scale = real("light_distance light_scale")
+light_distance, light_scale, ungated = real("light_distance light_scale ungated")
 halfway_length, halfway_squared, along_halfway = real("halfway_length halfway_squared along_halfway")
-distance_squared, along_light = real("distance_squared along_light")
+distance_squared, along_light, above = real("distance_squared along_light above")
 
 light_direction = Program(
     "light_direction",
@@ -27,6 +27,9 @@ light_direction = Program(
     (towards, mu),
 )
 """ω = (L − P)/|L − P|, μ = N'·ω. Domain: L ≠ P."""
+
+height_of_light = Program("height_of_light", (point, light, normal), {above: dot(normal, light - point)})
+"""N·(L − P), positive where a light stands above the surface's own horizon; N of any length."""
 
 halfway_vector = chain("halfway_vector", light_direction, {halfway: towards + view})
 """ω + v̂, not normalised."""
@@ -62,6 +65,14 @@ blinn_squared = Program(
 """Blinn–Phong's μ and the square of its base, from one root and one division: base^p = (base²)^(p/2), p not odd.
 
 The halfway vector is |L − P| (ω + v̂) = (L − P) + |L − P| v̂; where it vanishes ω = −v̂. Theorem: squared_highlight."""
+
+
+def _gated(program):
+    """Return a program's base where μ > 0, else 0: no highlight where the bumped normal turns away from the light."""
+    lines = dict(program.definitions)
+    lines |= {ungated: lines.pop(specular_base), specular_base: where(mu > 0, ungated, 0)}
+    return Program(program.name.replace("blinn", "blinn_gated"), program.inputs, lines, program.outputs)
+
 
 phong = chain(
     "phong",
@@ -105,6 +116,7 @@ class LightModel:
 LIGHT_MODELS: dict[str, LightModel] = by_name((
     LightModel("blinn", blinn, blinn_squared),
     LightModel("phong", phong),
+    LightModel("blinn_gated", _gated(blinn), _gated(blinn_squared)),
 ))  # fmt: skip
 """The models of light. A model is data: add an entry, and its kernels, the scene's, the command line's and the
 simulator's choices follow from it."""

@@ -32,13 +32,13 @@ truncation_bound = Program(
 forward_bound = Program(
     "forward_bound", (epsilon, frequency), {steepest: pi * frequency, truncation: epsilon / 2 * steepest**2}
 )
-"""ε/2 · (πk)² of the forward difference, and of the backward one. Coq: truncation_bound__forward."""
+"""ε/2 · (πk)² of the forward difference, and of the backward one. Theorem: forward_and_fourth_order."""
 
 fourth_bound = Program(
     "fourth_bound", (epsilon, frequency), {steepest: pi * frequency, truncation: epsilon**4 / 30 * steepest**5}
 )
-"""ε⁴/30 · (πk)⁵ of the fourth-order difference, where no crease, seam or pole lies within 2ε. Coq:
-truncation_bound__fourth."""
+"""ε⁴/30 · (πk)⁵ of the fourth-order difference, where no crease, seam or pole lies within 2ε. Theorem:
+forward_and_fourth_order."""
 
 clamped_bound = Program(
     "clamped_bound",

@@ -26,6 +26,9 @@ _bump = (h_u, h_v, beta, bumped)
 _unmoved = {
     model: Separation(model, pixel(ridges, model, LIGHTS, _any_gradient), _chamber, _bump) for model in LIGHT_MODELS
 }
+_surface = Separation(
+    "surface", pixel(ridges, "blinn", LIGHTS, _any_gradient, "surface", horizon=True), _chamber, _bump
+)
 _by_difference = {
     f"{method}_{name}": Separation(
         f"{method}_{name}",
@@ -42,9 +45,10 @@ theorem = Theorem(
     r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
     none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""",
     hypotheses=(
-        "the pixel's whole program: every model of light, any gradient, five lights; every difference of every field"
+        "the pixel's whole program: every model of light, any gradient, both bumps, five lights; every difference of "
+        "every field"
     ),
-    claims=(*_unmoved.values(), *_by_difference.values()),
+    claims=(*_unmoved.values(), _surface, *_by_difference.values()),
     steps={
         "write the pixel as a straight-line program": "the lines are those that the kernels print",
         "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",

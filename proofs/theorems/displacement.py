@@ -1,7 +1,17 @@
 """The surface that the bump pretends to be: its normal and Blinn's, where the chapter's agrees, and the angle (F18)."""
 
-from proofs.formulas.bump import bumped_normal, m
-from proofs.formulas.displacement import blinn_normal, displaced, displaced_normal, h_phi, h_theta, lift
+from proofs.formulas.bump import bumped_normal, g, m
+from proofs.formulas.displacement import (
+    blinn_normal,
+    displaced,
+    displaced_normal,
+    h_phi,
+    h_theta,
+    lift,
+    slope_phi,
+    slope_theta,
+    surface_normal,
+)
 from proofs.formulas.tangent_frame import e_phi, e_theta
 from proofs.theorems.frame import angles, at_angle, frame, on_circles, place
 from proofs.theorems.language import *
@@ -173,5 +183,57 @@ seed_theorem = Theorem(
     mutants=(
         variant("true where β = 0", _parallel, given=(_parallel.given, zero(beta))),
         variant("on the same line (not the same way) where h_u = 0", _parallel, given=(_parallel.given, zero(h_u))),
+    ),
+)
+
+
+_on_the_sphere = chain("on_the_sphere", displaced_normal.at({beta: beta / radius}), surface_normal)
+_others, _off_the_pole = (h, h_u, h_v, beta, radius), (_off_the_poles, radius > 0)
+_dropped = Claim(
+    "dropped",
+    (equation(radius * lift, radius + beta * h), equations(displaced - m, beta / radius * h * normal)),
+    _off_the_pole,
+    _on_the_sphere,
+)
+_second_order = Claim(
+    "second_order",
+    (
+        equation(dot(m, displaced), lift + beta**2 * (slope_theta**2 + slope_phi**2)),
+        equation(squared(cross(m, displaced)), (beta**2 * h / radius) ** 2 * (slope_theta**2 + slope_phi**2)),
+    ),
+    _off_the_pole,
+    _on_the_sphere,
+)
+_at_the_pole = Claim("at_the_pole", (zero(g), equations(m, normal)), (on_circles, zero(sin_phi)), surface_normal)
+
+surface_theorem = Theorem(
+    "surface_bump",
+    "The surface's own bump",
+    {
+        r"""On the sphere of radius $R$ the bump of the surface has $M = N + \beta(s_\theta e_\theta + s_\varphi
+        e_\varphi)$, $s_\theta = -h_\theta/R\sin\varphi$, $s_\varphi = -h_\varphi/R$. The normal of $(R+\beta
+        h)N$ is along $D = M + \tfrac{\beta h}{R}N$: the one term that is dropped.""": _dropped,
+        r"""$M\cdot D = 1 + \tfrac{\beta h}{R} + \beta^2(s_\theta^2+s_\varphi^2)$ and $|M \times D| = \beta^2
+        \tfrac{|h|}{R}\sqrt{s_\theta^2+s_\varphi^2}$: the angle between them is of second order in
+        $\beta$.""": _second_order,
+        r"At the pole $M = N$.": _at_the_pole,
+    },
+    hypotheses=(r"$R > 0$; off the pole $\sin\varphi > 0$",),
+    steps={
+        r"$(R+\beta h)N = R\,(1+\tfrac{\beta}{R}h)N$": ("the unit sphere's, of $\beta/R$", "displaced_normal"),
+        r"$D - M = \tfrac{\beta h}{R}N$": "line by line",
+        "the products": "the frame is orthonormal",
+        r"at $\sin\varphi = 0$": "the slopes are 0 there, as h has none",
+    },
+    mutants=(
+        variant("with the chapter's sign", _dropped, equations(displaced + m, beta / radius * h * normal)),
+        variant("nothing is dropped", _dropped, equations(displaced, m)),
+        variant("β is no length", _dropped, equation(lift, radius + beta * h)),
+        variant("to first order alone", _second_order, zero(squared(cross(m, displaced)))),
+        variant("flat everywhere", _at_the_pole, given=on_circles),
+    ),
+    side_conditions=(
+        SideCondition(r"$\sin\varphi > 0$", "second_order", fails={**at_angle("3/5", "-4/5"), _others: 1}),
+        SideCondition("$R > 0$", "dropped", undefined={**at_angle(0, 1), (h, h_u, h_v, beta): 1, radius: 0}),
     ),
 )

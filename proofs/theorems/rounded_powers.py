@@ -110,7 +110,7 @@ theorem = Theorem(
         product of complex numbers is off by at most $\kappa$ of its size.""": (_three, _square, _product),
         r"""Where $\hat a$, $\hat b$ are within $A-1$, $B-1$ of $a$, $b$ of size 1, their rounded product is
         within $(1+\kappa)AB-1$ of $ab$.""": _power,
-        r"""So squarings and products, in whatever order, each off by at most $\kappa$ of its size, take a number
+        r"""So squarings and products, in any order, each off by at most $\kappa$ of its size, take a number
         within $\delta$ of $\cos t + i\sin t$ to one within $(1+\delta)^n(1+\kappa)^{n-1}-1$ of $\cos nt +
         i\sin nt$.""": (coq("rounded_powers__error 65877edd2496cbcc")),
         r"Factors of size at most 1 that are within $A-1$ and $B-1$ have a product within $AB-1$.": _factors,

@@ -116,7 +116,7 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
         if field.name == "lights":
             option, kind = "light", LIGHT | {"action": "append"}
         elif field.type is bool:
-            option = f"no-{option}"
+            option, kind = (f"no-{option}", kind) if field.default else (option, {"action": "store_true"})
         else:
             text += f" (default: {field.default})"
         if lists and field.name in MOVE_NO_BOUNDARY:

@@ -128,7 +128,7 @@ def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
     """Write arrays by their names, and texts that say anything as `NAME.json`; the file appears whole or not at all."""
     with whole_file(path) as name, open(name, "w+b") as file:  # to a name that ends in .NPZ NumPy would add another
-        np.savez_compressed(file, **arrays)
+        np.savez(file, **arrays)  # packed, they would take a hundred times as long as a picture takes to draw
         with ZipFile(file, "a") as zipped:
             for member in filter(texts.get, texts):
                 with zipped.open(f"{member}.json", "w") as told:

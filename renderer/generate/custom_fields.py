@@ -78,15 +78,19 @@ def field_kernels(field: HeightField) -> dict[str, Any]:
 _largest = cache(HeightField.largest)
 
 
-def check_size(field: HeightField, ku: float, kv: float, beta: float) -> None:
-    """Raise ValueError where a field is not finite at wave numbers, or higher or steeper than float64 allows."""
+def check_size(field: HeightField, ku: float, kv: float, beta: float, steeper: float) -> None:
+    """Raise ValueError where a field is not finite at wave numbers, or higher or steeper than float64 allows.
+
+    steeper: by how much a bump may make its slopes steeper.
+    """
     try:
         height, *slopes = _largest(field, ku, kv)
     except ValueError as error:
         raise not_allowed("(ku, kv)", (ku, kv), f"wave numbers of '{field}' at which it is finite: {error}") from None
-    most = max(1.0, abs(beta))  # by itself a picture's data has it too
+    most = max(1.0, abs(beta) * steeper)  # by itself a picture's data has it too
     if not (most * height <= _HIGHEST and most * max(slopes) <= _STEEPEST):
-        allowed = f"times the height of '{field}' at most {_HIGHEST:g}, times its slopes at most {_STEEPEST:g}"
+        high, steep = _HIGHEST / steeper, _STEEPEST / steeper
+        allowed = f"times the height of '{field}' at most {high:g}, times its slopes at most {steep:g}"
         raise not_allowed("beta", beta, allowed)
 
 

@@ -10,6 +10,7 @@ from proofs.formulas.certified import ROUNDINGS, SMALL_POWER
 from proofs.formulas.finite_difference import HEIGHT_EVALUATIONS, METHODS
 from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField
 from proofs.formulas.shading import LIGHT_MODELS
+from proofs.formulas.symbols import k_u, k_v, u, v
 from proofs.printers import python
 from proofs.printers.python import KernelPrinter, print_function, refuse_unknown_calls
 from renderer.generate import programs
@@ -56,6 +57,8 @@ def field_entry(field: HeightField) -> str:
     lines = [f'"{role}": {program.name},' for role, program in programs.field_programs(field).items()]
     if not field.wave_numbers:
         lines.append('"wave_numbers": None,')
+    without = [k.name for k in (k_u, k_v) if not field.expression.subs(k, 0).free_symbols & {u, v}]
+    lines.append(f'"level_without": {tuple(without)},'.replace("'", '"'))
     lines.append(", ".join(f'"{method}": {programs.difference_of(method, field)}' for method in METHODS) + ",")
     heights = {method: programs.height_evaluations(method, field) for method in METHODS}
     lines.append(f'"height_evaluations": {heights},'.replace("'", '"'))

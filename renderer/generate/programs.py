@@ -11,6 +11,7 @@ from proofs.formulas import (
     bump,
     camera,
     creases,
+    displacement,
     elementary,
     exponential,
     finite_difference,
@@ -62,8 +63,10 @@ KERNELS = (
     algebraic_form.complex_product,
     height_fields.slope,
     bump.bumped_normal,
+    displacement.surface_slopes,
     # light
     shading.light_direction.keep(mu, name="light_cosine"),
+    shading.height_of_light,
     *(part for model in shading.LIGHT_MODELS.values() for part in (model.program, model.squared) if part),
     shading.highlight,
     shading.light_term,
@@ -73,6 +76,7 @@ STEP = {epsilon: real("eps")}
 """ε by the name that it has from the command line on; formulas and statements spell it out."""
 
 
+@cache
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
     by_method: dict[str, Program] = {}

@@ -8,13 +8,16 @@ A job, the memory that a machine reads and draws on, is a dict of arrays: `scene
 """
 
 import os
+from collections.abc import Callable
 from functools import cache
 from threading import RLock
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
 Job = dict[str, np.ndarray]
+FEW_POINTS = 2**12
 compiling = RLock()
 if hasattr(os, "register_at_fork"):
     # A child forked while another thread compiles, or imports the compiler, would inherit LLVM in an unfinished state,
@@ -25,7 +28,7 @@ if hasattr(os, "register_at_fork"):
 
 @cache
 def machine() -> ModuleType:
-    """Return the module that draws in this process: its NAME, and `drawer(want, job)`."""
+    """Return the module that draws in this process: its NAME, `drawer(want, job)`, `over_points(kernel, *inputs)`."""
     with compiling:
         try:
             from renderer.machines import native
@@ -34,3 +37,15 @@ def machine() -> ModuleType:
 
             return numpy_rows
         return native
+
+
+def at_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
+    """Return what a kernel gives at each of some points, an array for each output: the same bits by any machine.
+
+    inputs: arrays (points,) of float64, or one number for all. So few that compiling would take longer are NumPy's.
+    """
+    if np.broadcast(*inputs).size >= FEW_POINTS:
+        return machine().over_points(kernel, *inputs)
+    from renderer.machines.numpy_rows import over_points
+
+    return over_points(kernel, *inputs)

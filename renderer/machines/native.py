@@ -13,12 +13,15 @@ from typing import Any
 import llvmlite
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
+import numpy as np
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
 from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import arguments, emit
+from renderer.machines.points_code import emit_points
 
 NAME = "llvm"
+POINTS = 8  # go through a kernel's code at a time
 
 
 @cache
@@ -82,6 +85,32 @@ def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], 
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(engine.get_function_address(name)), engine
+
+
+@cache
+def _points_code(kernel):
+    """Return (the function that runs a kernel over points, of the address of its arguments; its outputs; the owner)."""
+    outputs: list[int] = []
+    code, owner = machine_code(lambda module, name: outputs.append(emit_points(module, name, kernel, POINTS)))
+    return code, outputs[0], owner
+
+
+def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
+    """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
+    with compiling:
+        code, outputs, _ = _points_code(kernel)
+    points = np.broadcast(*inputs).size
+    room = -(-points // POINTS) * POINTS
+    given, results = [], np.empty((outputs, room))
+    for each in inputs:
+        if np.size(each) < room or not each.flags.c_contiguous:
+            array = np.zeros(room)
+            array[:points], each = each, array
+        given.append(each)
+    arrays = (*given, *results)
+    arguments = (ctypes.c_int64 * (1 + len(arrays)))(room, *(array.ctypes.data for array in arrays))
+    code(ctypes.addressof(arguments))
+    return [*results[:, :points]]
 
 
 @cache

@@ -100,3 +100,10 @@ def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
         return [*machine.counts.values()]
 
     return draw
+
+
+@np.errstate(all="ignore")
+def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
+    """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
+    result, points = kernel(*inputs), np.broadcast(*inputs).size
+    return [np.broadcast_to(each, points) for each in (result if isinstance(result, tuple) else (result,))]

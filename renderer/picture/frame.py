@@ -1,8 +1,8 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +13,31 @@ from renderer.files import pictures
 from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
-from renderer.machines import machine
+from renderer.machines import at_points, machine
 from renderer.picture.stage import SURFACE_BITS, Stage
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import Shot, read_only
-from renderer.shader.shader import ON_A
+from renderer.shader.shader import ON_A, slopes_of_bump
 from renderer.whole_files import checked_target
 
 BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
 ON_ONE = ("beta", "ku", "kv", "albedo_a"), ("albedo_b",), ("floor_tint",)  # what moves the colours of A, B, the floor
+
+
+@cache
+def _data_of(field):
+    """Return the function from a point's angles, slopes, (k_u, k_v) and ε to the data of a field there."""
+    kernels = field_kernels(field)
+
+    def data(cos_theta, sin_theta, cos_phi, sin_phi, h_u, h_v, k_u, k_v, eps):
+        here = *chart(cos_theta, sin_theta, cos_phi, sin_phi), k_u, k_v
+        flags = kernels["kink"](sin_phi, *here), kernels["straddling"](*here, eps)
+        return *here[:2], kernels["height"](*here), h_u, h_v, slope(h_u, h_v), *flags
+
+    return data
 
 
 @dataclass(eq=False, repr=False)
@@ -157,10 +170,10 @@ class Frame:
         """Write the picture to a file, of a kind that its name's suffix says; it appears whole or not at all.
 
         `.png`: for the eye, sRGB bytes. `.tif`, `.tiff`, with the extra `tiff`: the same bytes, or linear light in
-        numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64.
-        `.npz`: `rgb`, `chambers`, `surface_data`, `slope_arrays()`. A `.png` and a `.npz` carry the scene, the method
-        and the raster: `python -m renderer image --again FILE` draws them again, unless a field of one's own has no
-        text.
+        numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64. `.npz`: `rgb`, `chambers`,
+        `slope_arrays()` and `data_on_a`, whose numbers are those of the pixels where `chambers & 3` is 1, row by row. A
+        `.png` and a `.npz` carry the scene, the method and the raster: `python -m renderer image --again FILE` draws
+        them again, unless a field of one's own has no text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
@@ -170,7 +183,7 @@ class Frame:
             case ".png":
                 pictures.write_png(path, self.srgb, self._record())
             case ".npz":
-                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.surface_data, **self.slope_arrays()}
+                arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.data_on_a, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
             case ".npy":
                 pictures.write_npy(path, self.raster.shape, [self.rgb])
@@ -216,7 +229,7 @@ class Frame:
         >>> from renderer import Scene, render
         >>> frame = render(Scene(), 16, 16, derivatives=("beta", "eye"))
         >>> {name: round(float(abs(slope).max()), 2) for name, slope in frame.derivatives.items()}
-        {}
+        {'beta': 1.15, 'eye': 0.47}
         >>> frame.moves_boundaries
         ('eye',)
         """
@@ -226,8 +239,8 @@ class Frame:
     def derivative_bounds(self) -> dict[str, np.ndarray]:
         """{name: (height, width, 3) float64}: |slope − exact| is at most this, of a frame drawn with `bounds=True`.
 
-        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves: there is no slope.
-        Raises ValueError without bounds.
+        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves, as there is no
+        slope; by the shininess also where the highlight's base may be 0. Raises ValueError without bounds.
         """
         self._enclosed("derivative_bounds", 0)
         return dict(zip(self._by, self._slopes[1], strict=True))
@@ -251,7 +264,8 @@ class Frame:
     @property
     def moves_boundaries(self) -> tuple[str, ...]:
         """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
-        return tuple(name for name in self._by if name.startswith(BOUNDARIES) or "position" in name)
+        gated = ("beta", "ku", "kv") if self.scene.model == "blinn_gated" else ()  # where a highlight ends at once
+        return tuple(name for name in self._by if name.startswith(BOUNDARIES + gated) or "position" in name)
 
     @property
     def chambers(self) -> np.ndarray:
@@ -265,32 +279,21 @@ class Frame:
         A picture without a bump is drawn without a gradient; the field has one all the same.
         """
         planes = self.stage.new_plane(channels=len(ON_A))
-        bumped = replace(self.shot, scene=replace(self.scene, beta=1.0))
-        self.stage.draw(
-            bumped,
-            1,
-            dict(zip(ON_A, planes, strict=True)),
-            chambers_known=True,
-            surfaces="a",
-            colors=False,
-            stored=ON_A,
-        )
-        on_a = planes[..., : self.raster.shape[1]][:, self.stage.on_a]
+        named = dict(zip(ON_A, planes, strict=True))
+        want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
+        self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
+        places = np.flatnonzero(self.stage.on_a)
+        on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
         read_only(on_a)
         return on_a
 
     @cached_property
-    @np.errstate(all="ignore")
     def data_on_a(self) -> dict[str, np.ndarray]:
         """The data of A's pixels, row by row: {name: (pixels of A,) float64}, as in `surface_data`; read-only."""
-        scene, field, (h_u, h_v) = self.scene, field_kernels(self.scene.field), self.planes_on_a[4:]
-        u, v = chart(*self.planes_on_a[:4])
-        here = u, v, scene.ku, scene.kv
-        data = {"u": u, "v": v, "h": field["height"](*here), "h_u": h_u, "h_v": h_v, "slope": slope(h_u, h_v)}
-        data["kink"] = field["kink"](self.planes_on_a[3], *here)
-        if self.method.eps:
-            data["straddling"] = field["straddling"](*here, self.method.eps)
-        return {name: np.broadcast_to(values, u.shape) for name, values in data.items()}
+        scene, names = self.scene, ["u", "v", "h", "h_u", "h_v", "slope", "kink", "straddling"]
+        numbers = scene.ku, scene.kv, self.method.eps or 0.0
+        data = dict(zip(names, at_points(_data_of(scene.field), *self.planes_on_a, *numbers), strict=True))
+        return data if self.method.eps else {name: data[name] for name in names[:-1]}
 
     def light_cosines(self, light: int) -> np.ndarray:
         """Return μ = N'·ω of light number `light` on sphere A, (height, width) float64, NaN off A.
@@ -311,7 +314,9 @@ class Frame:
         return np.stack([self._plane(part, np.nan) for part in self._normal_on_a()], axis=-1)
 
     def _normal_on_a(self):
-        return bumped_normal(*self.planes_on_a, self.scene.beta)
+        *angles, h_u, h_v = self.planes_on_a
+        slopes = slopes_of_bump(self.scene.bump, angles[-1], self.scene.radius, (h_u, h_v))
+        return bumped_normal(*angles, *slopes, self.scene.beta)
 
     def _plane(self, values, off_a, kind=np.float64):
         plane = np.full(self.raster.shape, off_a, kind)

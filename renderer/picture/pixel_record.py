@@ -87,7 +87,7 @@ def pixel(
 class _WrittenDown(Group):
     """A group of one pixel whose point, normal and lights are kept."""
 
-    def light_up(self, mask, place, albedo, bodies):
+    def light_up(self, mask, place, albedo, bodies, upright=None):
         """Record each light's part, in place of adding it up."""
         s, lights, point, normal = self.scene, [], place[:3], place[3:]
         for light in self.machine.lights:
@@ -95,7 +95,8 @@ class _WrittenDown(Group):
             mu, specular = self.model(point, light, normal, self.view(), mask)
             adds = kernels.light_term(0.0, 0.0, 0.0, *light.color, *albedo, s.kd, s.ks, mu, specular)
             number = int(light.bit).bit_length() - 1 - FIRST_LIGHT_BIT
-            adds = (0.0, 0.0, 0.0) if occluded else _floats(adds)
+            behind = self.want.horizon and not self.faces(light, point, upright or normal)
+            adds = (0.0, 0.0, 0.0) if occluded or behind else _floats(adds)
             lights.append(LightRecord(number, occluded, *_floats((mu, specular)), adds))
         self.record = {"point": _floats(point), "normal": _floats(normal), "lights": tuple(lights)}
 

@@ -11,11 +11,14 @@ import numpy as np
 from renderer import whole_files
 from renderer.checks import check_choice, check_kind
 from renderer.intervals import DIGITS, EVERY_DIGIT, certain_digits, rounded_up
-from renderer.picture.differences import distance_on_a
+from renderer.machines import at_points
+from renderer.picture.differences import distance_from
 from renderer.picture.drawing import render
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import DECADES, DIFFERENCES, GradientMethod, checked_method, difference, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Scene
+from renderer.threads import checked_threads
 
 HEADINGS = {"largest": "max |dI| on A", "rms": "RMS on A"}
 """{enclosed quantity: its heading}"""
@@ -64,19 +67,27 @@ def compared(tasks: Iterable[Task], threads: int | None = None) -> Iterator[Swee
     The exact frame is drawn once a scene, on the first one's stage, with its bounds: it stands for the exact picture.
     A difference's frame stands for itself, rounding and all. It is drawn whole, so that flips are counted, not assumed.
     """
-    stage = None
+    stage, threads = None, checked_threads(threads)
     for _, of_scene in groupby(tasks, lambda task: task.scene):
-        reference = None
+        reference = distance = None
         for task in of_scene:
             raster = task.scene, task.width, task.height
             reference = reference or render(*raster, exact(), threads=threads, stage=stage, bounds=True)
-            stage = reference.stage
+            stage, distance = reference.stage, distance or distance_from(reference, [reference], threads)
             frame = render(*raster, task.method, threads=threads)
-            largest, rms = distance_on_a(frame, reference)
+            largest, rms = distance(frame)
             flips = int(np.count_nonzero(frame.chambers != reference.chambers))
+            straddling = frame.straddling.sum() if flips else _straddling(reference, task.method.eps).sum()
             eps: Any = task.method.eps  # None of the exact gradient alone, which no Task has
             ends = largest.lower, largest.upper, rms.lower, rms.upper
-            yield SweepRow(eps, largest.value, rms.value, flips, int(frame.straddling.sum()), *ends)
+            yield SweepRow(eps, largest.value, rms.value, flips, int(straddling), *ends)
+
+
+def _straddling(reference, eps):
+    """Return 1 for each pixel of a frame's A whose step straddles a crease, else 0, by its chart, made once."""
+    scene, data = reference.scene, reference.data_on_a
+    kernel = field_kernels(scene.field)["straddling"]
+    return at_points(kernel, data["u"], data["v"], scene.ku, scene.kv, eps)[0]
 
 
 def sweep(

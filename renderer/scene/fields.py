@@ -26,10 +26,10 @@ def check_field(name: str, value: Any, choices: Iterable[str]) -> Any:
     return makers.made_field(value) if is_field else check_choice(name, value, choices)
 
 
-def check_size(field: Any, ku: float, kv: float, beta: float) -> None:
+def check_size(field: Any, ku: float, kv: float, beta: float, steeper: float = 1.0) -> None:
     """Raise ValueError where a custom field is not finite at the wave numbers, or so high that β would not be."""
     if not isinstance(field, str):
-        _makers().check_size(field, ku, kv, beta)
+        _makers().check_size(field, ku, kv, beta, steeper)
 
 
 def field_kernels(field: Any) -> dict[str, Any]:

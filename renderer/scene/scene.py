@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 else:  # no SymPy is imported, and of a sequence a tuple is kept
     Field, Triple, Lights = Any, tuple, tuple
 
-MODELS = tuple(LIGHT_MODELS)
+MODELS, BUMPS = tuple(LIGHT_MODELS), ("chart", "surface")
 MOVE_NO_BOUNDARY = ("field", "ku", "kv", "beta")
 """The fields that no chamber depends on."""
 NUMBERS = "names of the scene's numbers in its record, such as beta, albedo_a[0], lights[1].position[2]"
@@ -77,9 +77,11 @@ class Scene:
     """Sphere A (the bumped one, at the origin), sphere B, the floor z = 0, the eye (0, 0, eye), up to five lights.
 
     Lengths are in world units, colours linear RGB. Defaults are the chapter's. The height field is a
-    name or a HeightField, the model of light a name. Raises ValueError that names the field, its value and
-    what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and B's radius at least 1e-9 of
-    one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
+    name or a HeightField, the model of light a name (blinn_gated: no highlight where N'·ω ≤ 0). The bump is the
+    chapter's ("chart") or Blinn's, the normal of the surface that βh displaces, to first order, β a length ("surface";
+    theorem surface_bump); with `horizon` no light comes from behind the surface itself. Raises ValueError that names
+    the field, its value and what is allowed: 1e-6 ≤ radius/eye ≤ 1 − 1e-9; every other length at most 1e9 radii (and
+    B's radius at least 1e-9 of one); B clear of the eye; no light inside a sphere or within 1e-9 of a surface.
 
     >>> from renderer import Scene
     >>> Scene(field="sine", beta=0.1, ball=False)
@@ -111,12 +113,17 @@ class Scene:
     ku: float = _given(8.0, "wave number in u", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     kv: float = _given(4.0, "wave number in v", check_number, -MAX_WAVE_NUMBER, MAX_WAVE_NUMBER)
     beta: float = _given(0.35, "bump amplitude", check_number, -1e100, 1e100)
+    bump: str = _given("chart", "the chapter's bump, chart, or the surface's own, surface", check_choice, BUMPS)
+    horizon: bool = _given(False, "let no light in from behind the surface itself", check_truth)
 
     def __post_init__(self):
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
             object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
-        check_size(self.field, self.ku, self.kv, self.beta)
+        if self.bump == "surface" and abs(self.beta) > 1e80 * self.radius:
+            raise not_allowed("beta", self.beta, f"at most {1e80 * self.radius:g} in size beside bump 'surface'")
+        steeper = 1e20 / self.radius if self.bump == "surface" else 1.0  # than 1/R sin φ, off the pole of any raster
+        check_size(self.field, self.ku, self.kv, self.beta, steeper)
         self._check_lengths()
 
     def __repr__(self) -> str:

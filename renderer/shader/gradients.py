@@ -1,12 +1,14 @@
 """The gradient and the height of a field at points of the chart, and the form of its exact gradient."""
 
 import math
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from renderer.checks import check_kind, not_allowed
 from renderer.kernels import MAX_ALGEBRAIC
+from renderer.machines import at_points
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method
 from renderer.scene.scene import Scene
@@ -42,7 +44,6 @@ def _chart_points(u: ArrayLike, v: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     return x, y
 
 
-@np.errstate(all="ignore")
 def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """Return h(u, v) of the scene's field, an array of the broadcast shape. Raises ValueError off the chart, [0, 1]².
 
@@ -54,10 +55,26 @@ def height_at(scene: Scene, u: ArrayLike, v: ArrayLike) -> np.ndarray:
     """
     check_kind("scene", scene, Scene)
     here = _chart_points(u, v)
-    return np.broadcast_to(field_kernels(scene.field)["height"](*here, scene.ku, scene.kv), here[0].shape).copy()
+    return _at(here, field_kernels(scene.field)["height"], scene.ku, scene.kv)[0]
 
 
-@np.errstate(all="ignore")
+def _at(here, kernel, *numbers):
+    """Return a kernel's outputs at chart points, arrays of these points' shape."""
+    u, v = here
+    return tuple(np.array(each).reshape(u.shape) for each in at_points(kernel, u.ravel(), v.ravel(), *numbers))
+
+
+@cache
+def _slopes_of(field, name):
+    """Return the function of (u, v, k_u, k_v, ε) that takes a field's difference."""
+    kernels = field_kernels(field)
+
+    def slopes(u, v, k_u, k_v, eps):
+        return difference(kernels, name, u, v, k_u, k_v, eps)
+
+    return slopes
+
+
 def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod) -> tuple[np.ndarray, np.ndarray]:
     """Return (h_u, h_v) at chart points by `method` (exact: the general form), arrays of the broadcast shape.
 
@@ -72,11 +89,7 @@ def gradient_at(scene: Scene, u: ArrayLike, v: ArrayLike, method: GradientMethod
     """
     check_kind("scene", scene, Scene)
     here = _chart_points(u, v)
-    field, arguments = field_kernels(scene.field), (*here, scene.ku, scene.kv)
     if checked_method("method", method).name == "exact":
         algebraic_powers(scene, method)  # which refuses a form that there is none of
-        gradient = field["gradient"](*arguments)
-    else:
-        gradient = difference(field, method.name, *arguments, method.eps)
-    h_u, h_v = (np.broadcast_to(part, here[0].shape).copy() for part in gradient)
-    return h_u, h_v
+        return _at(here, field_kernels(scene.field)["gradient"], scene.ku, scene.kv)
+    return _at(here, _slopes_of(scene.field, method.name), scene.ku, scene.kv, method.eps)

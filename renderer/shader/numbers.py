@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -14,6 +14,7 @@ from renderer.checks import check_kind
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.machines.forms import COLORS, Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
+from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
@@ -53,10 +54,11 @@ def style_of(scene: Scene) -> tuple[Any, str]:
     return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
-def slope_planes(count: int, bounds: bool) -> list[str]:
+@cache
+def slope_planes(count: int, bounds: bool) -> tuple[str, ...]:
     """Return the names of the planes of so many slopes, and then of their bounds."""
     ends = ("", "_bound") if bounds else ("",)
-    return [f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS]
+    return tuple(f"{color}_slope_{number}{end}" for end in ends for number in range(count) for color in COLORS)
 
 
 class Want(NamedTuple):
@@ -66,8 +68,9 @@ class Want(NamedTuple):
     difference, flat, or stored: h_u and h_v are loaded. lights: (model, style) pairs, of which `scene.model` is the
     index; a style is diffuse (with no highlight), base, or squared. integer_power: whether the shininess is a whole
     number. chambers_known: whether the chambers are there to be loaded. surfaces: all, a (drawn over what is there)
-    or elsewhere. colors: whether these are wanted. stored: which of ON_A and of CHART are. charted: whether ANGLES
-    and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
+    or elsewhere. colors: whether these are wanted. bumps: those of which `scene.bump` is the index of one. horizon:
+    whether a light from behind the surface itself adds nothing. stored: which of ON_A and of CHART are. charted:
+    whether ANGLES and CHART are known. bounds: whether each colour's bound is stored, and where a chamber is open
     (`renderer.machines.enclosing_machine`). by: the names of numbers by which each colour's slopes are stored, and
     around: the group that has these (`renderer.shader.slopes`).
     """
@@ -81,6 +84,8 @@ class Want(NamedTuple):
     stored: tuple = ()
     charted: bool = False
     bounds: bool = False
+    bumps: tuple = ("chart",)
+    horizon: bool = False
     by: tuple = ()
     around: Any = None
 
@@ -92,8 +97,8 @@ class Want(NamedTuple):
 
     @property
     def by_color(self) -> bool:
-        """True if a black light, which adds nothing, is to be looked at all the same."""
-        return any("color" in name for name in self.by)
+        """True if a light that adds nothing is to be looked at all the same."""
+        return any("color" in name or name in ("kd", "ks") for name in self.by)
 
     @property
     def is_long(self) -> bool:
@@ -135,11 +140,23 @@ class Shot:
         return algebraic_powers(self.scene, self.method)
 
     @cached_property
+    def way(self) -> str:
+        """The way to the gradient: algebraic, general, or a difference."""
+        return "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
+
+    @cached_property
+    def glows(self) -> bool:
+        """True if light is scattered: without it, no normal is seen."""
+        return (self.scene.kd > 0.0 or self.scene.ks > 0.0) and any(any(each.color or ()) for each in self.scene.lights)
+
+    @cached_property
     def want(self) -> Want:
-        """The Want of the picture, drawn from nothing; without a bump, without a gradient."""
-        way = "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
-        way, power = "flat" if self.scene.beta == 0.0 else way, self.scene.shininess
-        return Want(((self.scene.field, way),), (style_of(self.scene),), power.is_integer())
+        """The Want of the picture, drawn from nothing; without a bump that is seen, without a gradient."""
+        scene, numbers = self.scene, {"k_u": self.scene.ku, "k_v": self.scene.kv}
+        level = any(numbers[name] == 0.0 for name in field_kernels(scene.field)["level_without"])
+        ways = ((scene.field, "flat" if level or scene.beta == 0.0 or not self.glows else self.way),)
+        whole = scene.shininess.is_integer()
+        return Want(ways, (style_of(scene),), whole, bumps=(scene.bump,), horizon=scene.horizon)
 
 
 def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
@@ -160,6 +177,7 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
         box_of_b=ball_box(geometry),
         way=0.0,  # which of those that a Want has
         model=0.0,
+        bump=0.0,
         eps=shot.method.eps or 0.0,
         power_u=float(abs(power_u)),  # whole powers of the algebraic form,
         power_v=float(abs(power_v)),
@@ -173,13 +191,16 @@ def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
     )
 
 
-def light_numbers(number: int, light: Light, boxes: Iterable[Box]) -> SimpleNamespace:
-    """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be."""
+def light_numbers(number: int, light: Light, boxes: Iterable[Box], glows: bool = True) -> SimpleNamespace:
+    """Return the numbers of a light that is on, by name; the boxes are where a body's shadow on a surface can be.
+
+    glows: whether anything scatters light.
+    """
     bit = float(1 << (FIRST_LIGHT_BIT + number))
     return SimpleNamespace(
         position=light.position,
         color=light.color,
-        glows=float(any(light.color or ())),  # 0 for a black light, which casts shadows and adds nothing
+        glows=float(glows and any(light.color or ())),  # 0 for a black light, which casts shadows and adds nothing
         bit=bit,  # of the chamber code
         inverse_bit=1 / bit,
         **dict(zip(SHADOWS, boxes, strict=True)),
@@ -196,7 +217,7 @@ SHADER = Shader(Group, SCENE_FORM, LIGHT_FORM, ROUNDED, WORK, PLANES)
 def numbers_of(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
     """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
     lights = [
-        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position)))
+        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position), shot.glows))
         for number, light in enumerate(shot.scene.lights)
         if light.color is not None
     ]

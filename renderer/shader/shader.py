@@ -92,8 +92,12 @@ class Group:
         for name, value in zip((*ON_A, *CHART), (*angles, *gradient, *chart), strict=False):
             if name in want.stored:
                 self.pixels.store(name, value)
-        place = (*k.point_on_a(*angles, s.radius), *k.bumped_normal(*angles, *gradient, s.beta))
-        self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)])
+        slopes = self.machine.choose(
+            want.bumps, s.bump, lambda bump: slopes_of_bump(bump, angles[-1], s.radius, gradient)
+        )
+        point = k.point_on_a(*angles, s.radius)
+        place = (*point, *k.bumped_normal(*angles, *slopes, s.beta))
+        self.light_up(mask, place, s.albedo_a, lambda light: [(s.ball, light.b_on_a)], upright=point)
 
     def loaded(self, names: Iterable[str]) -> Numbers:
         """Return the numbers of planes."""
@@ -147,10 +151,12 @@ class Group:
 
         return self.machine.choose(self.want.ways, s.way, by)
 
-    def light_up(self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies) -> None:
+    def light_up(
+        self, mask: Mask, place: Numbers, albedo: Numbers, bodies: Bodies, upright: Numbers | None = None
+    ) -> None:
         """Find each light's shadows, and add up the light.
 
-        place: the point, and N'.
+        place: the point, and N'. upright: along the surface's own normal, where N' is another.
         bodies: light → [(a body that may stand in its way, where on the image its shadow can be)].
         """
         s, want, machine = self.scene, self.want, self.machine
@@ -170,10 +176,16 @@ class Group:
             )
             if want.colors:
                 lit = lit if want.by_color else lit & (light.glows > 0.0)
+                if want.horizon:
+                    lit = lit & self.faces(light, point, upright or normal)
                 machine.when(lit, lambda: shine(light, lit))
 
         machine.each_light(reach)
         self.color.set(map(k.clip, color.value), mask)
+
+    def faces(self, light: SimpleNamespace, point: Numbers, upright: Numbers) -> Mask:
+        """Return where a light stands before the surface itself."""
+        return k.height_of_light(*point, *light.position, *upright) > 0.0
 
     def view(self) -> Numbers:
         """Return the direction to the eye."""
@@ -225,6 +237,11 @@ class Group:
     def value(self, number: Number) -> Number:
         """Return a number as one of the machine's."""
         return self.machine.variable(number).value if isinstance(number, float) else number
+
+
+def slopes_of_bump(bump: str, sin_phi: Number, radius: Number, gradient: Numbers) -> Numbers:
+    """Return the slopes along e_θ and e_φ by which a bump tilts the normal: the chart's, or the surface's own."""
+    return k.surface_slopes(sin_phi, radius, *gradient) if bump == "surface" else gradient
 
 
 def power(

@@ -38,7 +38,9 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
             raise not_allowed("form", "algebraic", "general or auto beside a slope by ku or kv: whole powers have none")
         shot = replace(shot, method=exact("general"))
     ((field, way),), ((model, style),) = shot.want.ways, shot.want.lights
-    if way == "flat" and "beta" in names:
+    if way == "flat" and shot.scene.beta:  # of a bump that is not seen
+        way = shot.way
+    elif way == "flat" and "beta" in names:
         way = "general" if method == "exact" else method
     if style == "diffuse" and "ks" in names:
         style = "base"

@@ -5,7 +5,7 @@ computes both of its sides). Each number has ROOM for the rounding of the lines 
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sympy import Abs, Expr, Mul
 
@@ -67,8 +67,8 @@ RULES = {
     "central": Rule(1.0, truncation_bound, 1.0, 0.5, 2.0),
     "central4": Rule(2.0, fourth_bound, 4 / 3, 0.75, 2.0, 1.5, 10 / 9 * ((1 + UNIT) ** 5 - 1)),
 }
-"""Those of Coq's: roundoff_bound__forward_in_float64_u and _v, __fourth_in_float64_u and _v. Fourth order has weights
-(8, 8, 1, 1)/12: 3/2 of the errors that two samples 2ε apart have, five roundings, and a quotient of at most 5/3 πk."""
+"""Theorems: roundoff_bound, forward_and_fourth_order. Fourth order has weights (8, 8, 1, 1)/12: 3/2 of the
+errors that two samples 2ε apart have, five roundings, and a quotient of at most 5/3 πk."""
 
 
 class Side(NamedTuple):
@@ -213,7 +213,7 @@ def _terms(side, still, epsilon, span, excess, moved, exact, rule):
     return [where(side.rate > 0.0, ROOM * term, 0.0) for term in lost_terms]
 
 
-def slope_terms(field: HeightField, method: str = "central") -> Callable | None:
+def slope_terms(field: HeightField, method: str = "central") -> Any:
     """Return the function (u, v, k_u, k_v, ε) → (a bound for each of TERMS of h_u, the same of h_v), or None.
 
     They bound a difference's error. u in [0, 1), v in [0, 1], 0 < ε ≤ 1/2. None where no theorem covers the field.

@@ -9,8 +9,8 @@ from numpy.testing import assert_array_equal
 from renderer import Scene, central, exact, render
 from renderer.kernels import FIELDS
 from renderer.machines import native
+from renderer.picture.facts import SEED_MODELS
 from renderer.picture.stage import SURFACE_BITS
-from renderer.scene.scene import MODELS
 from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
 from verify.benchmark.frames import on_numpy
 
@@ -18,7 +18,7 @@ SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradie
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
 
 
-DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIELDS, MODELS, (None, 1e-3))]
+DRAWN = [(Scene(field=f, model=m), SIDE, SIDE, eps) for f, m, eps in product(FIELDS, SEED_MODELS, (None, 1e-3))]
 
 
 @pytest.mark.parametrize("drawn", [*DRAWN, (Scene(ball=False, floor=False, kv=3.5, beta=-0.8), 30, 30, None)])

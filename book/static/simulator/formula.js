@@ -10,7 +10,7 @@
 function formula_of(text, { ku, kv }) {
   const DEEPEST = 40;
   const LARGEST_POWER = 64;
-  const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/^(),])|(\S))/giy;
+  const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/%^(),])|(\S))/giy;
   /** @type {Map<string, FormulaNode>} */
   const nodes = new Map();
 
@@ -61,21 +61,69 @@ function formula_of(text, { ku, kv }) {
     if (parts[0]) return product(parts[0], second);
     return parts[1] && product(first, parts[1]);
   }
-  /** @param {FormulaNode} a */
-  const half_turns = (a) => over_pi(a) ?? product(a, number(1 / Math.PI));
+  /** An angle in half-turns, term by term. @param {FormulaNode} a @returns {FormulaNode} */
+  function half_turns(a) {
+    if (a.op === "sum") return sum(half_turns(a.args[0]), half_turns(a.args[1]));
+    return over_pi(a) ?? product(a, number(1 / Math.PI));
+  }
 
-  /** @type {Record<string, (a: FormulaNode) => FormulaNode>} */
-  const OF_ONE = {
-    sin: (a) => node("sinpi", half_turns(a)),
-    cos: (a) => node("cospi", half_turns(a)),
-    sqrt: (a) => power(a, 0.5)
+  /** @param {string} op @returns {(a: FormulaNode) => FormulaNode} */
+  const of_one = (op) => (a) => node(op, a);
+  const [sinpi, cospi, exp, log, abs, sign, floor] = ["sinpi", "cospi", "exp", "log", "abs", "sign", "floor"].map(
+    of_one
+  );
+  /** @param {FormulaNode} a @param {FormulaNode} b */
+  const quotient = (a, b) => product(a, power(b, -1));
+  /** @param {FormulaNode} a @param {FormulaNode} b */
+  const mod = (a, b) => difference(a, product(b, floor(quotient(a, b))));
+  /** @param {FormulaNode} a */
+  const atan = (a) => product(PI, node("atan2pi", a));
+  /** @param {FormulaNode} a */
+  const ceiling = (a) => product(number(-1), floor(product(number(-1), a)));
+  /** @param {FormulaNode} a @param {FormulaNode} b */
+  const pow = (a, b) => (b.op === "number" ? power(a, b.value) : exp(product(b, log(a))));
+  /** Their arguments are as many as are written here. @type {Record<string, (...args: FormulaNode[]) => FormulaNode>} */
+  const CALLS = {
+    ...{
+      sinpi,
+      cospi,
+      exp,
+      log,
+      abs,
+      Abs: abs,
+      sign,
+      floor,
+      mod,
+      Mod: mod,
+      atan,
+      arctan: atan,
+      ceiling,
+      ceil: ceiling,
+      pow,
+      Pow: pow
+    },
+    sin: (a) => sinpi(half_turns(a)),
+    cos: (a) => cospi(half_turns(a)),
+    tan: (a) => quotient(sinpi(half_turns(a)), cospi(half_turns(a))),
+    tanh: (a) => difference(ONE, quotient(number(2), sum(exp(product(number(2), a)), ONE))),
+    sqrt: (a) => power(a, 0.5),
+    frac: (a) => mod(a, ONE),
+    round: (a) => floor(sum(a, number(0.5))),
+    Heaviside: (a) => product(number(0.5), sum(ONE, sign(a))),
+    clip: (a, low, high) => node("max", low, node("min", high, a))
   };
-  for (const op of ["sinpi", "cospi", "exp", "log", "abs", "sign"]) OF_ONE[op] = (a) => node(op, a);
-  OF_ONE.Abs = OF_ONE.abs;
-  const OF_SEVERAL = ["max", "min", "Max", "Min"];
   /** @type {Record<string, FormulaNode>} */
-  const NAMES = { u: node("u"), v: node("v"), k_u: number(ku), k_v: number(kv), pi: PI, E: number(Math.E) };
-  const known = [...Object.keys(NAMES), ...Object.keys(OF_ONE), ...OF_SEVERAL].join(", ");
+  const NAMES = {
+    u: node("u"),
+    v: node("v"),
+    k_u: number(ku),
+    k_v: number(kv),
+    ku: number(ku),
+    kv: number(kv),
+    pi: PI,
+    E: number(Math.E)
+  };
+  const known = [...Object.keys({ ...NAMES, ...CALLS }), "max, min, where, Piecewise"].join(", ");
 
   const parts = Array.from(text.matchAll(PART), (found) => {
     const [whole, digits, name, sign, other] = found;
@@ -117,10 +165,8 @@ function formula_of(text, { ku, kv }) {
   }
   function read_product() {
     let a = read_signed();
-    for (let sign = taken("*", "/"); sign; sign = taken("*", "/")) {
-      const b = read_signed();
-      a = product(a, sign === "*" ? b : power(b, -1));
-    }
+    for (let sign = taken("*", "/", "%"); sign; sign = taken("*", "/", "%"))
+      a = (sign === "*" ? product : sign === "/" ? quotient : mod)(a, read_signed());
     return a;
   }
   /** @returns {FormulaNode} */
@@ -133,9 +179,9 @@ function formula_of(text, { ku, kv }) {
     const at = here();
     if (!taken("**", "^")) return base;
     const exponent = read_signed();
-    const n = exponent.op === "number" ? exponent.value : NaN;
-    if ((Number.isInteger(n) && Math.abs(n) <= LARGEST_POWER) || Math.abs(n) === 0.5) return power(base, n);
-    throw refused(`a power is a whole number, at most ${LARGEST_POWER}, or a half`, at);
+    if (exponent.op === "number" && !(Math.abs(exponent.value) <= LARGEST_POWER))
+      throw refused(`a power is at most ${LARGEST_POWER}`, at);
+    return pow(base, exponent);
   }
   /** @returns {FormulaNode[]} */
   function read_arguments() {
@@ -160,16 +206,33 @@ function formula_of(text, { ku, kv }) {
     next++;
     const is_called = taken("(") !== "";
     if (!is_called && Object.hasOwn(NAMES, part.name)) return NAMES[part.name];
-    if (is_called && part.name === "Piecewise") return read_choice();
+    if (is_called && part.name === "Piecewise") return read_pieces();
+    if (is_called && part.name === "where") return read_where();
     const list = is_called ? read_arguments() : [];
-    if (Object.hasOwn(OF_ONE, part.name) && list.length === 1) return OF_ONE[part.name](list[0]);
-    if (OF_SEVERAL.includes(part.name) && list.length > 1)
-      return list.reduce((a, b) => node(part.name?.toLowerCase() ?? "", a, b));
-    throw refused(`known are ${known}, Piecewise`, part);
+    if (Object.hasOwn(CALLS, part.name) && list.length === CALLS[part.name].length) return CALLS[part.name](...list);
+    const lower = part.name.toLowerCase();
+    if (["max", "min"].includes(lower) && list.length > 1) return list.reduce((a, b) => node(lower, a, b));
+    throw refused(`known are ${known}`, part);
   }
-  // Piecewise((a, x < y), (b, x >= z), (c, True)), after its bracket.
+  /** Read a comparison; return what is chosen by it of two. @returns {(a: FormulaNode, b: FormulaNode) => FormulaNode} */
+  function read_condition() {
+    const left = read_sum();
+    const relation = taken("<", "<=", ">", ">=");
+    if (!relation) throw refused("a condition is one of <, <=, >, >=");
+    const right = read_sum();
+    const gap = relation[0] === "<" ? difference(left, right) : difference(right, left); // below 0 where it holds
+    return (a, b) => node("choice", gap, a, b, relation.length - 1);
+  }
+  // Both after their bracket: where(x < y, a, b), and Piecewise((a, x < y), (b, x >= z), (c, True)).
+  function read_where() {
+    const choose = read_condition();
+    expect(",");
+    const list = read_arguments();
+    if (list.length !== 2) throw refused("where takes a condition and two values");
+    return choose(list[0], list[1]);
+  }
   /** @returns {FormulaNode} */
-  function read_choice() {
+  function read_pieces() {
     expect("(");
     const a = read_sum();
     expect(",");
@@ -179,16 +242,10 @@ function formula_of(text, { ku, kv }) {
       expect(")");
       return a;
     }
-    const left = read_sum();
-    const relation = taken("<", "<=", ">", ">=");
-    if (!relation) throw refused("a condition is one of <, <=, >, >=");
-    const right = read_sum();
+    const choose = read_condition();
     expect(")");
     expect(",");
-    const other = read_choice();
-    const is_less = relation[0] === "<";
-    const gap = is_less ? difference(left, right) : difference(right, left); // below 0 where it holds
-    return node("choice", gap, a, other, relation.length - 1);
+    return choose(a, read_pieces());
   }
 
   /** @type {Map<string, FormulaNode>} */
@@ -212,7 +269,8 @@ function formula_of(text, { ku, kv }) {
     if (op === "sinpi") return product(product(PI, node("cospi", a)), a_by);
     if (op === "cospi") return product(product(PI, product(number(-1), node("sinpi", a))), a_by);
     if (op === "exp") return product(of, a_by);
-    if (op === "log") return product(power(a, -1), a_by);
+    if (op === "log") return quotient(a_by, a);
+    if (op === "atan2pi") return quotient(a_by, product(PI, sum(ONE, power(a, 2))));
     if (op === "abs") return product(node("sign", a), a_by);
     if (op === "choice") return node("choice", a, b_by, c_by, value);
     if (op !== "max" && op !== "min") return ZERO;
@@ -226,6 +284,7 @@ function formula_of(text, { ku, kv }) {
   const switches = []; // where one of these is 0 there may be a crease
   for (const { op, args } of [...nodes.values()]) {
     if (["abs", "sign", "choice"].includes(op)) switches.push(args[0]);
+    if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
   return { height, gradient: [slope(height, "u"), slope(height, "v")], switches };
@@ -240,9 +299,9 @@ function own_field({ h = "", ku, kv }, kernel_over) {
   const CHUNK = 512;
   const GRID = 65;
   const SEAM = 1e-9;
-  const { abs, sign, max, min } = Math;
+  const { abs, sign, max, min, floor } = Math;
   /** @type {Record<string, (a: number, b: number) => number>} */
-  const CHOICES = { abs, sign, max, min };
+  const CHOICES = { abs, sign, max, min, floor };
   const { height, gradient, switches } = formula_of(h, { ku, kv });
 
   /** @param {FormulaNode[]} wanted all that they need, each after its parts */
@@ -267,8 +326,8 @@ function own_field({ h = "", ku, kv }, kernel_over) {
       return;
     }
     const [a, b, c] = args.map((part) => /** @type {Float64Array} */ (part.out));
-    if (["sinpi", "cospi", "exp", "log"].includes(op)) {
-      [of.out] = kernel_over(op, a.subarray(0, count), 0);
+    if (["sinpi", "cospi", "exp", "log", "atan2pi"].includes(op)) {
+      [of.out] = kernel_over(op, a.subarray(0, count), Number(op === "atan2pi"));
       return;
     }
     of.out ??= new Float64Array(CHUNK);

@@ -87,6 +87,7 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
   /** @param {string} text */
   const formula_text = (text) =>
     text
+      .replace(/\b(np|numpy|math|sp|sympy)\./g, "")
       .replaceAll("−", "-")
       .replace(/[·×]/g, "*")
       .replaceAll("π", "pi")
