@@ -20,6 +20,7 @@ from renderer import (
     height_at,
     k_v,
     machines,
+    pixel,
     render,
     sinpi,
     u,
@@ -120,6 +121,8 @@ def test_slopes_change_no_bit_and_are_the_same(name):
     assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
     assert (together.bounds == plain.bounds).all()
     part, slopes = draw((3, 5, 40, 7), threads=3, derivatives=names), together.derivatives
+    of_one = pixel(scene, *SIZE, 24, 16, method, names).derivatives
+    assert of_one == {name: tuple(slope[16, 24].tolist()) for name, slope in slopes.items()}
     assert (ours.derivative({"beta": 2.0, "kd": -1.0}) == 2.0 * slopes["beta"] - slopes["kd"]).all()
     for by, on in (("beta", plain.stage.on_a), ("kd", plain.chambers & 3)):
         alone = draw(derivatives=[by], stage=plain.stage)

@@ -95,3 +95,8 @@ def test_a_switch_takes_light_from_behind_and_no_more(switch, beta, shininess):
     expected = np.where(behind[..., None], unlit.rgb, plain.rgb)[on_a]
     np.testing.assert_array_equal(switched.rgb[on_a], expected)
     assert (plain.rgb[on_a] != expected).any()
+
+
+def test_a_gated_highlight_ends_where_the_bump_says():
+    frame = render(Scene(model="blinn_gated"), 8, 8, derivatives=("beta", "kd"))
+    assert frame.moves_boundaries == ("beta",)

@@ -11,11 +11,12 @@ import pytest
 from sympy import Derivative, sign
 
 from proofs.engine.claim import Claim, Separation, equation
-from proofs.engine.theorem import all_theorems
+from proofs.engine.theorem import Pinned, Theorem, all_theorems
 from proofs.engine.vectors import real
 from proofs.printers.coq_statements import proposition, statements, statements_of
 from renderer.whole_files import write_whole
 from verify import conftest
+from verify.checkers import proof_checker
 from verify.coq import formal, recorded, survey, vernacular
 from verify.evidence.sources import ROOT
 
@@ -313,6 +314,26 @@ def test_words_have_the_numbers_functions_and_quantifiers_of_what_is_pinned_and_
     assert of_words <= of_says | quotients | small
     other = re.sub(QUOTIENT, lambda q: "" if Fraction(int(q[1]), int(q[2])) in of_given else q[0], pinned)
     assert _numbers(other) <= of_given | small
+
+
+def test_a_theorem_whose_pin_is_not_what_coq_proved_fails_and_is_not_formal(monkeypatch):
+    accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
+    text = recorded.in_full("binades__tie", accepted)
+    accepted["binades"]["statements"] |= {"binades__bare": text}
+    monkeypatch.setattr(recorded, "record", lambda: accepted)
+    for pin, why in (
+        (Pinned("binades__tie", recorded.digest(text)), ""),
+        (Pinned("binades__tie", recorded.digest(text.replace("2 ^ 52", "2 ^ 51"))), "Coq proves another binades__tie"),
+        (Pinned("binades__none", recorded.digest(text)), "binades__none is not in Coq's record"),
+        (Pinned("binades__bare", recorded.digest(text)), "binades__bare has no false variant"),
+    ):
+        theorem = Theorem("binades", "", {"At a tie.": pin})
+        examination = proof_checker.examine(theorem, {})
+        assert examination.grade == ("failed" if why else "proved")
+        assert all(problem.startswith(why) for problem in examination.problems)
+        assert formal.is_formal(theorem, None) == (not why)
+    with pytest.raises(ValueError, match="pins what is another theorem's: binades__tie"):
+        Theorem("pole", "", {"At a tie.": Pinned("binades__tie", "")})
 
 
 def _numbers(text):

@@ -76,6 +76,7 @@ STEP = {epsilon: real("eps")}
 """ε by the name that it has from the command line on; formulas and statements spell it out."""
 
 
+@cache
 def differences() -> dict[str, Program]:
     """Return {name: program} of every difference of a function `height`, and of its part in v alone."""
     by_method: dict[str, Program] = {}

@@ -1,6 +1,7 @@
 """`render`, the way from a scene to a picture: everything from nothing, or sphere A alone on a stage."""
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -66,13 +67,13 @@ def render(
     """
     shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
     bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
-    by, changes = (), {}
+    changes: dict[str, Any] = {"by": ()}
     if derivatives != ():
         with compiling:
             from renderer.shader.slopes import asked  # what most pictures never need to import
 
         shot, changes = asked(shot, derivatives)
-        by = changes["by"]
+    by = changes["by"]
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
     fits = isinstance(into, Frame) and stage is into.stage and shot.shading == into.shot.shading
@@ -85,7 +86,7 @@ def render(
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    parts = ((), ())
+    parts: Any = ((), ())
     if by:
         moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
         named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))

@@ -5,7 +5,7 @@ computes both of its sides). Each number has ROOM for the rounding of the lines 
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sympy import Abs, Expr, Mul
 
@@ -213,7 +213,7 @@ def _terms(side, still, epsilon, span, excess, moved, exact, rule):
     return [where(side.rate > 0.0, ROOM * term, 0.0) for term in lost_terms]
 
 
-def slope_terms(field: HeightField, method: str = "central") -> Callable | None:
+def slope_terms(field: HeightField, method: str = "central") -> Any:
     """Return the function (u, v, k_u, k_v, ε) → (a bound for each of TERMS of h_u, the same of h_v), or None.
 
     They bound a difference's error. u in [0, 1), v in [0, 1], 0 < ε ≤ 1/2. None where no theorem covers the field.

@@ -98,7 +98,8 @@ def read(named: Statements, definitions: list[str], asked: list[list[str]], prin
         raise NotAccepted(f"Coq printed {len(parts)} parts, not the {number} of {len(named)} theorems")
     of_axioms = len(named) + len(definitions)
     defined = [part.partition("\n\nArguments ")[0].strip() for part in parts[len(named) : of_axioms]]
-    table, meaning = {}, dict(zip(definitions, defined, strict=True))
+    table: dict[str, dict] = {}
+    meaning = dict(zip(definitions, defined, strict=True))
     for (theorem, by_hand), part in zip(named.items(), parts, strict=False):
         pieces = re.split(rf"^({'|'.join(by_hand.additions)})\s*:", part, flags=re.M) if by_hand.additions else [part]
         if pieces[1::2] != list(by_hand.additions) or pieces[0].strip():
