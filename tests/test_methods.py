@@ -20,3 +20,11 @@ def test_a_step_that_float64_loses_is_told_but_for_a_sweep():
         difference(method.__name__, 1e-17)
         with pytest.warns(UserWarning, match="below 2"):
             method(1e-17)
+
+
+def test_a_representable_step_is_a_multiple_of_the_coarsest_spacing():
+    for eps in (0.1, 1e-3, 3e-16):
+        step = central(eps, representable=True).eps
+        assert abs(step - eps) <= 2.0**-53 and (step * 2.0**52).is_integer()
+    assert rejection(central, 1e-16, True) == "eps = 1e-16 is not allowed: a finite number from 2.22045e-16 to 0.5"
+    assert rejection(central, 1e-3, 1) == "representable = 1 is not allowed: a bool"

@@ -88,4 +88,4 @@ def test_no_climber_gets_above_the_bound(theorem, pytestconfig):
 
 def test_each_measured_bound_has_a_climber():
     measured = {id for id, theorem in all_theorems().items() if theorem.expected == "measured"}
-    assert measured - formal.statements().keys() == FITTED | CLIMBS.keys()
+    assert (measured ^ (FITTED | CLIMBS.keys())) <= formal.statements().keys()

@@ -85,7 +85,8 @@ Proof.
 Qed.
 Theorem surface_bump__second_order : Statements.surface_bump__second_order.
 Proof.
-  red. intros. pose proof PI_RGT_0. circles_of H H0. lines. selected. repeat split; intros; first [lra | apply Rmult_integral_contrapositive_currified; lra | field [C' D']; lra].
+  red. intros. pose proof PI_RGT_0. circles_of cos_theta cos_phi. lines. selected. repeat split; intros; first [lra | apply
+    Rmult_integral_contrapositive_currified; lra | field [C' D']; lra].
 Qed.
 Theorem surface_bump__at_the_pole : Statements.surface_bump__at_the_pole.
 Proof. red. intros. lines. selected; repeat split; intros; first [lra | ring]. Qed.
