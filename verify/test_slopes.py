@@ -75,6 +75,7 @@ def test_both_slopes_at_a_kink_are_within_the_bound():
     assert (lit.derivative_bounds["ambient[2]"][..., 2] >= 1.0).all()
     names = "beta", "ku", "kv"
     odd, plain = (render(Scene(), 49, 49, exact("general"), bounds=True, derivatives=by) for by in (names, ()))
+    assert odd.moves_boundaries == ("ku", "kv") and lit.moves_boundaries == ()
     infinite = [np.isinf(odd.derivative_bounds[name][:, 24]).any() for name in names]
     assert infinite == [False, True, False] and (odd.open == plain.open).all()
 

@@ -12,10 +12,10 @@ MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light'
 OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
 
 
-def _difference(name, step, side):
+def _difference(name, step, side, scene=SCENE):
     """Return the central difference of pictures by a number."""
-    here = SCENE.number(name)
-    above, below = (SCENE.with_numbers({name: here + move}) for move in (step, -step))
+    here = scene.number(name)
+    above, below = (scene.with_numbers({name: here + move}) for move in (step, -step))
     above, below = (render(scene, side, side, exact("general")).rgb for scene in (above, below))
     return (above - below) / (2 * step)
 
@@ -45,7 +45,9 @@ def derivative_edges() -> Drawing:
     fig, ax = plot(height=3.2)
     ax.barh([*OF_MEAN.values()], shares)
     ax.set(xlabel="mean of the slopes, as a share of the slope of the mean", ylim=(len(shares) - 0.4, -0.6))
-    return Drawing(fig, _by_name(shares) | {"side": MANY}, {"shares": shares})
+    creased = render(Scene(), MANY, MANY, derivatives=["ku"]).derivatives["ku"].mean()
+    creased /= _difference("ku", 1e-2, MANY, Scene()).mean()
+    return Drawing(fig, _by_name(shares) | {"side": MANY, "creased": creased}, {"shares": shares})
 
 
 @figure

@@ -72,11 +72,14 @@ _shaded = {
 
 slopes_theorem = Theorem(
     "edges_add_nothing",
-    "Edges add nothing to these slopes",
+    "These numbers move no edge of a chamber",
     r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on none of
     $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and the
     lights' colours: the edges of chambers stay where they are, at speed 0.""",
-    hypotheses="the pixel's whole program: every field, every model of light, five lights",
+    hypotheses=(
+        "the pixel's whole program: every field, every model of light, five lights",
+        "a crease is no edge of a chamber: $k_u$ and $k_v$ move it, and the colour jumps there",
+    ),
     claims=(*_shaded.values(),),
     steps={
         "write the pixel as a straight-line program": "the lines are those that the kernels print",

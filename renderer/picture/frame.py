@@ -24,7 +24,7 @@ from renderer.shader.shader import ON_A, slopes_of_bump
 from renderer.whole_files import checked_target
 
 BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
-ON_ONE = ("beta", "ku", "kv", "albedo_a"), ("albedo_b",), ("floor_tint",)  # what moves the colours of A, B, the floor
+MOVES_A = ("beta", "ku", "kv", "albedo_a")  # the colours of A alone
 
 
 @cache
@@ -85,15 +85,10 @@ class Frame:
 
         machine: "llvm" or "numpy". pixels: {chamber code: pixels}; pixels_a, pixels_b, pixels_floor;
         gradient_evaluations (exact ones), algebraic_gradients among them, height_evaluations, shadow_tests,
-        specular_powers, light_terms. slopes: {name: the pixels of the surfaces where one of `derivatives` is not 0 for
-        certain}.
+        specular_powers, light_terms. slopes: {name: pixels of the surfaces that one of `derivatives` may move}.
         """
         codes, pixels = (column.tolist() for column in np.unique(self.chambers, return_counts=True))
-        _, *surfaces = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
-        on_a, on_b, on_floor = surfaces
-        moved = {
-            name: surfaces[place] for place, names in enumerate(ON_ONE) for name in self._by if name.startswith(names)
-        }
+        _, on_a, on_b, on_floor = np.bincount(self.chambers.ravel() & SURFACE_BITS, minlength=4).tolist()
         ((field, way),) = self.shot.want.ways
         heights = field_kernels(field)["height_evaluations"].get(way, 0)
         gradients = self._counts["gradient_evaluations"]
@@ -106,7 +101,7 @@ class Frame:
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
-            "slopes": dict.fromkeys(self._by, sum(surfaces)) | moved,
+            "slopes": {n: on_a if n.startswith(MOVES_A) else on_a + on_b + on_floor for n in self._by},
         }
 
     def hand_over(self) -> np.ndarray:
@@ -264,8 +259,12 @@ class Frame:
     @property
     def moves_boundaries(self) -> tuple[str, ...]:
         """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
-        gated = ("beta", "ku", "kv") if self.scene.model == "blinn_gated" else ()  # where a highlight ends at once
-        return tuple(name for name in self._by if name.startswith(BOUNDARIES + gated) or "position" in name)
+        moving = BOUNDARIES
+        if self.scene.model == "blinn_gated":  # where a highlight ends at once
+            moving += ("beta", "ku", "kv")
+        if not isinstance(field_kernels(self.scene.field)["straddling"](0.3, 0.3, 1.0, 1.0, 0.1), float):
+            moving += ("ku", "kv")  # a crease, where the colour jumps
+        return tuple(name for name in self._by if name.startswith(moving) or "position" in name)
 
     @property
     def chambers(self) -> np.ndarray:
