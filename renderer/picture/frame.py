@@ -259,7 +259,7 @@ class Frame:
     @property
     def moves_boundaries(self) -> tuple[str, ...]:
         """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
-        moving = BOUNDARIES
+        moving: tuple[str, ...] = BOUNDARIES
         if self.scene.model == "blinn_gated":  # where a highlight ends at once
             moving += ("beta", "ku", "kv")
         if not isinstance(field_kernels(self.scene.field)["straddling"](0.3, 0.3, 1.0, 1.0, 0.1), float):
