@@ -220,7 +220,7 @@ surface_theorem = Theorem(
     },
     hypotheses=(r"$R > 0$; off the pole $\sin\varphi > 0$",),
     steps={
-        r"$(R+\beta h)N = R\,(1+\tfrac{\beta}{R}h)N$": ("the unit sphere's, of $\beta/R$", "displaced_normal"),
+        r"$(R+\beta h)N = R\,(1+\tfrac{\beta}{R}h)N$": (r"the unit sphere's, of $\beta/R$", "displaced_normal"),
         r"$D - M = \tfrac{\beta h}{R}N$": "line by line",
         "the products": "the frame is orthonormal",
         r"at $\sin\varphi = 0$": "the slopes are 0 there, as h has none",
