@@ -64,9 +64,8 @@ def derivative_u_curve() -> Drawing:
     curve(ax, steps, bound, "bound", label="exact slope")
     label_curve(ax, steps, bound, 1e-3, "largest bound of\nthe exact slope", "bound", "below")
     decades(ax, 2, 2, xlabel="step of β", ylabel="error of a difference of pictures")
-    return Drawing(
-        fig, {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0], "median": medians.min()}
-    )
+    numbers = {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0], "median": medians.min()}
+    return Drawing(fig, numbers | {"side": len(exact_slope)})
 
 
 @figure
@@ -82,5 +81,5 @@ def derivative_fit() -> Drawing:
     noisy, far = found(0.1, 0.2, target + random.normal(0, 1e-3, target.shape)), found(-0.7, -5)
     off = [abs(each.scene.number(name) - SCENE.number(name)) for each in near for name in names]
     numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": far.scene.ku}
-    numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors}
+    numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors, "side": len(target)}
     return Drawing(numbers=numbers | {"noisy": {name: noisy.scene.number(name) for name in names}})

@@ -41,7 +41,12 @@ class Pinned:
 
 
 def coq(*pinned: str) -> tuple[Pinned, ...]:
-    """Return what is Pinned by texts of a name and its digest."""
+    """Return what is Pinned by texts of a name and its digest.
+
+    >>> from proofs.theorems.language import coq
+    >>> coq("binades__tie e5e620cbf1c26408")[0].name
+    'binades__tie'
+    """
     return tuple(Pinned(*text.split()) for text in pinned)
 
 
