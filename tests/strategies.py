@@ -131,7 +131,7 @@ def scenes(draw, **fixed):
     chosen = {**place, "lights": tuple(lights)}
     for name, value in {**_rest, **fixed}.items():
         chosen[name] = draw(value) if isinstance(value, SearchStrategy) else value
-    if abs(chosen["beta"]) > 1e80 * radius:
+    if abs(chosen["beta"]) > 1e50:  # of the surface's own bump at most 1e80 radii, also of another scene's radius
         chosen["bump"] = "chart"
     return Scene(**chosen)
 

@@ -26,6 +26,7 @@ def scaled(scene, factor):
         eye=factor * scene.eye,
         ball_center=scaled_triple(scene.ball_center, factor),
         ball_radius=factor * scene.ball_radius,
+        beta=scene.beta * (factor if scene.bump == "surface" else 1.0),  # a length there
         lights=tuple(Light(scaled_triple(light.position, factor), light.color) for light in scene.lights),
     )
 

@@ -178,7 +178,7 @@ def test_an_experiment_moves_pauses_steps_and_stops(visit):
         page.wait_for_function("document.querySelector('#sim-share').value > 0.01")
 
     begin()
-    box = page.locator(".sim-step input[type=text]")
+    box = page.locator("[data-parameter=eps] input[type=text]")
     box.select_text()
     box.press_sequentially("1e-12", delay=50)  # and nothing writes over it
     box.press("Enter")
@@ -240,8 +240,7 @@ def test_words_beside_the_pictures_follow_the_state(tab):
         says(tab, ".sim-facts div:has-text('error led by') dd", term)
     assert tab.is_visible(".sim-legend") and tab.locator(".sim-curve path.bound").count() > 0
     tab.select_option("#sim-method", "forward")
-    says(tab, ".sim-remark", re.compile("^No theorem"))
-    tab.wait_for_selector(".sim-curve path.bound", state="detached")
+    assert tab.locator(".sim-curve path.bound").count() > 0  # theorems cover the other differences, too
     slide(tab, "eps", -14)
     says(tab, ".sim-pixel tbody tr:first-child td >> nth=-1", re.compile("e−.$"))  # not in floats
     grey, ink = (f"e => getComputedStyle(e{part}).color" for part in ("", ".parentElement"))

@@ -12,10 +12,7 @@ function simulator_start(root, compiled, module) {
   // Every field and every model of light that the renderer knows; the page has the chapter's models already.
   for (const name of [...Object.keys(data.fields), "own"]) {
     const button = make_element("input", { type: "radio", name: "sim-field", value: name });
-    $("[data-parameter=field]").append(
-      make_element("label", {}, button, name === "own" ? " your own" : ` ${name}`),
-      "\n"
-    );
+    $("[data-parameter=field]").append(make_element("label", {}, button, ` ${name}`), "\n");
   }
   for (const name of Object.keys(data.models)) {
     if (!root.querySelector(`#sim-model [value="${name}"]`)) $("#sim-model").append(new Option(name, name));

@@ -287,7 +287,8 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
     if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
-    const [other, by] = against === "exact" ? ["", ""] : [`${against}, `, `, ${against}(${state.against_eps})`];
+    const [other, by] =
+      against === "exact" ? ["", ""] : [against === method ? "" : `${against}, `, `, ${against}(${state.against_eps})`];
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
       `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, ${other}pixel; s = Scene(${given.join(", ")}); ` +
