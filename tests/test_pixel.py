@@ -34,6 +34,11 @@ def test_a_record_has_the_bits_of_the_frame_and_what_adds_up_to_them(scene, size
     assert record.rgb == pytest.approx(np.minimum(1.0, sums), abs=2e-15)
 
 
+def test_a_normal_that_no_light_shows_is_recorded_bumped():
+    dark = replace(Scene(), lights=[Light((5.0, 5.0, 10.0), None)])
+    assert pixel(dark, 64, 64, 30, 30).normal == pixel(Scene(), 64, 64, 30, 30).normal
+
+
 def test_a_record_has_the_gradient_of_the_field_without_a_bump_too():
     flat, bumped = (pixel(Scene(beta=beta), 256, 256, 104, 72) for beta in (0.0, 0.35))
     assert flat.gradient == bumped.gradient != (0.0, 0.0)

@@ -111,6 +111,8 @@ def _lit(frame):
     job = frame.stage.job(frame.shot, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
     ((model, style),) = frame.shot.want.lights
     want = frame.shot.want._replace(chambers_known=True, lights=((model, style.replace("diffuse", "base")),))
+    if frame.scene.beta and not frame.shot.glows:  # the picture needs no slopes, and the normal that is recorded does
+        want = want._replace(ways=((frame.scene.field, frame.shot.way),))
     machine, numbers = Rows(want.shader, job["lights"]), of_form(want.shader.scene, job["scene"])
     group = _WrittenDown(machine, numbers, want, Block(job, slice(1)))
     group.draw()
