@@ -112,3 +112,9 @@ def test_a_bump_that_is_not_seen_costs_no_gradient(fields, same_as, method):
     assert counted == [False, False, level] and frame.slope.any() != level
     rings = work_of(method, field="rings", ku=0.0)
     assert rings.gradient_evaluations + rings.height_evaluations > 0
+
+
+@pytest.mark.parametrize("scene", [Scene(field="sine", ku=0.0), Scene(field="sine", kd=0.0, ks=0.0)])
+def test_a_bump_that_is_not_seen_costs_none_where_its_slopes_are_not_asked(scene):
+    works = [render(scene, 16, 16, derivatives=[name]).work["gradient_evaluations"] for name in ("ka", "beta", "kd")]
+    assert works[:2] == [0, 0] and (scene.ku == 0.0 or works[2] > 0)

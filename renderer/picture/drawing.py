@@ -68,7 +68,7 @@ def render(
     shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop))
     bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
     changes: dict[str, Any] = {"by": ()}
-    if derivatives != ():
+    if not isinstance(derivatives, tuple) or derivatives:
         with compiling:
             from renderer.shader.slopes import asked  # what most pictures never need to import
 

@@ -4,10 +4,11 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from renderer.checks import not_allowed
+from renderer.checks import check_items, check_whole, not_allowed
 from renderer.picture.drawing import render
-from renderer.scene.scene import Scene
+from renderer.scene.scene import NUMBERS, Scene
 
 COARSE = 8  # pixels: means over blocks of so many are fitted first, from further away, as no edge adds to their slopes
 ENOUGH = {COARSE: 1e-3, 1: 1e-12}  # a step's share of a number, or of what is left
@@ -17,7 +18,8 @@ FIRST_DAMPING, MOST_DAMPING = 1e-3, 1e12
 class Fitted(NamedTuple):
     """The scene found, and of each number by its name the standard error that what is left of the picture leaves.
 
-    converged: whether a further step would change nothing; pictures: how many were drawn, with their slopes.
+    errors: infinite where the picture does not tell the numbers apart. converged: whether the last step changed next to
+    nothing; pictures: how many were drawn, with their slopes.
     """
 
     scene: Scene
@@ -26,11 +28,12 @@ class Fitted(NamedTuple):
     pictures: int
 
 
-def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int = 60) -> Fitted:
+def fit(scene: Scene, picture: ArrayLike, names: Iterable[str], pictures: int = 60) -> Fitted:
     """Return what is Fitted to a picture, (height, width, 3), by numbers of the scene from where they are on.
 
-    names: of the numbers, as for `render`. pictures: some more may be drawn. The steps are Gauss and Newton's, damped
-    as Levenberg and Marquardt do. From far away it may end elsewhere, or not converge, and says so.
+    picture: linear light, or a Frame. names: of the numbers, as for `render`. pictures: some more may be drawn. The
+    steps are Gauss and Newton's, damped as Levenberg and Marquardt do. From far away it may not converge, or end where
+    the picture is nearest among its neighbours alone. Raises ValueError on what is not allowed.
 
     >>> from renderer import Scene, fit, render
     >>> truth = Scene(field="sine", beta=0.35)
@@ -38,9 +41,12 @@ def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int =
     >>> found.converged, round(found.scene.beta, 9)
     (True, 0.35)
     """
-    if np.ndim(picture) != 3:
-        raise not_allowed("picture", np.shape(picture), "numbers, (height, width, 3)")
-    names, drawn, (height, width, _) = [*names], 0, np.shape(picture)
+    picture, names = np.asarray(picture, np.float64), [*dict.fromkeys(check_items("names", names, NUMBERS))]
+    if picture.ndim != 3 or picture.shape[2] != 3 or not np.isfinite(picture).all():
+        raise not_allowed("picture", picture.shape, "finite numbers, (height, width, 3)")
+    if not names:
+        raise not_allowed("names", names, f"one or more of {NUMBERS}")
+    drawn, pictures, (height, width, _) = 0, check_whole("pictures", pictures, 10**6, low=2), picture.shape
 
     def compared(scene, block):
         """Return what the picture lacks, and its slopes, of which each is a column: means over blocks of pixels."""
@@ -71,5 +77,13 @@ def fit(scene: Scene, picture: np.ndarray, names: Iterable[str], pictures: int =
             still = all(abs(moves[name]) <= share * abs(old[name]) for name in names)
             converged = still or bool(before - rest <= share * rest)
             scene, damping, (lacking, slopes) = moved, 0.1 * damping, after
-    spread = np.linalg.pinv(slopes.T @ slopes).diagonal() * np.sum(lacking**2) / (lacking.size - len(names))
-    return Fitted(scene, dict(zip(names, np.sqrt(spread).tolist(), strict=True)), converged, drawn)
+    return Fitted(scene, dict(zip(names, _errors(lacking, slopes), strict=True)), converged, drawn)
+
+
+def _errors(lacking, slopes):
+    """Return the standard errors of the numbers; infinite where their slopes, columns, depend on each other."""
+    size, free = np.linalg.norm(slopes, axis=0), lacking.size - slopes.shape[1]
+    if free <= 0 or not size.all() or np.linalg.matrix_rank(slopes / size) < slopes.shape[1]:
+        return [np.inf] * slopes.shape[1]
+    spread = np.linalg.inv(slopes.T @ slopes / np.outer(size, size)).diagonal() / size**2
+    return np.sqrt(spread * np.sum(lacking**2) / free).tolist()

@@ -234,8 +234,9 @@ class Frame:
     def derivative_bounds(self) -> dict[str, np.ndarray]:
         """{name: (height, width, 3) float64}: |slope − exact| is at most this, of a frame drawn with `bounds=True`.
 
-        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves, as there is no
-        slope; by the shininess also where the highlight's base may be 0. Raises ValueError without bounds.
+        At a kink the slopes of both sides lie within it. It is infinite where an exact crease moves, or is not shown to
+        stay, as there is no slope; by the shininess also where the highlight's base may be 0. Raises ValueError without
+        bounds.
         """
         self._enclosed("derivative_bounds", 0)
         return dict(zip(self._by, self._slopes[1], strict=True))

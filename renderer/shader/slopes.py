@@ -38,8 +38,9 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
             raise not_allowed("form", "algebraic", "general or auto beside a slope by ku or kv: whole powers have none")
         shot = replace(shot, method=exact("general"))
     ((field, way),), ((model, style),) = shot.want.ways, shot.want.lights
-    if way == "flat" and shot.scene.beta:  # of a bump that is not seen
-        way = shot.way
+    if way == "flat" and shot.scene.beta:  # of a bump that is not seen, and may be by one of these
+        seen_by = any(name in ("ku", "kv", "kd", "ks") or "color" in name for name in names)
+        way = shot.way if seen_by else way
     elif way == "flat" and "beta" in names:
         way = "general" if method == "exact" else method
     if style == "diffuse" and "ks" in names:
