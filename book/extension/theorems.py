@@ -28,7 +28,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
     ),
     "proved": ("●", "P", "the kernel accepted a certificate, the samples agree, the false variants were refuted"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
-    "argued": ("◐", "A", "as proved, but for words in green, which no claim says, or as what it uses is argued"),
+    "argued": ("◐", "A", "as proved, but for words that no claim says, or as what it uses is argued"),
     "certified": ("◆", "C", "enclosed in balls of exact width"),
     "measured": ("▲", "M", "sampled, with the worst case given"),
     "refuted": ("✕", "R", "false: an exact counterexample, accepted by the kernel"),

@@ -44,10 +44,8 @@ theorem = Theorem(
     "The bump moves no boundary",
     r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
     none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""",
-    hypotheses=(
-        "the pixel's whole program: every model of light, any gradient, both bumps, five lights; every difference of "
-        "every field"
-    ),
+    hypotheses="""the pixel's whole program: every model of light, any gradient, five lights; Blinn's with the surface's
+    own bump and a horizon, too; every difference of every field""",
     claims=(*_unmoved.values(), _surface, *_by_difference.values()),
     steps={
         "write the pixel as a straight-line program": "the lines are those that the kernels print",
@@ -77,7 +75,7 @@ slopes_theorem = Theorem(
     $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and the
     lights' colours: the edges of chambers stay where they are, at speed 0.""",
     hypotheses=(
-        "the pixel's whole program: every field, every model of light, five lights",
+        "the pixel's whole program: every field, every model of light, five lights; the chapter's bump, no horizon",
         "a crease is no edge of a chamber: $k_u$ and $k_v$ move it, and the colour jumps there",
     ),
     claims=(*_shaded.values(),),

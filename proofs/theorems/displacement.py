@@ -218,7 +218,7 @@ surface_theorem = Theorem(
         $\beta$.""": _second_order,
         r"At the pole $M = N$.": _at_the_pole,
     },
-    hypotheses=(r"$R > 0$; off the pole $\sin\varphi > 0$",),
+    hypotheses=(r"$R > 0$; off the pole $\sin\varphi > 0$; of the normal of $(R+\beta h)N$ also $R + \beta h > 0$",),
     steps={
         r"$(R+\beta h)N = R\,(1+\tfrac{\beta}{R}h)N$": (r"the unit sphere's, of $\beta/R$", "displaced_normal"),
         r"$D - M = \tfrac{\beta h}{R}N$": "line by line",

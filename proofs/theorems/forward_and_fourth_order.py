@@ -21,7 +21,8 @@ theorem = Theorem(
         r"""that of fourth order within $\frac{\varepsilon^4}{30}L^5 + \frac{L(8\alpha+\beta)}{6\varepsilon}(1+\kappa) +
         \frac{12}{2^{53}\varepsilon}(1+\kappa) + \frac53L\kappa$, $\kappa = (1+2^{-53})^5 - 1$: in $u$ with $\alpha =
         \beta = 4\cdot2^{-53}$, in $v$ with $\alpha = (v+\varepsilon)2^{-53}$, $\beta = (v+2\varepsilon)2^{-53}$;
-        and where $v \pm 2\varepsilon$ leaves the chart it is the central difference in $v$.""": coq(
+        and where $\mathrm{fl}(v + 2\varepsilon) > 1$ or $2\varepsilon > v$ it is the central difference in
+        $v$.""": coq(
             "forward_and_fourth_order__fourth_in_float64_u 232793164c4a61f2",
             "forward_and_fourth_order__fourth_in_float64_v ab62bd33a5fc2b2a",
         ),
@@ -29,9 +30,10 @@ theorem = Theorem(
         each crease; and rings', with $2k_v$.""": coq("forward_and_fourth_order__heights_in_float64 674035eef41a457b"),
     },
     hypotheses=(
-        r"""$0 < \varepsilon \le 1$, of fourth order $\varepsilon \le \frac12$; $u$, $v$ in $[0, 1]$; $k > 0$; $v$ and
-        $\varepsilon$ are float64 numbers""",
-        r"in $u$ nothing wraps, or $k$ is even, $2n$ with a whole $n$: so beside the seam, too",
+        r"""$0 < \varepsilon \le 1$, of fourth order $\varepsilon \le \frac12$; $u$, $v$ in $[0, 1]$, and $v +
+        2\varepsilon \le 1$ where fourth order is not the central difference; $k > 0$; $\varepsilon$, $k_u$, $k_v$ and
+        the points at which a height is taken are float64 numbers""",
+        r"in $u$ nothing wraps, as rounded, or $k$ is even, $2n$ with a whole $n$: so beside the seam, too",
         r"""heights are computed within $7.6\cdot2^{-53}$, where a wave number times a coordinate is 0 or at least
         $2^{-969}$, and at most $2^{21}$, in size""",
     ),

@@ -13,7 +13,7 @@ make one side a line of a program.
 
 Words are claims: a statement may be {text: the claims that say it}, or what Coq proves from a file by hand,
 `coq("name digest")`: read its text, which a run prints with the digest, beside the words. A text that has none, but
-says why as a text, is grey, and listed on the page of findings. Steps are {what: why}. One claim, relation or point may
+says why as a text, is listed on the page of findings. Steps are {what: why}. One claim, relation or point may
 stand where several may, and so may lists of them in lists.
 
 Mutants are near misses, at least two; each has the name of a claim, changes one field of it, and has to be refused, and

@@ -1,4 +1,4 @@
-"""Statements that are measured or enclosed, not proved: the float64 programs, the seed's formulas, its pictures.
+"""Statements about float64's programs, the seed's formulas and pictures: measured, enclosed, or pinned.
 
 The measurements are in verify/measurements."""
 
@@ -13,7 +13,10 @@ products = Theorem(
     r"""Of the 1,824 float64 numbers nearest to some $m/k$, $0 < m < k \le 64$, that are not $m/k$ itself, the
     rounded product $k u$ is a whole number for 1,756: sine reduced in half-turns then takes the point to be on
     the crease. With the product exact it takes none.""",
-    hypotheses=("every $k$ and $m$, exhaustively: counted twice", "the heights are those of the kernel that draws"),
+    hypotheses=(
+        "every $k$ and $m$, exhaustively: counted in fractions and by floats",
+        "the heights are those of the kernel that draws",
+    ),
     expected="certified",
 )
 
@@ -22,15 +25,16 @@ contrast = Theorem(
     "The error at the creases, against the rest",
     r"""In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag is set is
     four orders of magnitude, within $0.5$, above that elsewhere on A, not one.""",
-    hypotheses="the pictures of exact arithmetic, by the bounds that both are drawn with; the flags as they are drawn",
+    hypotheses="""the pictures of exact arithmetic, by the bounds that both are drawn with, which are taken to hold
+    (measured: pixel_accuracy); the flags as they are drawn""",
     expected="certified",
 )
 
 dark = Theorem(
     "dark_difference",
     "The difference canvas stays dark",
-    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A is at most $1$ half of an 8-bit
-    level at $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
+    r"""In the default scene at $256^2$ the largest $|\Delta I| \times 100$ on A, over half an 8-bit level, is
+    at most $1$ at $\varepsilon = 10^{-8}$, $10^{-9}$ and $10^{-10}$: a canvas with that gain is black there.""",
     hypotheses=("linear light", "float64's two pictures: each of A's pixels and channels, exactly"),
     expected="certified",
 )
@@ -140,17 +144,15 @@ differences = Theorem(
             "difference_bounds__clamped_in_float64 8d6cd2910a267ab4"
         ),
         r"""Beside the seam sine's $h_u$, for even $k_u > 0$, is within $L\frac4{2^{53}\varepsilon}(1+\kappa) +
-        \frac8{2^{53}
-        \varepsilon}(1+\kappa) + L\kappa$ of the exact difference.""": coq(
+        \frac8{2^{53}\varepsilon}(1+\kappa) + L\kappa$ of the exact difference.""": coq(
             "difference_bounds__seam_in_float64 40ee5136e04e8e98"
         ),
     },
     hypotheses=(
         r"""$u$, $v$, $\varepsilon$, $k_u$, $k_v$ are float64 numbers, the wave number above 0; of the first
-        two sentences
-        $0 < \varepsilon \le u$, $\mathrm{fl}(u + \varepsilon) < 1$, or $0 < \varepsilon \le v \le 1 -
-        \varepsilon$; of the last
-        $0 \le u \le 1$""",
+        two sentences $0 < \varepsilon \le u$, $\mathrm{fl}(u + \varepsilon) < 1$, or $0 < \varepsilon \le v \le 1 -
+        \varepsilon$; of the third $0 \le v < \varepsilon$, $v + \varepsilon \le 1$; of the last $0 \le u \le 1$, $0 <
+        \varepsilon \le 1$""",
         r"a wave number times a coordinate is 0 or at least $2^{-969}$, and at most $2^{21}$, in size",
         """measured beside: each of the three parts, at forty steps a decade; smooth points, $k$ from 1 to 512; beside a
         crease, at the pole, beside the seam for even, odd and fractional $k_u$""",
@@ -207,20 +209,21 @@ relative = Theorem(
     "elementary_functions",
     "The elementary functions of the kernels",
     {
-        rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi(ab)$ and $\cos\pi(ab)$ of an exact product are within
-        ${_of["of_product_relative"]}\mu$ of themselves,""": coq(
+        rf"""With $\mu = 2^{{-53}}$, the kernels' float64 $\sin\pi(ab)$ and $\cos\pi(ab)$ of an exact product have a
+        relative error of at most ${_of["of_product_relative"]}\mu$,""": coq(
             "elementary_functions__of_product_relative 784cb2b40e9bfb06"
         ),
-        rf"$e^{{x+y}}$ within ${_of['exp']}\mu$": coq("elementary_functions__exp 157fef027a525886"),
-        rf"and $\ln x$ within ${_of['log']}\mu$ of themselves,": coq("elementary_functions__log 0a64b8b999e3816f"),
-        rf"$x^p$ within $({_of['power']} + {float(POWER_RATE)}\,|p\ln x|)\mu$ of itself,": coq(
+        rf"$e^{{x+y}}$ of at most ${_of['exp']}\mu$": coq("elementary_functions__exp 157fef027a525886"),
+        rf"and $\ln x$ of at most ${_of['log']}\mu$,": coq("elementary_functions__log 0a64b8b999e3816f"),
+        rf"$x^p$ of at most $({_of['power']} + {float(POWER_RATE)}\,|p\ln x|)\mu$,": coq(
             "elementary_functions__power bd4612207f391409"
         ),
-        rf"and $\operatorname{{atan2}}(y, x)/\pi$ within ${_of['atan2pi']}\mu$.": coq(
+        rf"and $\operatorname{{atan2}}(y, x)/\pi$ of at most ${_of['atan2pi']}\mu$.": coq(
             "elementary_functions__atan2pi 8fdf7f947033ac01"
         ),
     },
     hypotheses=(
+        "arguments are float64 numbers, but for $y$ of $e^{x+y}$",
         r"""$ab$ is 0 or at least $2^{-969}$ in size, and at most $2^{21}$; of it another $2^{-1074}$, of $\ln
         x$ $2^{-896}$""",
         r"$-708 \le x \le 709$, $|y| \le 2^{-42}$ of $e^{x+y}$; $0 < x \le 2^{1024} - 2^{971}$ of $\ln x$ and $x^p$",

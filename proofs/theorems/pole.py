@@ -100,7 +100,10 @@ theorem = Theorem(
     short={
         r"""Toward the pole $g$ has one limit on all meridians only if it is 0 there: for sine if $k_u k_v =
         0$, for rings
-        if $k_v = 0$.""": (_vanishes, _differs, _opposite)
+        if $k_v = 0$.""": (
+            *(_vanishes, _differs, _opposite),
+            coq("pole__two_limits e82edf6bfec523c6", "pole__rings_limit 94c53fa30d60f67c"),
+        )
     },
     hypotheses=r"""of the claims, which are steps: the values at $v = 0$, and $k_v$ for $\sin
     k_v\varphi/\sin\varphi$ (assumed)""",

@@ -77,12 +77,9 @@ theorem = Theorem(
         "Rings does not depend on $u$: its slope is 0 there and everywhere.": _smooth,
     },
     short={
-        "Across the seam sine is smooth for even $k_u$, has a crease for odd $k_u$ and a jump for a fractional one.": (
-            _sine,
-            _even,
-            _odd,
-        ),
-        "Ridges is creased there for every whole $k_u$.": (_ridges, _crease),
+        r"""Across the seam sine is smooth for even $k_u$; where $\sin\pi k_v v \ne 0$ it has a crease for odd $k_u$ and
+        a jump for a fractional one.""": (_sine, _even, _odd),
+        r"Ridges is creased there for every whole $k_u \ne 0$, where $\sin\pi k_v v \ne 0$.": (_ridges, _crease),
     },
     hypotheses=r"""$k_u$ is whole: $\sin\pi k_u = 0$; even: $\cos\pi k_u = 1$; odd: $\cos\pi k_u = -1$, of either
     sign: $\cos$ is even""",

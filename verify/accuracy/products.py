@@ -34,5 +34,6 @@ def off_by_floats(counts: np.ndarray) -> np.ndarray:
     k, m = np.transpose(RATIONALS).astype(float)
     product, error = two_product(k, m / k)
     onto, rounded = product == m, error != 0
-    sizes = np.sum([~onto | rounded, onto & rounded, 0 * onto], axis=1)  # on a crease none, where nothing is rounded
+    beside = ~onto | rounded
+    sizes = np.sum([beside, onto & rounded, beside & ~rounded & (product % 1 == 0)], axis=1)
     return np.abs(sizes - COUNTED)[counts.astype(int)]

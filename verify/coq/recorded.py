@@ -12,6 +12,7 @@ from verify.evidence.sources import file_hashes
 FOLDER = PROJECT.formal
 RECORD = FOLDER / "record.json"
 WORD = re.compile(r"[\w.']+")
+IMPLIES = re.compile(r"(?<!<)->")
 
 
 def coq_hashes() -> dict[str, str]:
@@ -56,7 +57,7 @@ def digest(text: str) -> str:
 
 
 def why_not_pinned(theorem: Theorem) -> list[str]:
-    """Return why what a theorem pins is not what Coq proved: another text, none, or without a refuted false variant."""
+    """Return why what a theorem pins is not what Coq proved: another text, none, no false variant refuted, no point."""
     accepted, problems = record() if theorem.pinned else {}, []
     for pin in theorem.pinned:
         if not (text := in_full(pin.name, accepted)):
@@ -65,4 +66,6 @@ def why_not_pinned(theorem: Theorem) -> list[str]:
             problems.append(f"Coq proves another {pin.name} than was read: {digest(text)}, not {pin.digest}:\n{text}")
         elif not in_full(f"{pin.name}__false", accepted):
             problems.append(f"{pin.name} has no false variant that Coq refutes")
+        elif IMPLIES.search(text.partition("\n\n")[0]) and not in_full(f"{pin.name}__point", accepted):
+            problems.append(f"{pin.name} has no point at which Coq shows its hypotheses to hold")
     return problems

@@ -11,7 +11,10 @@ from verify.accuracy.canvas import CREASE_STEP, DARK_STEPS, pictures
 from verify.checkers.measurements import Enclosure, measures
 
 
-@measures("crease_products", false={"all of them": {"count": 1824}, "our kernel does so too": {"zeros": 1756}})
+@measures(
+    "crease_products",
+    false={"all of them": {"count": 1824}, "one fewer": {"beside": 1823}, "our kernel does so too": {"zeros": 1756}},
+)
 def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Enclosure:
     """Count, among the nearest floats to all m/k, 0 < m < k ≤ 64, those that are not m/k, and whose k·u rounds to m."""
     found = products.found()
