@@ -1,14 +1,26 @@
 // The search while one types, the chapter's pages first. Under each that is found: the first sentence with the most of its
 // words, and a link to its section.
 "use strict";
-// Sphinx shows first what scores most: a theorem that is named, then §1 to §9, which have pages s1 to s9.
-Scorer.score = ([page, , place, , score]) => score + (/^s\d\b|#theorem/.test(page + place) ? 100 : 0);
+const SMALL = /^(a|an|and|by|for|in|is|its|of|on|the|to)$/;
+/** The words that are typed, without those that are everywhere. */
+function typed_words() {
+  /** @type {HTMLInputElement} */
+  const { value } = find_element(document, ".bd-search-container input");
+  return splitQuery(value.toLowerCase()).filter((word) => !SMALL.test(word));
+}
+/** Whether a text has a word, or one that begins so. @param {string} text @param {string} word */
+const has_word = (text, word) => new RegExp(`(?<!\\p{L})${_escapeRegExp(word)}`, "iu").test(text);
+// Sphinx shows first what scores most: what has all words in its title, a theorem that is named, then §1 to §9, which have
+// pages s1 to s9.
+Scorer.score = ([page, title, place, , score]) =>
+  score +
+  (/^s\d\b|#theorem/.test(page + place) ? 100 : 0) +
+  (typed_words().every((word) => has_word(title, word)) ? 200 : 0);
 addEventListener("DOMContentLoaded", () => {
   const results = find_element(document, "#search-results");
   /** @type {HTMLInputElement} */
   const field = find_element(document, ".bd-search-container input");
-  const words_typed = () =>
-    splitQuery(field.value.toLowerCase()).flatMap((word) => [word, new Stemmer().stemWord(word)]);
+  const words_typed = () => typed_words().flatMap((word) => [word, new Stemmer().stemWord(word)]);
   let words = words_typed();
   let typed = 0;
 
@@ -27,7 +39,7 @@ addEventListener("DOMContentLoaded", () => {
   }
 
   /** @param {string} text */
-  const count = (text) => words.filter((word) => text.toLowerCase().includes(word)).length;
+  const count = (text) => words.filter((word) => has_word(text, word)).length;
 
   /** The first text with the most words, of some with what belongs to them. @param {[string, string][]} texts */
   const best_of = (texts) => least_of([["", ""], ...texts], ([, text]) => -count(text));
@@ -44,7 +56,7 @@ addEventListener("DOMContentLoaded", () => {
   /** @param {string} text */
   function marked(text) {
     const paragraph = make_element("p", { class: "search-sentence" });
-    const parts = new RegExp(words.map(_escapeRegExp).join("|"), "giu");
+    const parts = new RegExp(`(?<!\\p{L})(${words.map(_escapeRegExp).join("|")})`, "giu");
     let end = 0;
     for (const { 0: part, index } of text.matchAll(parts)) {
       paragraph.append(text.slice(end, index), make_element("mark", {}, part));
