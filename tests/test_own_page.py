@@ -1,5 +1,7 @@
 """The reader's own field in the page: what its formulas mean, what is refused, and how it is typed."""
 
+from urllib.parse import quote
+
 import numpy as np
 import pytest
 from playwright.sync_api import expect
@@ -9,6 +11,7 @@ from renderer.machines import numpy_rows
 from tests.tabs import go
 from tests.test_machines import drawn_by
 from tests.test_own_field import AS_WRITTEN, KU, KV
+from tests.test_simulator_numbers import paint, painted
 
 # Both pictures of a state with a formula, and whether it has a seam.
 PICTURES = """([h, ku, kv, size]) => {
@@ -23,7 +26,7 @@ PICTURES = """([h, ku, kv, size]) => {
 REFUSAL = """h => {
     const { states, module } = Simulator.running;
     try { module.own_of({ ...states.start(), field: "own", h: states.read("h", h) }); return null; }
-    catch (error) { return [error.message, error.at ?? -1]; }
+    catch (error) { return error.message; }
 }"""
 SIDE = 48
 
@@ -74,8 +77,7 @@ READ = ("u*(1-u)", "+v", "-v**2", "2**-1*v", "1e-3*v", "Piecewise((v, v < 1/2), 
 def test_both_sides_refuse(tab, text):
     with pytest.raises(ValueError):
         HeightField("own", text)
-    message, _ = tab.evaluate(REFUSAL, text)
-    assert "h(u, v)" in message
+    assert "h(u, v)" in tab.evaluate(REFUSAL, text)
 
 
 @pytest.mark.parametrize("text", READ)
@@ -93,12 +95,31 @@ def test_it_is_typed_and_an_error_loses_nothing(tab):
     box.fill("sinpi(6*w)*v")
     box.press("Enter")
     expect(tab.locator("#sim-h-error")).to_contain_text("from w on")
-    assert tab.evaluate(
-        "[...'ab'].map((_, n) => document.querySelector('#sim-h')[['selectionStart', 'selectionEnd'][n]])"
-    ) == [8, 9]
+    assert box.evaluate("box => [box.selectionStart, box.selectionEnd]") == [8, 9]
     assert tab.evaluate("Simulator.running.act.state().h") == "sinpi(6*u)*v"
     box.fill("sinpi(6·u)·v²")
     box.press("Enter")
     expect(tab.locator("#sim-h-error")).to_be_empty()
     assert tab.evaluate("Simulator.running.act.state().h") == "sinpi(6*u)*v**2"
     expect(tab.locator(".sim-python code")).to_contain_text("sinpi(6*u)*v**2")
+
+
+def test_its_straddled_pixels_are_the_renderers(tab):
+    text = "abs(sin(8*pi*u))*v"
+    frame = render(Scene(field=HeightField("own", text)), 256, 256, central(0.01))
+    paint(tab, f"#sim?field=own&h={quote(text)}&eps=0.01&size=256&view=straddle")
+    assert ((painted(tab, "numeric") == 255).all(axis=2) == frame.straddling).all() and frame.straddling.any()
+
+
+def test_a_saved_picture_tells_of_field_lamp_and_method(tab):
+    go(tab, "#sim?field=own&h=u*v&lamp=3,4,9&against=forward&against_eps=0.01&size=128")
+    numeric, symbolic = tab.evaluate(
+        "[true, false].map(is => Simulator.running.states.record(Simulator.running.act.state(), is))"
+    )
+    assert [(each["gradient"]["name"], each["gradient"]["eps"]) for each in (numeric, symbolic)] == [
+        ("central", 1e-3),
+        ("forward", 0.01),
+    ]
+    scene = Scene.from_record(symbolic["scene"])
+    assert scene.field == HeightField("own", "u*v", seam=True) and scene.lights[0].position == (3.0, 4.0, 9.0)
+    assert "seam=True" in tab.locator(".sim-python code").text_content()

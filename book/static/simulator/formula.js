@@ -1,5 +1,5 @@
-// The reader's own h(u, v): a text read as `--field-expression` reads it, but for %, floor, tan, tanh, atan, where and powers
-// that are no halves; its slopes by the rules of differentiation, and both run over points of the chart.
+// The reader's own h(u, v): a text read as `--field-expression` reads it, but for `x if c else y` and conditions that are
+// joined; its slopes by the rules of differentiation, and both run over points of the chart.
 "use strict";
 
 /**

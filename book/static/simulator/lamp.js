@@ -42,7 +42,7 @@ function simulator_lamp(root, states, module, act) {
       (right, up) => {
         const { x, y, far } = direction(act.state());
         if (right === Infinity) return turn(0, 0, far); // overhead
-        if (right === -Infinity) return turn(1e9 * (x || 1), 1e9 * y, far); // on the floor
+        if (right === -Infinity) return turn(1e9 * (x || Number(!y)), 1e9 * y, far); // on the floor
         turn(x + STEP * clamp(-10, right, 10), y + STEP * clamp(-10, up, 10), far);
       }
     );

@@ -68,7 +68,12 @@ function simulator_presets(root, states, act) {
     /** @param {number} time */
     const tick = (time) => {
       begun ||= time;
-      put(first + (time - begun) / 1000 / seconds);
+      try {
+        put(first + (time - begun) / 1000 / seconds);
+      } catch (error) {
+        says.textContent = error_text(error); // a formula that is not finite here
+        return pause();
+      }
       if (share < 1 && !document.hidden) frame = requestAnimationFrame(tick);
       else pause();
     };

@@ -74,7 +74,7 @@ function simulator_readouts(root, data, module) {
     const { view, field } = state;
     if (field === "own") {
       const seam = module.own_of(state)?.has_seam ? "h differs at u = 0 and u = 1: the seam is in both pictures. " : "";
-      return `${seam}Your own h: exact slopes by the rules of differentiation, with no proved bound.`;
+      return `${seam}Of your own h no bound is proved.`;
     }
     if (view === "loci" && !data.fields[field].creases)
       return `${field} has no creases: there is nothing to draw over it.`;
