@@ -6,35 +6,38 @@ From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns
 Open Scope R_scope.
 Import ListNotations.
 
-(* A number of a program: whether it is known to be within its count, its value, and that count. *)
-Definition number : Type := Prop * (R * R).
-Definition value_of (n : number) : R := fst (snd n).
-Definition zero_known : number := (True, (0, 0)).
+(* A number of a program: whether it is known to be within its count, its kind, its value, and that count. *)
+Definition number : Type := Prop * (kind * (R * R)).
+Definition value_of (n : number) : R := fst (snd (snd n)).
+Definition zero_known : number := (True, (Written None, (0, 0))).
 (* Numbers that are known and not too near decide a comparison; one test that does not hold decides both. *)
 Fixpoint test_settled (c : test) (given : list number) : Prop :=
   match c with
-  | Less i j | Same i j => let a := nth i given zero_known in let b := nth j given zero_known in fst a /\ fst b /\ too_near (snd a) (snd b) = false
+  | Less i j | Same i j => let a := nth i given zero_known in let b := nth j given zero_known in fst a /\ fst b /\ too_near (snd (snd a)) (snd (snd
+    b)) = false
   | Not c => test_settled c given
-  | Both c d => test_settled c given /\ test_settled d given \/ test_settled c given /\ holds c (map value_of given) = false \/ test_settled d given /\ holds d (map
+  | Both c d => test_settled c given /\ test_settled d given \/ test_settled c given /\ holds c (map value_of given) = false \/ test_settled d given
+    /\ holds d (map
     value_of given) = false
   end.
 (* A result is known where all that its operation takes is, and its rule allows it; a selection needs no side that it leaves out. *)
 Definition known (o : operation) (given : list number) : Prop :=
   match o, given with
   | Choose c, x :: y :: compared =>
-    if leaves_open c (map snd compared) then fst x /\ fst y else test_settled c compared /\ fst (if holds c (map value_of compared) then x else y)
+    if leaves_open c (map snd (map snd compared)) then fst x /\ fst y else test_settled c compared /\ fst (if holds c (map value_of compared) then x
+      else y)
   | _, _ => Forall (fun n => fst n) given /\ allowed o (map snd given)
   end.
-Definition machine_of (count : operation -> list (R * R) -> R) : machine operation number :=
-  fun o given => (known o given, (in_float64 o (map value_of given), count o (map snd given))).
+Definition machine_of (count : operation -> list (kind * (R * R)) -> R) : machine operation number :=
+  fun o given => (known o given, (kind_of o (map (fun n => fst (snd n)) given), (in_float64 o (map value_of given), count o (map snd given)))).
 
-Definition known_encloses (s : R) (n : number) (x : R) : Prop := fst n -> encloses s (snd n) x.
-Definition bounds_programs (count : operation -> list (R * R) -> R) : Prop :=
+Definition known_encloses (s : R) (n : number) (x : R) : Prop := fst n -> encloses s (snd (snd n)) x.
+Definition bounds_programs (count : operation -> list (kind * (R * R)) -> R) : Prop :=
   forall (p : program operation) (inputs : list number) (exact : list R) (output : nat), INR (length p) <= 2 ^ 28 -> Forall2 (known_encloses 1)
     inputs exact ->
   let n := nth output (run operation number (machine_of count) zero_known p inputs) zero_known in
   value_of n = nth output (run operation R in_float64 0 p (map value_of inputs)) 0 /\
-  (fst n -> Rabs (value_of n - nth output (run operation R exactly 0 p exact) 0) <= ROUNDING * snd (snd n)).
+  (fst n -> Rabs (value_of n - nth output (run operation R exactly 0 p exact) 0) <= ROUNDING * snd (snd (snd n))).
 
 Section composition.
 Variable s : R.
@@ -57,10 +60,11 @@ Proof.
 Qed.
 Lemma decided_is_right c given exact : Forall2 (known_encloses s) given exact -> test_settled c given -> holds c (map value_of given) = holds c exact.
 Proof.
-  intro A. assert (V : forall i, nth i (map value_of given) 0 = fst (snd (nth i given zero_known))) by (intro i; apply (map_nth value_of given
+  intro A. assert (V : forall i, nth i (map value_of given) 0 = value_of (nth i given zero_known)) by (intro i; apply (map_nth value_of given
     zero_known)).
   induction c as [i j | i j | c IH | c IHc d IHd]; cbn [test_settled holds]; [| | intro N; f_equal; apply IH, N |].
-  1, 2: intros (Ki & Kj & N); rewrite !V; assert (Ei := nth_enclosed _ _ i A Ki); assert (Ej := nth_enclosed _ _ j A Kj); assert (L := not_near _ _ _
+  1, 2: intros (Ki & Kj & N); rewrite !V; unfold value_of in *; assert (Ei := nth_enclosed _ _ i A Ki); assert (Ej := nth_enclosed _ _ j A Kj);
+    assert (L := not_near _ _ _
     _ Ei Ej N); rewrite near_is_symmetric in N;
     assert (G := not_near _ _ _ _ Ej Ei N).
   - destruct Rlt_dec, Rlt_dec; reflexivity || tauto.
@@ -69,21 +73,22 @@ Proof.
   - intros [[C D] | [[C F] | [D F]]]; [rewrite IHc, IHd by assumption; reflexivity | rewrite <- IHc, F by exact C; reflexivity | rewrite <- IHd, F by
       exact D; rewrite !andb_false_r; reflexivity].
 Qed.
-Lemma values given : map value_of given = map fst (map snd given).
-Proof. symmetry. apply map_map. Qed.
-Lemma all_known given exact : Forall2 (known_encloses s) given exact -> Forall (fun n => fst n) given -> Forall2 (encloses s) (map snd given) exact.
+Lemma values given : map value_of given = map fst (map snd (map snd given)).
+Proof. rewrite !map_map. reflexivity. Qed.
+Lemma all_known given exact : Forall2 (known_encloses s) given exact -> Forall (fun n => fst n) given -> Forall2 (fun n => encloses s (snd n)) (map
+  snd given) exact.
 Proof. intro A. induction A as [|n x given exact E A IH]; intro K; inversion K; constructor; auto. Qed.
 Lemma one_line o given exact : Forall2 (known_encloses s) given exact -> known_encloses (s * (1 + 1 / 2 ^ 49)) (machine_of counted_roundings o given)
   (exactly o exact).
 Proof.
-  intros A K. assert (Rule : Forall (fun n => fst n) given /\ allowed o (map snd given) -> encloses (s * (1 + 1 / 2 ^ 49)) (snd (machine_of
-    counted_roundings o given)) (exactly o exact)).
+  intros A K. assert (Rule : Forall (fun n => fst n) given /\ allowed o (map snd given) -> encloses (s * (1 + 1 / 2 ^ 49)) (snd (snd (machine_of
+    counted_roundings o given))) (exactly o exact)).
   { intros [F H]. cbn [snd machine_of]. rewrite values. apply every_rule; try assumption. apply all_known; assumption. }
   destruct o; try exact (Rule K). clear Rule. destruct A as [|x x' given exact X A]; [destruct K as [_ []]|]. destruct A as [|y y' compared exact Y
     A]; [destruct K as [_ []]|].
-  cbn [machine_of fst snd known map in_float64 counted_roundings exactly] in *. destruct x as [kx [x ex]], y as [ky [y ey]]. change (value_of (kx, (x,
-    ex))) with x. change (value_of (ky, (y, ey))) with y. cbn [fst snd] in *.
-  destruct (leaves_open c (map snd compared)).
+  cbn [machine_of fst snd known map in_float64 counted_roundings exactly] in *. destruct x as [kx [a [x ex]]], y as [ky [b [y ey]]]. change (value_of
+    (kx, (a, (x, ex)))) with x. change (value_of (ky, (b, (y, ey)))) with y. cbn [fst snd] in *.
+  destruct (leaves_open c (map snd (map snd compared))).
   - destruct K as [Kx Ky]. destruct (X Kx) as (Fx & Ex & Px & Dx), (Y Ky) as (Fy & Ey & Py & Dy). split; [destruct (holds c _); assumption | apply
       open_covers; assumption].
   - destruct K as [D K]. rewrite <- (decided_is_right c compared exact A D). rewrite <- values. apply not_more; [exact S1|].
@@ -112,52 +117,55 @@ Proof.
   - destruct (enclosing_rules__slack _ N) as [S B]. assert (C := composition p 1 inputs exact (Rle_refl 1)). rewrite Rmult_1_l in C. specialize (C S
       A). intro K.
     destruct (nth_enclosed _ _ _ output C K) as (_ & _ & P & D). eapply Rle_trans; [exact D|].
-    fold n. fold n in P. apply Rle_trans with ((1 + 1 / 2 ^ 49) ^ length p / 2 ^ 53 * snd (snd n)); [lra | apply Rmult_le_compat_r; assumption].
+    fold n. fold n in P. apply Rle_trans with ((1 + 1 / 2 ^ 49) ^ length p / 2 ^ 53 * snd (snd (snd n))); [lra | apply Rmult_le_compat_r; assumption].
 Qed.
 
-Lemma exactly_known v : float64 v -> known_encloses 1 (True, (v, 0)) v.
+Lemma exactly_known a v : float64 v -> known_encloses 1 (True, (a, (v, 0))) v.
 Proof. intros F _. repeat split; cbn; [exact F | apply generic_format_0 | lra | rewrite Rminus_eq_0, Rabs_R0; lra]. Qed.
 Ltac each_input := repeat apply Forall2_cons; try apply Forall2_nil.
+Ltac run_shown := cbn -[too_near Rlt_dec IZR pow]; unfold value_of; cbn [fst snd].
 Lemma exactly_apart a b : too_near (a, 0) (b, 0) = false.
 Proof. unfold too_near. cbn [fst snd]. rewrite Rplus_0_r, rounded_0. destruct (either _ _) as [|[_ N]]; [reflexivity | destruct (N eq_refl)]. Qed.
 (* Two lines: 1/0, unless 0 < 1. The quotient's rule allows nothing, and what takes the other side is known. *)
+Definition ordinary : kind := Run false false.
 Theorem enclosing_rules__whole_programs__point : exists (p : program operation) (inputs : list number) (exact : list R), INR (length p) <= 2 ^ 28 /\
   Forall2 (known_encloses 1) inputs exact /\
   let results := run operation number (machine_of counted_roundings) zero_known p inputs in fst (nth 3 results zero_known) /\ ~ fst (nth 2 results
     zero_known).
 Proof.
-  exists ((Quotient, [0; 1]%nat) :: (Choose (Less 0 1), [0; 2; 1; 0]%nat) :: nil), ((True, (1, 0)) :: (True, (0, 0)) :: nil), (1 :: 0 :: nil).
+  exists ((Quotient, [0; 1]%nat) :: (Choose (Less 0 1), [0; 2; 1; 0]%nat) :: nil), ((True, (ordinary, (1, 0))) :: (True, (ordinary, (0, 0))) :: nil), (1 ::
+    0 :: nil).
   split; [cbn; lra | split; [each_input; apply exactly_known; [exact one_is_float64 | apply generic_format_0]|]].
-  cbn -[too_near Rlt_dec IZR]. rewrite exactly_apart. unfold value_of. cbn [fst snd]. destruct Rlt_dec; [|lra]. split; [repeat split; apply exactly_apart|]. rewrite Rabs_R0.
-    lra.
+  run_shown. rewrite exactly_apart. destruct Rlt_dec; [|lra]. split; [repeat split; apply exactly_apart|]. rewrite Rabs_R0. lra.
 Qed.
-(* A count that an open selection adds nothing to, and one that a scale leaves as it is, bound no programs; nor does what is not known. *)
-Definition without_open (o : operation) (given : list (R * R)) : R :=
+(* Counts that an open selection adds nothing to, and those of products that one factor's count is left to, bound no programs. *)
+Definition without_open (o : operation) (given : list (kind * (R * R))) : R :=
   match o, given with
-  | Choose c, (_, e) :: (_, d) :: compared => if holds c (map fst compared) then e else d
+  | Choose c, (_, (_, e)) :: (_, (_, d)) :: compared => if holds c (map fst (map snd compared)) then e else d
   | _, _ => counted_roundings o given
   end.
-Definition without_scale (o : operation) (given : list (R * R)) : R := match o, given with Scaled _, [(_, e)] => e | _, _ => counted_roundings o
-  given end.
-Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open /\ ~ bounds_programs without_scale.
+Definition without_factor (o : operation) (given : list (kind * (R * R))) : R := match o, given with Product, [(_, (_, e)); _] => e | _, _ =>
+  counted_roundings o given end.
+Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open /\ ~ bounds_programs without_factor.
 Proof.
   assert (B : 2 ^ 53 = bpow radix2 53) by (simpl; lra). assert (F : float64 (2 ^ 53)) by (rewrite B; apply generic_format_bpow; easy). assert (F0 :
     float64 0) by apply generic_format_0.
-  assert (E : forall v x, float64 v -> Rabs (v - x) <= 1 -> known_encloses 1 (True, (v, 2 ^ 53)) x) by (intros v x V D _; repeat split; cbn -[pow];
-    [exact V | exact F | lra | lra]).
+  assert (E : forall v x, float64 v -> Rabs (v - x) <= 1 -> known_encloses 1 (True, (ordinary, (v, 2 ^ 53))) x) by (intros v x V D _; repeat split; cbn
+    -[pow]; [exact V | exact F | lra | lra]).
   split; intro H.
-  - specialize (H ((Choose (Less 0 1), [0; 1; 2; 1]%nat) :: nil) ((True, (0, 0)) :: (True, (1, 0)) :: (True, (1, 2 ^ 53)) :: nil) (0 :: 1 :: 0 ::
-      nil) 3%nat ltac:(cbn; lra)).
+  - specialize (H ((Choose (Less 0 1), [0; 1; 2; 1]%nat) :: nil) ((True, (ordinary, (0, 0))) :: (True, (ordinary, (1, 0))) :: (True, (ordinary, (1, 2 ^ 53)))
+      :: nil) (0 :: 1 :: 0 :: nil) 3%nat ltac:(cbn; lra)).
     destruct H as [_ H]; [each_input; try apply exactly_known; try (apply E; [|rewrite Rminus_0_r, Rabs_R1; lra]); assumption || exact
-      one_is_float64|]. revert H. cbn -[too_near Rlt_dec IZR pow]. unfold value_of. cbn [fst snd].
+      one_is_float64|]. revert H. run_shown.
     assert (N : too_near (1, 2 ^ 53) (1, 0) = true).
     { unfold too_near. cbn [fst snd]. rewrite Rminus_eq_0, rounded_0, Rabs_R0, Rplus_0_r, (kept _ F). destruct (either _ _) as [[L|L]|];
       [|lra|reflexivity].
       assert (0 <= rounded (2 ^ 53 * ROUNDING)) by is_not_negative. lra. }
     rewrite N. destruct Rlt_dec; [lra|]. destruct Rlt_dec; [|lra]. intro H. specialize (H (conj I I)). rewrite Rminus_0_r, Rabs_R1 in H. lra.
-  - specialize (H ((Scaled 1, [0]%nat) :: nil) ((True, (0, 2 ^ 53)) :: nil) (1 :: nil) 1%nat ltac:(cbn; lra)).
-    destruct H as [_ H]; [each_input; apply E; [exact F0 | rewrite Rminus_0_l, Rabs_Ropp, Rabs_R1; lra]|]. revert H. cbn -[IZR pow]. unfold value_of.
-      cbn [fst snd].
-    rewrite Rmult_0_l, rounded_0, Rmult_1_l, pow_1, Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by lra. intro H. specialize (H ltac:(repeat constructor)).
-      in_units.
+  - specialize (H ((Product, [0; 1]%nat) :: nil) ((True, (ordinary, (0, 2 ^ 53))) :: (True, (ordinary, (2, 0))) :: nil) (1 :: 2 :: nil) 2%nat ltac:(cbn;
+      lra)).
+    destruct H as [_ H]; [each_input; [apply E; [exact F0 | rewrite Rminus_0_l, Rabs_Ropp, Rabs_R1; lra] | apply exactly_known, two_is_float64]|].
+      revert H. run_shown.
+    unfold enclosed_product_float64.product. rewrite Rmult_0_l, rounded_0, Rmult_1_l, Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by lra. intro H. specialize
+      (H ltac:(repeat constructor; lra)). in_units.
 Qed.
