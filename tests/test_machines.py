@@ -1,13 +1,15 @@
 """NumPy draws what LLVM draws, in groups of any size, to the last bit."""
 
+import operator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import chain, product, repeat
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import example, given, strategies as st
 
 from renderer import (
     HeightField,
@@ -19,6 +21,7 @@ from renderer import (
     gradient_at,
     height_at,
     k_v,
+    kernels,
     machines,
     pixel,
     render,
@@ -27,7 +30,11 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
+from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
+from renderer.scene.scene import BUMPS
+from renderer.shader.numbers import SCENE_FORM, numbers_of
+from renderer.shader.recorded import ANY, WANTS, recorded
 from tests.strategies import methods, rasters, scenes
 
 LANES = [2, 4, 8, 16]
@@ -45,6 +52,13 @@ SCENES = {  # beside those that are drawn at random below
     "tiny": (Scene(1e-60, 4e-60, False, lights=(Light((5e-60, 5e-60, 1e-59)),)), central(1e-3)),
     "huge": (Scene(1e60, 4e60, False, lights=(Light((5e60, 5e60, 1e61)),)), exact()),
 }
+OPERATIONS = {
+    "Negative": operator.neg, "Size": abs, "Sum": operator.add, "Difference": operator.sub, "Product": operator.mul,
+    "Quotient": operator.truediv, "Root": np.sqrt, "Floor": np.floor, "Nearest": np.rint, "Angle": kernels.atan2pi,
+    "Power": kernels.power, "Sine": lambda a, b: kernels.sinpi(*kernels.two_product(a, b)),
+    "Cosine": lambda a, b: kernels.cospi(*kernels.two_product(a, b)), "Less": operator.lt, "At_most": operator.le,
+    "Same": operator.eq, "Both": np.logical_and, "Either": np.logical_or, "Not": np.logical_not,
+}  # fmt: skip
 
 
 @contextmanager
@@ -129,6 +143,51 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
         assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
         assert alone.work["slopes"][by] == np.count_nonzero(on)
+
+
+RECORDING = recorded()
+
+
+@np.errstate(all="ignore")
+def run(inputs):
+    """Return the values of the recorded program's lines."""
+    inputs, values = iter(inputs), []
+
+    def holds(condition, compared):
+        kind, *parts = condition
+        return OPERATIONS[kind](*(holds(p, compared) if isinstance(p, tuple) else compared[p] for p in parts))
+
+    for kind, text, *places in RECORDING.lines:
+        given = [values[place] for place in places]
+        if kind == "Input":
+            value = next(inputs)
+        elif kind == "Choose":
+            value = np.where(holds(text, given[2:]), *given[:2])
+        else:
+            value = OPERATIONS[kind](*given) if given else float.fromhex(text)
+        values.append(np.asarray(value, np.float64))
+    return values
+
+
+@given(scenes(), rasters(), methods)
+@example(Scene(), SIZE, exact())
+def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
+    """The default scene's as it is drawn; any other's by the gradient's general form and a power that is not whole."""
+    known = scene == Scene()
+    if not known:
+        scene = replace(scene, shininess=scene.shininess // 1 + 0.5)
+        method = exact("general") if method.name == "exact" else method
+    frame = render(scene, *size, method)
+    shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
+    chosen = of_form(SCENE_FORM, numbers)
+    chosen.way, chosen.bump = ANY.ways.index((scene.field, "general" if known else shot.way)), BUMPS.index(scene.bump)
+    chosen.model = ANY.lights.index(shot.want.lights[0])
+    x, y = shot.raster.image_points(scene)
+    values = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
+    drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
+    code, *colors = (values[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))
+    assert (code == frame.chambers).all()
+    assert all((color == plane).all() for color, plane in zip(colors, frame.planes, strict=True))
 
 
 @pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])

@@ -63,16 +63,35 @@ Proof.
   induction p as [|[o places] p IH]; intros marked values others A; simpl; [exact A|]. apply IH, agree_line; [exact A|]. unfold changing.
   intro N. rewrite (agree_taken _ _ _ _ A N). reflexivity.
 Qed.
+End independence.
 
-(* What some inputs do not reach stays the same, whatever those are, on every machine. *)
-Theorem independence p places outputs values others : reaches p (length values) places outputs = false -> length others = length values ->
+(* On no machine do some outputs change with some of so many inputs. *)
+Definition unmoved (p : program) (inputs : nat) (places outputs : list nat) : Prop :=
+  forall (V : Type) (m : machine V) (nothing : V) (values others : list V), length values = inputs -> length others = inputs ->
   (forall i, ~ In i places -> nth i values nothing = nth i others nothing) ->
   taken V nothing (run V m nothing p values) outputs = taken V nothing (run V m nothing p others) outputs.
+
+Lemma at_place inputs places i : nth i (at_places inputs places) false = (i <? inputs) && existsb (Nat.eqb i) places.
 Proof.
-  intros N L D. apply agree_taken with (2 := N), independence_of_all. unfold agree, at_places. rewrite map_length, seq_length.
-  repeat split; [exact L|]. intros i E. destruct (Nat.lt_ge_cases i (length values)) as [I|]; [|rewrite !nth_overflow by lia; reflexivity].
-  apply D. intro P. rewrite nth_indep with (d' := existsb (Nat.eqb 0) places), (map_nth (fun j => existsb (Nat.eqb j) places)), seq_nth in E
-    by (rewrite ?map_length, ?seq_length; exact I). apply not_true_iff_false in E. apply E, existsb_exists. exists i. rewrite Nat.eqb_refl. auto.
+  unfold at_places. destruct (Nat.ltb_spec i inputs).
+  - rewrite nth_indep with (d' := existsb (Nat.eqb 0) places) by (rewrite map_length, seq_length; assumption).
+    rewrite (map_nth (fun j => existsb (Nat.eqb j) places)), seq_nth by assumption. reflexivity.
+  - apply nth_overflow. rewrite map_length, seq_length. assumption.
 Qed.
-End independence.
+Lemma is_in (i : nat) (places : list nat) : In i places <-> existsb (Nat.eqb i) places = true.
+Proof. rewrite existsb_exists. split; [exists i; rewrite Nat.eqb_refl; auto | intros (j & I & ->%Nat.eqb_eq); exact I]. Qed.
+(* That is computed on the program: the machine of truth values is one of them. *)
+Theorem independence p inputs places outputs : reaches p inputs places outputs = false -> unmoved p inputs places outputs.
+Proof.
+  intros N V m nothing values others A B D. apply agree_taken with (2 := N), independence_of_all. unfold agree, at_places.
+  rewrite map_length, seq_length. repeat split; [exact A | exact B|]. intros i E. fold (at_places inputs places) in E. rewrite at_place in E.
+  destruct (Nat.ltb_spec i inputs); [|rewrite !nth_overflow by lia; reflexivity]. apply D. simpl in E. rewrite is_in, E. discriminate.
+Qed.
+Theorem dependence p inputs places outputs :
+  taken bool false (reached_from p (at_places inputs nil)) outputs <> taken bool false (reached_from p (at_places inputs places)) outputs ->
+  ~ unmoved p inputs places outputs.
+Proof.
+  intros N U. apply N, (U bool changing false); try (unfold at_places; rewrite map_length; apply seq_length).
+  intros i I. rewrite is_in in I. rewrite !at_place, (not_true_is_false _ I). reflexivity.
+Qed.
 End programs.
