@@ -133,7 +133,8 @@ Theorem enclosing_rules__whole_programs__point : exists (p : program operation) 
   let results := run operation number (machine_of counted_roundings) zero_known p inputs in fst (nth 3 results zero_known) /\ ~ fst (nth 2 results
     zero_known).
 Proof.
-  exists ((Quotient, [0; 1]%nat) :: (Choose (Less 0 1), [0; 2; 1; 0]%nat) :: nil), ((True, (ordinary, (1, 0))) :: (True, (ordinary, (0, 0))) :: nil), (1 ::
+  exists ((Quotient, [0; 1]%nat) :: (Choose (Less 0 1), [0; 2; 1; 0]%nat) :: nil), ((True, (ordinary, (1, 0))) :: (True, (ordinary, (0, 0))) :: nil),
+    (1 ::
     0 :: nil).
   split; [cbn; lra | split; [each_input; apply exactly_known; [exact one_is_float64 | apply generic_format_0]|]].
   run_shown. rewrite exactly_apart. destruct Rlt_dec; [|lra]. split; [repeat split; apply exactly_apart|]. rewrite Rabs_R0. lra.
@@ -150,10 +151,12 @@ Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open 
 Proof.
   assert (B : 2 ^ 53 = bpow radix2 53) by (simpl; lra). assert (F : float64 (2 ^ 53)) by (rewrite B; apply generic_format_bpow; easy). assert (F0 :
     float64 0) by apply generic_format_0.
-  assert (E : forall v x, float64 v -> Rabs (v - x) <= 1 -> known_encloses 1 (True, (ordinary, (v, 2 ^ 53))) x) by (intros v x V D _; repeat split; cbn
+  assert (E : forall v x, float64 v -> Rabs (v - x) <= 1 -> known_encloses 1 (True, (ordinary, (v, 2 ^ 53))) x) by (intros v x V D _; repeat split;
+    cbn
     -[pow]; [exact V | exact F | lra | lra]).
   split; intro H.
-  - specialize (H ((Choose (Less 0 1), [0; 1; 2; 1]%nat) :: nil) ((True, (ordinary, (0, 0))) :: (True, (ordinary, (1, 0))) :: (True, (ordinary, (1, 2 ^ 53)))
+  - specialize (H ((Choose (Less 0 1), [0; 1; 2; 1]%nat) :: nil) ((True, (ordinary, (0, 0))) :: (True, (ordinary, (1, 0))) :: (True, (ordinary, (1, 2
+      ^ 53)))
       :: nil) (0 :: 1 :: 0 :: nil) 3%nat ltac:(cbn; lra)).
     destruct H as [_ H]; [each_input; try apply exactly_known; try (apply E; [|rewrite Rminus_0_r, Rabs_R1; lra]); assumption || exact
       one_is_float64|]. revert H. run_shown.
@@ -162,7 +165,8 @@ Proof.
       [|lra|reflexivity].
       assert (0 <= rounded (2 ^ 53 * ROUNDING)) by is_not_negative. lra. }
     rewrite N. destruct Rlt_dec; [lra|]. destruct Rlt_dec; [|lra]. intro H. specialize (H (conj I I)). rewrite Rminus_0_r, Rabs_R1 in H. lra.
-  - specialize (H ((Product, [0; 1]%nat) :: nil) ((True, (ordinary, (0, 2 ^ 53))) :: (True, (ordinary, (2, 0))) :: nil) (1 :: 2 :: nil) 2%nat ltac:(cbn;
+  - specialize (H ((Product, [0; 1]%nat) :: nil) ((True, (ordinary, (0, 2 ^ 53))) :: (True, (ordinary, (2, 0))) :: nil) (1 :: 2 :: nil) 2%nat
+      ltac:(cbn;
       lra)).
     destruct H as [_ H]; [each_input; [apply E; [exact F0 | rewrite Rminus_0_l, Rabs_Ropp, Rabs_R1; lra] | apply exactly_known, two_is_float64]|].
       revert H. run_shown.
