@@ -10,20 +10,20 @@ Definition bump_inputs : list nat := recorded_pixel.h_u ++ recorded_pixel.h_v ++
 Definition color_inputs : list nat := recorded_pixel.model ++ recorded_pixel.ka ++ recorded_pixel.kd ++ recorded_pixel.ks ++ recorded_pixel.power
   ++ recorded_pixel.albedo_a ++ recorded_pixel.albedo_b ++ recorded_pixel.ambient_light ++ recorded_pixel.ambient ++ recorded_pixel.floor_light
   ++ recorded_pixel.floor_dark ++ recorded_pixel.light_color ++ recorded_pixel.light_glows.
-Definition pixel_unmoved : list nat -> list nat -> Prop := unmoved recorded_pixel.operation recorded_pixel.pixel recorded_pixel.inputs.
+Definition pixel_without : list nat -> list nat -> Prop := independent recorded_pixel.operation recorded_pixel.pixel recorded_pixel.inputs.
 
 (* The chamber code has the surface, a bit for each light that another body hides, and the checker's square. *)
-Theorem bump_moves_no_boundary__program : pixel_unmoved bump_inputs recorded_pixel.code.
+Theorem bump_moves_no_boundary__program : pixel_without bump_inputs recorded_pixel.code.
 Proof. apply independence. vm_compute. reflexivity. Qed.
-Theorem edges_add_nothing__program : pixel_unmoved (bump_inputs ++ color_inputs) recorded_pixel.code.
+Theorem edges_add_nothing__program : pixel_without (bump_inputs ++ color_inputs) recorded_pixel.code.
 Proof. apply independence. vm_compute. reflexivity. Qed.
 
 (* False variants: a chamber that is chosen by whether N' is lower than the eye, among the boundaries; and what the eye's height moves. *)
-Definition by_normal : program recorded_pixel.operation := (recorded_pixel.Choose (recorded_pixel.Less 0 1),
+Definition by_normal : program recorded_pixel.operation := (recorded_pixel.Where (recorded_pixel.Lt 0 1),
   map (fun places => hd 0 places) [recorded_pixel.code; recorded_pixel.ground; recorded_pixel.normal; recorded_pixel.eye]) :: nil.
 Theorem bump_moves_no_boundary__program__false :
-  ~ unmoved recorded_pixel.operation (recorded_pixel.pixel ++ by_normal) recorded_pixel.inputs bump_inputs
+  ~ independent recorded_pixel.operation (recorded_pixel.pixel ++ by_normal) recorded_pixel.inputs bump_inputs
       (recorded_pixel.inputs + length recorded_pixel.pixel :: recorded_pixel.code).
 Proof. apply dependence. vm_compute. discriminate. Qed.
-Theorem edges_add_nothing__program__false : ~ pixel_unmoved (bump_inputs ++ color_inputs ++ recorded_pixel.eye) recorded_pixel.code.
+Theorem edges_add_nothing__program__false : ~ pixel_without (bump_inputs ++ color_inputs ++ recorded_pixel.eye) recorded_pixel.code.
 Proof. apply dependence. vm_compute. discriminate. Qed.

@@ -66,7 +66,7 @@ Qed.
 End independence.
 
 (* On no machine do some outputs change with some of so many inputs. *)
-Definition unmoved (p : program) (inputs : nat) (places outputs : list nat) : Prop :=
+Definition independent (p : program) (inputs : nat) (places outputs : list nat) : Prop :=
   forall (V : Type) (m : machine V) (nothing : V) (values others : list V), length values = inputs -> length others = inputs ->
   (forall i, ~ In i places -> nth i values nothing = nth i others nothing) ->
   taken V nothing (run V m nothing p values) outputs = taken V nothing (run V m nothing p others) outputs.
@@ -81,7 +81,7 @@ Qed.
 Lemma is_in (i : nat) (places : list nat) : In i places <-> existsb (Nat.eqb i) places = true.
 Proof. rewrite existsb_exists. split; [exists i; rewrite Nat.eqb_refl; auto | intros (j & I & ->%Nat.eqb_eq); exact I]. Qed.
 (* That is computed on the program: the machine of truth values is one of them. *)
-Theorem independence p inputs places outputs : reaches p inputs places outputs = false -> unmoved p inputs places outputs.
+Theorem independence p inputs places outputs : reaches p inputs places outputs = false -> independent p inputs places outputs.
 Proof.
   intros N V m nothing values others A B D. apply agree_taken with (2 := N), independence_of_all. unfold agree, at_places.
   rewrite map_length, seq_length. repeat split; [exact A | exact B|]. intros i E. fold (at_places inputs places) in E. rewrite at_place in E.
@@ -89,7 +89,7 @@ Proof.
 Qed.
 Theorem dependence p inputs places outputs :
   taken bool false (reached_from p (at_places inputs nil)) outputs <> taken bool false (reached_from p (at_places inputs places)) outputs ->
-  ~ unmoved p inputs places outputs.
+  ~ independent p inputs places outputs.
 Proof.
   intros N U. apply N, (U bool changing false); try (unfold at_places; rewrite map_length; apply seq_length).
   intros i I. rewrite is_in in I. rewrite !at_place, (not_true_is_false _ I). reflexivity.

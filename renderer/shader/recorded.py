@@ -1,6 +1,7 @@
 """The program of a pixel for Coq, recorded from the shader: `python -m renderer.generate` prints it as data."""
 
 import textwrap
+from itertools import product
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,19 +15,6 @@ from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want
 from renderer.shader.shader import SLOPES, Group
 
-WAYS = (*((field, way) for field in FIELDS for way in ("general", *DIFFERENCES)), ("sine", "stored"))
-MODELS = tuple(
-    (model, style)
-    for model, (_, squared) in LIGHT_MODELS.items()
-    for style in ("base", "diffuse", *(["squared"] if squared else []))
-)
-ANY = Want(WAYS, MODELS, integer_power=False, bumps=BUMPS)
-DEFAULT = Shot(Scene()).want
-WANTS = (ANY, ANY._replace(horizon=True), DEFAULT)
-KNOWN = ("power", "power_u", "power_v")  # by the last, as the default scene has them: so often it squares
-PART = 50  # lines in one list: Coq's time to read one grows with its square
-FILLED = textwrap.TextWrapper(120, break_on_hyphens=False).fill
-
 HEADER = """(* Printed from renderer/shader by `python -m renderer.generate`. Do not edit: change the shader.
    A pixel's program, recorded from the shader: the places of inputs and outputs by their names; then the lines, each an
    operation and the places of what it takes. A selection takes two numbers, and those that its condition compares. *)
@@ -35,11 +23,26 @@ From Coq Require Import List NArith ZArith.
 Import ListNotations.
 
 Module recorded_pixel.
-Inductive condition : Type := Less (i j : nat) | At_most (i j : nat) | Same (i j : nat)
-  | Not (c : condition) | Both (c d : condition) | Either (c d : condition).
-Inductive operation : Type := Literal (m e : Z) | Infinite | Constant (m e : Z) | Negative | Size | Sum | Difference
-  | Product | Quotient | Root | Floor | Nearest | Sine | Cosine | Angle | Power | Choose (c : condition).
+Inductive condition : Type := Lt (i j : nat) | Le (i j : nat) | Eq (i j : nat) | Ne (i j : nat)
+  | And (c d : condition) | Or (c d : condition) | Invert (c : condition).
+Inductive operation : Type := Literal (m e : Z) | Infinite | Constant (m e : Z) | Neg | Abs | Add | Sub | Mul | Truediv
+  | Sqrt | Floor | Rint | Sinpi | Cospi | Atan2pi | Power | Where (c : condition).
 """
+PART = 50  # lines in one list: Coq's time to read one grows with its square
+ANY = Want(
+    (*product(FIELDS, ("general", *DIFFERENCES)), ("sine", "stored")),
+    tuple(
+        (model, style)
+        for model, style in product(LIGHT_MODELS, ("base", "diffuse", "squared"))
+        if style != "squared" or LIGHT_MODELS[model][1]
+    ),
+    integer_power=False,
+    bumps=BUMPS,
+)
+DEFAULT = Shot(Scene()).want
+WANTS = (ANY, ANY._replace(horizon=True), DEFAULT)
+KNOWN = {name: getattr(SCENE_FORM, name) for name in ("power", "power_u", "power_v")}
+"""The powers of the default scene, by squaring."""
 
 
 class Pixel(Group):
@@ -55,17 +58,15 @@ def recorded() -> Recorder:
     """Return the recording of a pixel, drawn with no light by each of WANTS, then with one, up to MAX_LIGHTS."""
     recorder = Recorder(*SLOPES)
 
-    def inputs(form: SimpleNamespace, before: str = "", *numbers: int) -> SimpleNamespace:
+    def inputs(form, before="", *numbers):
         each = [(before + name, *numbers, n) for name, part in vars(form).items() for n in range(np.size(part))]
         return of_form(form, [recorder.load(*name) for name in each])
 
-    scene = inputs(SCENE_FORM)
-    known = SimpleNamespace(**vars(scene) | {name: getattr(SCENE_FORM, name) for name in KNOWN})
-    lights = [inputs(LIGHT_FORM, "light_", number) for number in range(MAX_LIGHTS)]
-    for number in range(MAX_LIGHTS + 1):
+    scene, lights = inputs(SCENE_FORM), [inputs(LIGHT_FORM, "light_", number) for number in range(MAX_LIGHTS)]
+    for number, want in product(range(MAX_LIGHTS + 1), WANTS):
         recorder.lights = lights[:number]
-        for want in WANTS:
-            Pixel(recorder, known if want is DEFAULT else scene, want, recorder).draw()
+        numbers = SimpleNamespace(**vars(scene) | (KNOWN if want is DEFAULT else {}))
+        Pixel(recorder, numbers, want, recorder).draw()
     return recorder
 
 
@@ -73,7 +74,7 @@ def recorded_source() -> str:
     """Return the text of proofs/formal/RecordedPixel.v."""
     recorder, lines, named = recorded(), [], {}
     for (kind, text, *places), place in recorder.lines.items():
-        if kind == "Input":
+        if kind == "input":
             named.setdefault(text[0], []).append(place)
         else:
             lines.append(f"({_operation(kind, text)}, {_list(places)})")
@@ -86,7 +87,8 @@ def recorded_source() -> str:
         parts.append(f"Definition from_{first} : list (operation * list N) := [{part}].")
     parts.append(f"Definition lines := concat {_list(f'from_{first}' for first in firsts)}.")
     parts.append("Definition pixel := map (fun line => (fst line, map N.to_nat (snd line))) lines.")
-    return HEADER + "\n".join(map(FILLED, parts)) + "\nEnd recorded_pixel.\n"
+    fill = textwrap.TextWrapper(120, break_on_hyphens=False).fill
+    return HEADER + "\n".join(map(fill, parts)) + "\nEnd recorded_pixel.\n"
 
 
 def _list(places):
@@ -94,16 +96,14 @@ def _list(places):
 
 
 def _operation(kind, text):
-    if kind == "Choose":
-        return f"Choose {_condition(text)}"
-    if not text:
-        return kind
     if text == "inf":
         return "Infinite"
-    numerator, denominator = float.fromhex(text).as_integer_ratio()
-    return f"{kind} ({numerator}) ({1 - denominator.bit_length()})"
+    name = kind.capitalize()
+    if isinstance(text, tuple):
+        return f"{name} {_condition(*text)}"
+    numerator, denominator = float.fromhex(text or "0").as_integer_ratio()
+    return f"{name} ({numerator}) ({1 - denominator.bit_length()})" if text else name
 
 
-def _condition(condition):
-    kind, *parts = condition
-    return f"({kind} {' '.join(_condition(part) if isinstance(part, tuple) else str(part) for part in parts)})"
+def _condition(kind, *parts):
+    return f"({kind.capitalize()} {' '.join(_condition(*p) if isinstance(p, tuple) else str(p) for p in parts)})"
