@@ -135,6 +135,12 @@ def test_an_operation_stays_in_its_bounds(name):
     assert escapes(name) == 0
 
 
+def test_a_half_that_is_rounded_up_to_a_normal_number_is_not_exact():
+    number = Enclosed(np.nextafter([2.0**-1021], 0.0), stays_exact=True) * 0.5
+    assert number.value == enclosing.LEAST_NORMAL
+    assert number.bound > 0.0
+
+
 def one_sided(mask, value, otherwise):
     """Return a selection that covers the side alone that was computed."""
     return where(Mask(mask.holds), value, otherwise)
