@@ -7,12 +7,13 @@ Import ListNotations.
 
 Fixpoint test_of (c : recorded_pixel.condition) : test :=
   match c with
-  | recorded_pixel.Less i j => Less i j
-  | recorded_pixel.At_most i j => Not (Less j i)
-  | recorded_pixel.Same i j => Same i j
-  | recorded_pixel.Not c => Not (test_of c)
-  | recorded_pixel.Both c d => Both (test_of c) (test_of d)
-  | recorded_pixel.Either c d => Not (Both (Not (test_of c)) (Not (test_of d)))
+  | recorded_pixel.Lt i j => Less i j
+  | recorded_pixel.Le i j => Not (Less j i)
+  | recorded_pixel.Eq i j => Same i j
+  | recorded_pixel.Ne i j => Not (Same i j)
+  | recorded_pixel.Invert c => Not (test_of c)
+  | recorded_pixel.And c d => Both (test_of c) (test_of d)
+  | recorded_pixel.Or c d => Not (Both (Not (test_of c)) (Not (test_of d)))
   end.
 (* A constant m 2^e stands for a real number, and has a count. What is missed is 2^1023 away: float64's model here has no infinity. *)
 Definition operation_of (constants : Z -> Z -> R * R) (o : recorded_pixel.operation) : operation :=
@@ -20,20 +21,20 @@ Definition operation_of (constants : Z -> Z -> R * R) (o : recorded_pixel.operat
   | recorded_pixel.Literal m e => Literal m e
   | recorded_pixel.Infinite => Literal 1 1023
   | recorded_pixel.Constant m e => Constant (literal m e) (snd (constants m e)) (fst (constants m e))
-  | recorded_pixel.Negative => Negative
-  | recorded_pixel.Size => Size
-  | recorded_pixel.Sum => Sum
-  | recorded_pixel.Difference => Difference
-  | recorded_pixel.Product => Product
-  | recorded_pixel.Quotient => Quotient
-  | recorded_pixel.Root => Root
+  | recorded_pixel.Neg => Negative
+  | recorded_pixel.Abs => Size
+  | recorded_pixel.Add => Sum
+  | recorded_pixel.Sub => Difference
+  | recorded_pixel.Mul => Product
+  | recorded_pixel.Truediv => Quotient
+  | recorded_pixel.Sqrt => Root
   | recorded_pixel.Floor => Floor
-  | recorded_pixel.Nearest => Nearest
-  | recorded_pixel.Sine => Sine
-  | recorded_pixel.Cosine => Cosine
-  | recorded_pixel.Angle => Angle
+  | recorded_pixel.Rint => Nearest
+  | recorded_pixel.Sinpi => Sine
+  | recorded_pixel.Cospi => Cosine
+  | recorded_pixel.Atan2pi => Angle
   | recorded_pixel.Power => Power
-  | recorded_pixel.Choose c => Choose (test_of c)
+  | recorded_pixel.Where c => Choose (test_of c)
   end.
 Definition pixel_of (constants : Z -> Z -> R * R) : program operation := map (fun one => (operation_of constants (fst one), snd one))
   recorded_pixel.pixel.
