@@ -12,7 +12,7 @@ from renderer.machines.forms import Step
 from renderer.machines.numpy_rows import Rows
 from renderer.operations import Constant, where
 
-CONDITIONS = ("lt", "le", "eq", "ne", "and", "or", "invert")
+CONDITIONS, REFLECTED = ("lt", "le", "eq", "ne", "and", "or", "invert"), {"lt": "gt", "le": "ge"}
 
 
 class Recorded:
@@ -34,8 +34,7 @@ def _operator(name, order):
 
 for _name in (*CONDITIONS, "neg", "abs", "add", "sub", "mul", "truediv"):
     setattr(Recorded, f"__{_name}__", _operator(_name, 1))
-    setattr(Recorded, f"__r{_name}__", _operator(_name, -1))
-Recorded.__gt__, Recorded.__ge__ = _operator("lt", -1), _operator("le", -1)  # type: ignore[assignment,method-assign]
+    setattr(Recorded, f"__{REFLECTED.get(_name, f'r{_name}')}__", _operator(_name, -1))
 
 
 class Variable:
@@ -55,7 +54,8 @@ class Recorder(Rows):
     variable = Variable  # type: ignore[assignment]
 
     def __init__(self, *planes: str):
-        self.lines, self.outputs = {}, {}
+        self.lines: dict[tuple, int] = {}
+        self.outputs: dict[str, list[int]] = {}
         self.x, self.y, *_ = map(self.load, ("x", "y", *planes))
 
     def line(self, operation: str, *numbers: Any, text: Any = "") -> Recorded:

@@ -72,13 +72,14 @@ def recorded() -> Recorder:
 
 def recorded_source() -> str:
     """Return the text of proofs/formal/RecordedPixel.v."""
-    recorder, lines, named = recorded(), [], {}
+    recorder, lines = recorded(), []
+    named: dict[str, list] = {}
     for (kind, text, *places), place in recorder.lines.items():
         if kind == "input":
             named.setdefault(text[0], []).append(place)
         else:
             lines.append(f"({_operation(kind, text)}, {_list(places)})")
-    named |= {name: dict.fromkeys(places) for name, places in recorder.outputs.items()}
+    named |= {name: [*dict.fromkeys(places)] for name, places in recorder.outputs.items()}
     parts = [f"Definition {name} : list nat := {_list(places)}." for name, places in named.items()]
     parts += [f"Definition inputs : nat := {len(recorder.lines) - len(lines)}.", "Open Scope N_scope."]
     firsts = range(0, len(lines), PART)
