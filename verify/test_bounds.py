@@ -210,16 +210,15 @@ def bounded(lines, inputs):
     return numbers, knowns
 
 
-MATT = [
-    (Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for method in (exact("general"), central(1e-3))
-]
+WAYS = exact("general"), central(1e-3)
+MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for method in WAYS]
 """Scenes without the highlight, whose power has no rule."""
 
 
 @np.errstate(all="ignore")
 @pytest.mark.parametrize("scene, method", [(Scene(), exact()), *MATT])
 def test_the_rules_allow_what_a_pixel_needs(scene, method):
-    """By the recorded program. The picture's bounds are no less, but for a last bit: its variables take none for exact."""
+    """By the recorded program. The picture's bounds are no less, but for a last bit: none of its variables is exact."""
     frame, recording = render(scene, 24, 24, method, bounds=True), recorded()
     shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
     job, chosen = input_bounds(shot, 24), of_form(SCENE_FORM, map(np.asarray, numbers))
