@@ -38,11 +38,13 @@ Definition operation_of (constants : Z -> Z -> R * R) (o : recorded_pixel.operat
   end.
 Definition pixel_of (constants : Z -> Z -> R * R) : program operation := map (fun one => (operation_of constants (fst one), snd one))
   recorded_pixel.pixel.
-Theorem pixel_accuracy__recorded (constants : Z -> Z -> R * R) (inputs : list number) (exact : list R) (output : nat) : Forall2 (known_encloses 1)
+Theorem pixel_accuracy__recorded (constants : Z -> Z -> R * R) (inputs : list number) (exact : list exact_number) (output : nat) : Forall2
+  (known_encloses 1)
   inputs exact ->
   let n := nth output (run operation number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in
   value_of n = nth output (run operation R in_float64 0 (pixel_of constants) (map value_of inputs)) 0 /\
-  (fst n -> Rabs (value_of n - nth output (run operation R exactly 0 (pixel_of constants) exact) 0) <= ROUNDING * snd (snd (snd n))).
+  (fst n -> let x := nth output (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant in
+  fst x /\ Rabs (value_of n - snd x) <= ROUNDING * snd (snd (snd n))).
 Proof.
   intro A. apply enclosing_rules__whole_programs; [|exact A]. unfold pixel_of. rewrite map_length.
   assert (L : (Z.of_nat (length recorded_pixel.pixel) <= 2 ^ 28)%Z) by (apply Z.leb_le; vm_compute; reflexivity). rewrite INR_IZR_INZ, (pow_IZR 2
@@ -53,20 +55,24 @@ Lemma inputs_stay (V : Type) (m : machine operation V) (none : V) p : forall val
   m none p values) none = nth place values none.
 Proof. induction p as [|[o places] p IH]; intros values place L; cbn [run]; [reflexivity|]. rewrite IH, app_nth1 by (rewrite ?app_length; lia).
   reflexivity. Qed.
-Theorem pixel_accuracy__recorded__point : exists (inputs : list number) (exact : list R), Forall2 (known_encloses 1) inputs exact /\ Forall (fun n =>
+Theorem pixel_accuracy__recorded__point : exists (inputs : list number) (exact : list exact_number), Forall2 (known_encloses 1) inputs exact /\
+  Forall (fun n =>
   fst n) inputs /\ length inputs = recorded_pixel.inputs.
 Proof.
-  exists (repeat (True, (ordinary, (1, 0))) recorded_pixel.inputs), (repeat 1 recorded_pixel.inputs). rewrite repeat_length. generalize
+  exists (repeat (True, (ordinary, (1, 0))) recorded_pixel.inputs), (repeat (True, 1) recorded_pixel.inputs). rewrite repeat_length. generalize
     recorded_pixel.inputs. intro n.
   induction n as [|n (A & K & _)]; repeat split; constructor; try assumption; [apply exactly_known, one_is_float64 | exact I].
 Qed.
 (* What is not known need not be within its bound. *)
-Theorem pixel_accuracy__recorded__false : ~ forall (constants : Z -> Z -> R * R) (inputs : list number) (exact : list R) (output : nat), Forall2
+Theorem pixel_accuracy__recorded__false : ~ forall (constants : Z -> Z -> R * R) (inputs : list number) (exact : list exact_number) (output : nat),
+  Forall2
   (known_encloses 1) inputs exact ->
   let n := nth output (run operation number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in
-  Rabs (value_of n - nth output (run operation R exactly 0 (pixel_of constants) exact) 0) <= ROUNDING * snd (snd (snd n)).
+  Rabs (value_of n - snd (nth output (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= ROUNDING * snd
+    (snd (snd n)).
 Proof.
-  intro H. specialize (H (fun _ _ => (0, 0)) ((False, (ordinary, (1, 0))) :: nil) (0 :: nil) 0%nat). cbv zeta in H. rewrite !inputs_stay in H by
+  intro H. specialize (H (fun _ _ => (0, 0)) ((False, (ordinary, (1, 0))) :: nil) ((True, 0) :: nil) 0%nat). cbv zeta in H. rewrite !inputs_stay in H
+    by
     (simpl; lia). unfold value_of in H. cbn [nth fst snd] in H.
   rewrite Rminus_0_r, Rabs_R1, Rmult_0_r in H. apply Rlt_irrefl with 0. apply Rlt_le_trans with 1; [lra|]. apply H. apply Forall2_cons; [intros [] |
     apply Forall2_nil].

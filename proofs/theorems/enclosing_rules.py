@@ -43,8 +43,8 @@ theorem = Theorem(
         their counts of the exact results, if the counts before are. Each operation makes a count too small by $2^{-49}$
         of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""": _rules,
         r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
-        computes is within the bound that the machine counts with it.""": coq(
-            "enclosing_rules__whole_programs fdbfbfa0b7d8d790"
+        computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
+            "enclosing_rules__whole_programs 3a567a31fb717c93"
         ),
     },
     hypotheses=(
