@@ -22,9 +22,9 @@ LABELS = {  # method: its name, and how it leans
     "SymPy, NumPy": ("by hand", UNDER),
     "dual numbers": ("dual numbers", DOWN),
     "JAX": ("JAX", ABOVE),
-    "complex step": ("complex step", UP),
+    "complex step": ("complex step", ((9, 2), 40, "left")),
     "mpmath": ("mpmath, 5 to 15 digits", UNDER),
-    "central": ("central", ABOVE),
+    "central": ("central", ((1, 6), 90, "left")),
     "central, 4th order": ("4th order", ABOVE),
     "Richardson, 8th order": ("8th order", ABOVE),
 }
