@@ -129,7 +129,8 @@ var /** @type {SimulatorParts} */ Simulator,
 // ideas/ideas.js
 /**
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }>, angles: number[] }} IdeasData
+ *   lines: Record<string, { inputs: string[], lines: string[] }>, balls: { beta: number,
+ *   turn: number, tip: number, lamp: Point, away: number, ka: number } }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
  * @typedef {{ data: IdeasData, program: string, module?: Promise<IdeasModule> }} IdeasParts
  * @typedef {SimulatorData & IdeasData} AllData
