@@ -23,7 +23,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
- *   ball_radius: number }} SceneData
+ *   ball_radius: number, ambient: Vector, albedo_a: Vector, kd: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
  *   inferno: number[], grey: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,

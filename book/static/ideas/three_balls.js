@@ -38,11 +38,8 @@ IDEAS.three_balls = (stage, module, data) => {
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
   const view_at = gl.getUniformLocation(program, "view");
-  for (const [name, colour] of [
-    ["tint", albedo_a.map((part) => kd * part)],
-    ["dark", ambient.map((part) => ka * part)]
-  ])
-    gl.uniform3fv(gl.getUniformLocation(program, name), colour);
+  const colours = { tint: albedo_a.map((part) => kd * part), dark: ambient.map((part) => ka * part) };
+  for (const [name, colour] of Object.entries(colours)) gl.uniform3fv(gl.getUniformLocation(program, name), colour);
 
   /** @param {AllowSharedBufferSource} values */
   const buffer = (values, /** @type {number} */ target = gl.ARRAY_BUFFER, made = gl.createBuffer()) => {
@@ -74,7 +71,10 @@ IDEAS.three_balls = (stage, module, data) => {
   };
   /** The numbers of each point, one after another. @param {ArrayLike<number>[]} parts */
   const together = (parts) =>
-    Float32Array.from({ length: parts.length * count }, (_, n) => parts[n % parts.length][Math.floor(n / parts.length)]);
+    Float32Array.from(
+      { length: parts.length * count },
+      (_, n) => parts[n % parts.length][Math.floor(n / parts.length)]
+    );
   const first = values();
   const [smooth, raised] = [first.slice(0, 3), first.slice(3, 6)].map((points) => buffer(together(points)));
   const plain = new Float64Array(count).fill(1);
@@ -100,8 +100,11 @@ IDEAS.three_balls = (stage, module, data) => {
     if (!begins) look(turn + (x - from[0]) / 120, tip + (y - from[1]) / 120);
     from = [x, y];
   }
-  const put_view = panel.backdrop("the balls: drag, or press arrow keys, to turn them", [-180, 180], drag, (right, up) =>
-    look(clamp(-Math.PI, turn + right / 20, Math.PI), tip - up / 20)
+  const put_view = panel.backdrop(
+    "the balls: drag, or press arrow keys, to turn them",
+    [-180, 180],
+    drag,
+    (right, up) => look(clamp(-Math.PI, turn + right / 20, Math.PI), tip - up / 20)
   );
   const put_lamp = panel.handle(
     "the lamp",
@@ -147,6 +150,10 @@ IDEAS.three_balls = (stage, module, data) => {
     panel.show(NAMES.map((name, n) => text_at(((n + 0.5) * wide) / 3, HIGH - 6, name)).join(""));
     const [around, above, to_right, up] = [turn, tip, ...lamp].map((part) => Math.round((part * 180) / Math.PI));
     put_view(around, `turned by ${around}°, from ${above}° above`);
-    put_lamp([wide / 2 + lamp[0] * reach(), HIGH / 2 - lamp[1] * reach()], to_right, `${to_right}° to the right, ${up}° up`);
+    put_lamp(
+      [wide / 2 + lamp[0] * reach(), HIGH / 2 - lamp[1] * reach()],
+      to_right,
+      `${to_right}° to the right, ${up}° up`
+    );
   };
 };
