@@ -128,6 +128,14 @@ def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_wher
     assert counts[0] < 6000 and min(counts[1:]) > 60_000
 
 
+def test_folds_are_open_on_paper(visit):
+    tab = visit("s6")
+    folded = "document.querySelectorAll('.bd-article details:not([open]) > :not(summary)')"
+    for medium, seen in (("screen", False), ("print", True)):
+        tab.emulate_media(media=medium)
+        assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
+
+
 def test_a_formula_is_copied_as_tex(visit):
     tab = visit("s3")
     copied = tab.evaluate("""() => {

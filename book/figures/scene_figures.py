@@ -3,11 +3,11 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
+from book.drawing.style import GAP, TITLE, panels, pixel_axes, pixel_text
 from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, SIZE, averaged, smooth, symbolic
 from proofs.formulas.camera import parallel_radius
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
-from renderer import Scene, height_at
+from renderer import Scene, height_at, render
 from renderer.generate.kernels import function_of
 from renderer.picture.views import image_view
 from verify.accuracy.frontiers import fiction
@@ -57,17 +57,20 @@ def chambers() -> Drawing:
 
 @figure
 def height_fields() -> Drawing:
-    """The three height fields on the chart, the default wave numbers."""
-    fig, axes = plot(width="page", height=3.1, ncols=3, sharey=True)
-    u, v = np.meshgrid((np.arange(480) + 0.5) / 480, (np.arange(240) + 0.5) / 240)
+    """Sphere A with each height field as the surface's own bump, the default wave numbers; below it the chart."""
+    side, line = 276, (0xD5, 0x5E, 0x00, 0xFF)
+    u, v = np.meshgrid((np.arange(side) + 0.5) / side, (np.arange(side // 2) + 0.5) / (side // 2))
     heights = {field: height_at(Scene(field=field), u, v) for field in FIELD_NAMES}
-    for ax, (field, h) in zip(axes, heights.items(), strict=True):
-        image = ax.imshow(h, extent=(0, 1, 1, 0), aspect="auto", cmap="gray", vmin=-1, vmax=1, interpolation="nearest")
-        ax.set(title=field, xlabel="$u$")
-    axes[0].set_ylabel("$v$")
-    bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
-    bar.outline.set_visible(False)
-    return Drawing(fig, {"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, {"u": u[0], "v": v[:, 0], **heights})
+    rim, pictures, shown = int(np.arccos(SCENE.radius / SCENE.eye) / np.pi * side / 2), [], []
+    for field, h in heights.items():
+        scene, around = Scene(field=field, bump="surface", ball=False), [FINE * n for n in (28, 3, side, side)]
+        shown.append(render(scene, *2 * [FINE * 332], crop=tuple(around), bounds=True))
+        grey = np.rint(127.5 * (1 + h)).astype(np.uint8)[..., None].repeat(3, axis=2)
+        ball, chart = (np.insert(each, 3, 255, axis=2) for each in (smooth(shown[-1]), grey))
+        chart[rim : rim + 2] = line
+        pictures.append(np.concatenate([ball, np.zeros((GAP, side, 4), np.uint8), chart]))
+    data = {"u": u[0], "v": v[:, 0], **heights}
+    return Drawing(panels(pictures, FIELD_NAMES), {"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, data, tuple(shown))
 
 
 def _point(numbers):
