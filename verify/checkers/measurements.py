@@ -24,7 +24,7 @@ import pkgutil
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from html.entities import html5
@@ -53,8 +53,7 @@ class Measurement:
     """One measurement: values of each case, drawn with `seed` (None: nothing is random), and a bound.
 
     values: numbers, one or more a case. These, or the numbers that a function `of` them returns, are compared with
-    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does. numbers: {name: number or text}
-    that a page may print.
+    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does.
     """
 
     values: Any
@@ -64,7 +63,6 @@ class Measurement:
     of: Callable[[np.ndarray], Any] = np.asarray
     seed: int | None = None
     holds: bool = True
-    numbers: dict = field(default_factory=dict)
 
     @property
     def samples(self) -> int:
@@ -104,7 +102,6 @@ class Enclosure:
     at: Callable[..., np.ndarray]
     bound: Any
     quantity: str
-    numbers: dict = field(default_factory=dict)
     seed = None
 
     @cached_property
@@ -169,10 +166,9 @@ def _ball(number):
 
 def record(evidence: Measurement | Enclosure) -> dict[str, Any]:
     """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
-    numbers = {name: rounded(value) for name, value in sorted(evidence.numbers.items())}
     certified = isinstance(evidence, Enclosure)
     entry = {"samples": evidence.samples, "seed": evidence.seed, "certified": certified, "what": evidence.quantity}
-    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound), "numbers": numbers}
+    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound)}
 
 
 def variables(tex: str) -> set[str]:
@@ -197,13 +193,8 @@ def says(words: str, bound: Any) -> bool:
     return float(bound) in map(float, re.findall(r"\d+(?:\.\d+)?", words))
 
 
-def rounded(value: Any) -> Any:
-    """Return a number to DIGITS significant digits, as an int or float; texts and booleans as they are.
-
-    A ball is rounded from its upper end.
-    """
-    if isinstance(value, str | bool | int):
-        return value
+def rounded(value: Any) -> float:
+    """Return a number to DIGITS significant digits; a ball is rounded from its upper end."""
     value = value.upper() if isinstance(value, arb) else value
     return float(f"{float(value):.{DIGITS}g}")
 

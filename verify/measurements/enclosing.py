@@ -51,5 +51,4 @@ def rules(share: float = 1.0) -> Measurement:
         seed=SEED,
         bound=share,
         quantity="how far a result is off, over its bound",
-        numbers={"rules": len(RULES)},
     )
