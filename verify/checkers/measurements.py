@@ -1,6 +1,7 @@
 """Theorems without claims: their measurements, sampled or enclosed in balls, and the grade that these reach.
 
-proved     Coq's record has every statement that is pinned, as it was read; what is measured beside holds
+proved     Coq's record has every statement that is pinned, as it was read, and every claim of float64; what is
+           measured beside holds
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
@@ -245,7 +246,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
     examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
     examination.reached, examination.argued = "cited", [clause.text for clause in theorem.argued]
-    if theorem.pinned:
+    if theorem.pinned or theorem.rounded:
         examination.reached = "proved"
     elif theorem.expected != "cited":
         enclosed = [one for one, *_ in evidence if isinstance(one, Enclosure)]

@@ -126,7 +126,7 @@ SINE = says(greater(sin(x) + 1, x), given=(equation(sin(x), x + Rational(1, 10**
 """Of no x, which no kernel knows, and 400 digits do not tell."""
 FALSE_LEMMAS = [
     (at_least(x, sin(x)), (), "false at"),
-    (at_least(x, sin(x) + TINY), at_least(x, 0), "Coq's record has no proof"),
+    (at_least(x, sin(x) + TINY), at_least(x, 0), "Coq's record of the files as they are has no proof"),
 ]
 """[(what a sample shows to be false, or none, its conditions, why it is refused)]"""
 UNSEEN = [

@@ -85,12 +85,7 @@ def under_the_bounds(share: float = 1.0) -> Measurement:
         rounding = (STEPS < 1e-9) & (errors["total"] != 0)
         ratios.append(limits["total"][rounding] / np.abs(errors["total"][rounding]))
     median = np.median(np.concatenate(ratios))
-    return Measurement(
-        seen_over,
-        bound=share,
-        holds=median <= 30,
-        quantity="a part of the error over its bound",
-    )
+    return Measurement(seen_over, bound=share, holds=median <= 30, quantity="a part of the error over its bound")
 
 
 @cache
