@@ -142,6 +142,7 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // checker/kernel.js
 /**
+ * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
  * @typedef {[bigint, bigint]} Fraction numerator and denominator, in lowest terms, the denominator positive
  * @typedef {Map<string, Fraction>} Polynomial from words to coefficients other than 0: the word of x²y is "x x y", its
  *   names in a fixed order
@@ -162,25 +163,11 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {ReturnType<typeof checking_clerk>} Clerk
  */
 
-// checker/polynomials.js
-/**
- * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
- * @typedef {ReturnType<typeof polynomial_texts>} PolynomialTexts
- */
-
 // checker/card.js
 /**
  * @typedef {{ statement: Statement, certificate: Certificate }} Case
  * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
- * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0] }} CardData
  * @typedef {Case & { name: string }} NamedCase
- */
-
-// checker/editor.js
-/**
- * @typedef {(string | number)[]} Path where a value stands in a statement
- * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names: boolean }} Line
- *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
  */
 
 // shared.js
