@@ -74,8 +74,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {{ kind: "counted", id: number, index: number, flips: number, attached: number[], count: number }} Counted
  * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number,
  *   still: Uint8Array }} Followed
- * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
- * @typedef {Drawn | Counted | Followed | Timed} Reply
+ * @typedef {Drawn | Counted | Followed} Reply
  * @typedef {(string | number | boolean)[]} Key
  */
 
@@ -84,7 +83,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {{ postMessage(task: Task): void, terminate(): void }} Drawer a worker, or the page itself
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
- *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
+ *   counted(all: Counted[]): void, followed(all: Followed[]): void,
  *   failed(why: string): void }} Handlers
  */
 

@@ -350,8 +350,6 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab, tmp_path):
         assert np.array_equal(np.asarray(Image.open(path).convert("RGB")), views.image_view(frame))
     assert saved("[data-save=difference]").startswith(b"\x89PNG\r\n\x1a\n")
     assert b'xmlns="http://www.w3.org/2000/svg"' in saved("[data-svg]")
-    lines = saved("[data-csv]").splitlines()
-    assert lines[0] == b"step,gradient_error_at_cursor,bound,rms_on_a,max_on_a" and len(lines) > 100
     tab.click("[data-copy]")
     copied_is(tab.inner_text(".sim-python code"))
     tab.click("[data-link]")

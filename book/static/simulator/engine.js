@@ -142,7 +142,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     send(state, workers, bands_of(state));
   }
 
-  /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
+  /** Idle work is reported when all have done that piece of it. @param {Counted | Followed} reply */
   function found(reply) {
     if (reply.id !== id) return;
     const piece = `${reply.kind} ${reply.index}`;

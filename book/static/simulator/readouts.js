@@ -1,4 +1,4 @@
-// The numbers and words beside the pictures: how far apart they are, flips, times, captions, the scale's bar.
+// The numbers and words beside the pictures: how far apart they are, flips, captions, the scale's bar.
 "use strict";
 
 /** @param {HTMLElement} root @param {SimulatorData} data @param {SimulatorModule} module */
@@ -10,11 +10,6 @@ function simulator_readouts(root, data, module) {
     const place = $(selector);
     if (place.textContent !== text) place.textContent = text; // else some screen readers say it again
   }
-  const ENOUGH = 8;
-  const SPREAD = 0.25; // times are shown when so many agree so far
-  /** @type {Record<string, number[]>} */
-  let times = {};
-
   /** @param {number} x */
   const number = (x) => (x === 0 ? "0" : scientific(x, 2));
 
@@ -41,32 +36,6 @@ function simulator_readouts(root, data, module) {
     );
     put("[data-readout=flips]", String(found?.flips ?? "…"));
     put("[data-readout=attached]", shares ? shares.join(", ") || "no light is on" : "…");
-  }
-
-  function forget_times() {
-    times = { numeric: [], symbolic: [], ratio: [] };
-    for (const name of Object.keys(times)) put(`[data-readout=${name}]`, "…");
-  }
-
-  /** @param {number[]} list */
-  function quartiles(list) {
-    const sorted = list.toSorted((a, b) => a - b);
-    return [0.25, 0.5, 0.75].map((share) => sorted[Math.floor(share * (list.length - 1))]);
-  }
-
-  /**
-   * One more time of either pipeline, in milliseconds. Only what has settled is shown: a median, and the ratio's spread.
-   * @param {number} numeric
-   * @param {number} symbolic
-   */
-  function timed(numeric, symbolic) {
-    for (const [name, time] of Object.entries({ numeric, symbolic, ratio: numeric / symbolic })) times[name].push(time);
-    if (times.ratio.length < ENOUGH || !times.ratio.every(Number.isFinite)) return;
-    const [low, middle, high] = quartiles(times.ratio);
-    if (high - low > SPREAD * middle) return;
-    for (const name of ["numeric", "symbolic"])
-      put(`[data-readout=${name}]`, `${quartiles(times[name])[1].toFixed(1)} ms`);
-    put("[data-readout=ratio]", `${middle.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})`);
   }
 
   /** @param {State} state */
@@ -117,5 +86,5 @@ function simulator_readouts(root, data, module) {
     (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`
   );
   $(".sim-legend").innerHTML = terms.join(" ");
-  return { apart, counted, timed, forget_times, captions };
+  return { apart, counted, captions };
 }

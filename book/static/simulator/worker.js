@@ -1,5 +1,5 @@
-// What a worker does, or the page itself: draw and paint a band of rows for a state, tile by tile; when nothing is asked, time
-// both pipelines, count flips, and follow the U-curve of the band. Only what a change touches is computed anew.
+// What a worker does, or the page itself: draw and paint a band of rows for a state, tile by tile; when nothing is asked, count
+// flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
 
 /**
@@ -8,7 +8,6 @@
  * @returns {(task: Task) => void}
  */
 function simulator_worker(post) {
-  const ROUNDS = 12;
   const SIDE = 32; // of a still
   const TILE = 2 ** 17; // pixels: some 4 ms of a desktop; the page draws fewer, and at once
   /** @type {Record<string, { key: string, value: any, version: number, fresh: boolean }>} */
@@ -212,14 +211,6 @@ function simulator_worker(post) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
       const sizes = paint_logarithmic(stage, "spare", { other: "symbolic" });
       yield { kind: "followed", id, index, ...sizes, count, still: still_of(state, stage) };
-    }
-    for (let index = 0; index < ROUNDS; index++) {
-      const [numeric, symbolic] = Object.values(module.methods_of(state)).map((method) => {
-        const begin = performance.now();
-        module.draw_a(state, method, stage, "spare"); // drawn again from nothing
-        return performance.now() - begin;
-      });
-      yield { kind: "timed", id, index, numeric, symbolic };
     }
   }
 
