@@ -23,7 +23,8 @@ def check_here(book: Here, id: str) -> Filled | str:
     if path is None:
         return filled("unchecked", why=WITHOUT[grade]) if grade in WITHOUT else ""
     claims = stored(path)
-    shown = [step["of"] for claim in claims for pair in claim["statements"] for step in pair["statement"].get("steps", ()) if step["step"] == "show"]
+    steps = [step for claim in claims for pair in claim["statements"] for step in pair["statement"].get("steps", ())]
+    shown = [step["of"] for step in steps if step["step"] == "show"]
     data = packed({"theorem": id, "claims": claims})
     return filled("checker", theorem=id, book=book, data=data, given=given(book, id), nothing_left=not all(shown))
 

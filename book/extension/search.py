@@ -77,8 +77,11 @@ def keep_texts(app: Sphinx, document: nodes.document) -> None:
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
-        text = f"var SearchText = {json.dumps(pages, **COMPACT)};\n"
-        (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text(text, encoding="utf-8")
+        texts = [text for page in pages.values() for text in reversed(page)]
+        first = {f"#{id}": text for id, text in texts if id.startswith("theorem-")}  # of a card: its statement
+        for script, name, known in ((SCRIPTS[0], "SearchText", pages), ("statements.js", "Statements", first)):
+            text = f"var {name} = {json.dumps(known, **COMPACT)};\n"
+            (Path(app.outdir) / "_static" / script).write_text(text, encoding="utf-8")
 
 
 @on_page

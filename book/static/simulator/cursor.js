@@ -7,11 +7,12 @@ function simulator_cursor(root, states, data, module) {
   const facts = find_element(root, ".sim-facts");
   const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
   const AXES = ["x", "y", "z"];
-  /** @type {{ key: "gradient" | "normal" | "rgb", names: string[] }[]} */
+  /** @type {{ key: "gradient" | "normal" | "rgb" | "slope", names: string[] }[]} */
   const COMPUTED = [
     { key: "gradient", names: ["h<sub>u</sub>", "h<sub>v</sub>"] },
     { key: "normal", names: AXES.map((axis) => `N′<sub>${axis}</sub>`) },
-    { key: "rgb", names: ["red", "green", "blue"] }
+    { key: "rgb", names: ["red", "green", "blue"] },
+    { key: "slope", names: ["∂ red", "∂ green", "∂ blue"] }
   ];
 
   /** Where a float stands among all floats, counted from 0. @param {number} number */

@@ -189,7 +189,7 @@ function simulator_start(root, compiled, module) {
       pictures.show(of, by_page);
       pictures.decorate(state);
       const ready = performance.now() - asked;
-      readouts.apart(apart(replies), is_whole);
+      readouts.apart(apart(replies), is_whole, replies[0].end);
       if (is_whole) shown = of;
       if (counted_of !== chambers_key(of)) readouts.counted(null);
       requestAnimationFrame(() => {
@@ -366,12 +366,7 @@ function simulator_start(root, compiled, module) {
 async function closer_parts(data, compiled) {
   /** @type {HTMLScriptElement[]} */
   const later = find_all(document, "script[data-later][src]");
-  for (const { src } of later) {
-    await new Promise((onload, onerror) => {
-      const script = make_element("script");
-      document.head.append(Object.assign(script, { src, onload, onerror }));
-    });
-  }
+  for (const { src } of later) await load_script(src);
   const { program, kernels, ...more } = Simulator.closer;
   return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
 }
