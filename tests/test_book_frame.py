@@ -11,6 +11,7 @@ from book.editions.document import POLICY as MAILED
 from book.extension.mathematics import typeset
 from book.extension.scripts import POLICY
 from book.extension.styles import NAMED, NESTED, pruned
+from tests.tabs import PHONE
 from verify.evidence.sources import ROOT
 
 HEAVIEST = 1_000_000  # bytes: a page, its scripts, style sheets and fonts, as they are before a server compresses them
@@ -126,6 +127,28 @@ def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_wher
         tab.keyboard.press("Control+KeyF")
         counts.append(tab.locator("*").count())
     assert counts[0] < 6000 and min(counts[1:]) > 60_000
+
+
+def test_a_link_to_a_theorem_shows_its_statement(visit):
+    """To the pointer, the Tab key and a finger, of this page and of others; a second tap follows."""
+    tab = visit("s7")
+    away, here = (tab.locator(f"main a[href{sign}'#theorem-{id}']").first
+                  for sign, id in (("$=", "crease_contrast"), ("$=", "clamped_difference")))  # fmt: skip
+    note = tab.locator(".theorem-note")
+    away.hover()
+    assert "central difference" in note.inner_text()
+    assert away.evaluate("link => link.ariaDescription") == note.inner_text()
+    tab.keyboard.press("Escape")
+    assert note.count() == 0
+    here.focus()
+    box = note.bounding_box()
+    assert box["x"] >= 0 and box["x"] + box["width"] <= 1280 and note.locator("[id]").count() == 0
+    phone = visit("s7", **PHONE)
+    link, note = phone.locator("main a[href$='#theorem-crease_contrast']").first, phone.locator(".theorem-note")
+    link.tap()
+    assert "central difference" in note.inner_text() and "s7" in phone.url
+    link.tap()
+    phone.wait_for_url("**#theorem-crease_contrast")
 
 
 def test_a_formula_is_copied_as_tex(visit):

@@ -1,9 +1,11 @@
 """The small interactives: their numbers are the renderer's, hand and keys move them, the still pictures stay."""
 
+import base64
 import functools
 import io
 import re
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -11,8 +13,10 @@ from PIL import Image
 from playwright.sync_api import expect
 
 from book import idea_kernels, worked
-from renderer import Scene, central, exact, gradient_at, pixel
+from renderer import Scene, central, exact, gradient_at, pixel, render
+from renderer.picture.views import difference_logarithmic, image_view
 from renderer.scene.raster import Raster
+from renderer.shader.numbers import reach_of_a
 from tests.tabs import PHONE, RUNNING, next_frame, number, wait_for
 
 SCENE = Scene()
@@ -20,10 +24,11 @@ PAGES = {
     "s1": ["slope_is_texture"],
     "s2": ["scene_from_the_side", "pixel_worked"],
     "s3": ["bump_surface", "two_slopes"],
+    "s7": ["pitfall_seam"],
 }
 # Brings into sight one figure after another that is still.
 STARTED = """(() => {
-    const still = document.querySelector('figure.idea:not(.idea-live)');
+    const still = document.querySelector('.idea:not(.idea-live)');
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
@@ -80,7 +85,7 @@ def test_the_still_picture_stands_where_no_script_runs_and_on_paper_and_a_phone_
             for name in PAGES[page]:
                 assert tab.is_visible(f"#fig-{name} .pixels") is not live
                 assert tab.is_visible(f"#fig-{name} .idea-stage") is live
-    targets = visit(page, until=STARTED, **PHONE).locator("figure.idea :is(.reach, input, button, select)")
+    targets = visit(page, until=STARTED, **PHONE).locator(".idea :is(.reach, input, button, select)")
     assert min(targets.evaluate_all(SIZES)) >= 43.9
 
 
@@ -122,7 +127,7 @@ def test_bump_surface_turns_by_hand_and_button_and_stays_still_without_a_card(id
     view.drag_to(view, source_position=places[0], target_position=places[1])
     expect(view).to_have_attribute("aria-valuenow", str(int(start + 57)))
     none = "HTMLCanvasElement.prototype.getContext = () => null"
-    without = visit("s3", until=STARTED.replace("'figure.idea:not", "'#fig-two_slopes:not"), prepare=none)
+    without = visit("s3", until=STARTED.replace("'.idea:not", "'#fig-two_slopes:not"), prepare=none)
     assert without.is_visible("#fig-bump_surface .pixels")
 
 
@@ -156,6 +161,41 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
         for shown in figure.locator("[data-line]").all():
             wanted = worked.number_text(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
+
+
+# What a pitfall's three canvases show, each as the address of a PNG.
+CANVASES = "figure => [...figure.querySelectorAll('canvas')].map(canvas => canvas.toDataURL())"
+
+
+@pytest.mark.parametrize("name, value, width, at, ku, eps", [
+    ("pitfall_seam", 7, 1024, -0.6, 7, 0.01),
+    ("pitfall_seam", 6.5, 1024, -0.6, 6.5, 0.01),
+    ("step_taken", -16, 128, 0, 8, 1e-16),
+    ("around_pole", 8, 2048, 0, 8, 1e-6),
+])  # fmt: skip
+def test_a_pitfall_shows_the_renderers_pictures_and_says_its_numbers(idea, name, value, width, at, ku, eps):
+    tab, *_ = idea("pitfall_seam")
+    figure, scene = tab.locator(f"#fig-{name}"), Scene(field="sine", ku=ku)
+    figure.scroll_into_view_if_needed()
+    figure.locator("input").fill(str(value))
+    next_frame(tab)
+    x, _ = Raster(width, width).image_points(scene)
+    left = round(np.interp(at * reach_of_a(scene.eye, scene.radius) ** 0.5, x, np.arange(width) + 0.5)) - 64
+    crop = (left, width // 2 - 64, 128, 128)
+    with warnings.catch_warnings(action="ignore"):
+        numeric, symbolic = frames = [render(scene, width, width, method, crop) for method in (central(eps), exact())]
+    expected = [*map(image_view, frames), difference_logarithmic(numeric.rgb - symbolic.rgb)]
+    shown = [Image.open(io.BytesIO(base64.b64decode(url.split(",")[1]))) for url in figure.evaluate(CANVASES)]
+    for canvas, picture in zip(shown, expected, strict=True):
+        np.testing.assert_array_equal(np.asarray(canvas.convert("RGB")), picture)
+    words = figure.locator(".idea-says").inner_text()
+    if name == "step_taken":
+        assert f"{(0.3 + eps) - (0.3 - eps):.3e}".replace("e-", "e−") in words
+    elif name == "around_pole":
+        ends = [f"{end(symbolic.planes_on_a[5]):.2f}".replace("-", "−") for end in (np.min, np.max)]
+        assert "from {} to {}".format(*ends) in words
+    else:
+        assert ("crease" in words) is (ku == 7) and ("jumps" in words) is (ku == 6.5)
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

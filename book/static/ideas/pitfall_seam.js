@@ -7,8 +7,10 @@ const pitfall_of =
   (stage, module, data) => {
     const SIDE = 128;
     const row = add_element(stage.root, "div", { class: "idea-three" });
-    const canvases = ["numeric", "symbolic", "difference"].map((picture) =>
-      add_element(row, "canvas", { width: SIDE, height: SIDE, role: "img", "aria-label": picture, title: picture })
+    const pictures = ["numeric", "symbolic", "difference"];
+    for (const picture of pictures) add_element(row, "b", { class: picture }, picture);
+    const canvases = pictures.map((picture) =>
+      add_element(row, "canvas", { width: SIDE, height: SIDE, role: "img", "aria-label": picture })
     );
     let value = range.value;
     /** @param {number} to */
@@ -28,8 +30,8 @@ const pitfall_of =
         .map((to) => Math.round(to) - SIDE / 2);
       const part = module.make_stage(state, { ...raster, left, top });
       module.draw_pair(state, { numeric: { name: "central", eps: eps(value) }, symbolic: { name: "exact" } }, part);
-      for (const canvas of canvases) {
-        const image = new ImageData(module.bytes(part, canvas.title, [0, SIDE]), SIDE);
+      for (const [n, canvas] of canvases.entries()) {
+        const image = new ImageData(module.bytes(part, pictures[n], [0, SIDE]), SIDE);
         canvas.getContext("2d")?.putImageData(image, 0, 0);
       }
       says.textContent = words(value, module.gradients(state, part)[1]);

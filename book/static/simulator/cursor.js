@@ -73,8 +73,8 @@ function simulator_cursor(root, states, data, module) {
   /** What they compute, each in its own way. @param {PixelRecord} one @param {PixelRecord} other */
   function compared(one, other) {
     return COMPUTED.flatMap(({ key, names }) =>
-      (one[key] ?? []).map((a, n) => {
-        const b = /** @type {number[]} */ (other[key])[n];
+      (other[key] ?? []).map((b, n) => {
+        const a = /** @type {number[]} */ (one[key])[n];
         const cells = [marked(a, b), marked(b, a), distance(a, b)].map((text) => `<td>${text}</td>`);
         return `<tr><th scope="row">${names[n]}</th>${cells.join("")}</tr>`;
       })
