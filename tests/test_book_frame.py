@@ -131,23 +131,19 @@ def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_wher
 
 def test_a_link_to_a_theorem_shows_its_statement(visit):
     """To the pointer, the Tab key and a finger, of this page and of others; a second tap follows."""
-    tab = visit("s7")
-    away, here = (tab.locator(f"main a[href{sign}'#theorem-{id}']").first
-                  for sign, id in (("$=", "crease_contrast"), ("$=", "clamped_difference")))  # fmt: skip
-    note = tab.locator(".theorem-note")
-    away.hover()
-    assert "central difference" in note.inner_text()
-    assert away.evaluate("link => link.ariaDescription") == note.inner_text()
+    tab, phone = visit("s7"), visit("s7", **PHONE)
+    find = "main a[href$='#theorem-{}']".format
+    note, other = (each.locator(".theorem-note") for each in (tab, phone))
+    tab.hover(find("crease_contrast"))
+    words = note.inner_text()
+    assert "central difference" in words and tab.get_attribute(find("crease_contrast"), "aria-description") == words
     tab.keyboard.press("Escape")
     assert note.count() == 0
-    here.focus()
-    box = note.bounding_box()
-    assert box["x"] >= 0 and box["x"] + box["width"] <= 1280 and note.locator("[id]").count() == 0
-    phone = visit("s7", **PHONE)
-    link, note = phone.locator("main a[href$='#theorem-crease_contrast']").first, phone.locator(".theorem-note")
-    link.tap()
-    assert "central difference" in note.inner_text() and "s7" in phone.url
-    link.tap()
+    tab.focus(find("clamped_difference"))
+    assert "one-sided" in note.inner_text()
+    phone.tap(find("crease_contrast"))
+    assert other.inner_text() == words and other.bounding_box()["x"] >= 0
+    phone.tap(find("crease_contrast"))
     phone.wait_for_url("**#theorem-crease_contrast")
 
 
