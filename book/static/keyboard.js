@@ -87,10 +87,17 @@
   const note = make_element("div", { class: "theorem-note", popover: "manual", role: "tooltip" });
   /** @type {{ told: HTMLAnchorElement | null, before: HTMLAnchorElement | null }} */
   const links = { told: null, before: null };
+  let is_finger = false;
 
   /** Show what the card says that a link under the pointer, or with the focus, leads to; else nothing. @param {Event} event */
-  async function tell({ target }) {
-    if (!(target instanceof Element) || note.contains(target)) return;
+  async function tell(event) {
+    const { target, type } = event;
+    if (event instanceof PointerEvent) {
+      links.before = links.told;
+      is_finger = event.pointerType === "touch";
+    }
+    const is_feigned = is_finger && type === "mouseover"; // a browser's mouse, which no hand moves
+    if (!(target instanceof Element) || note.contains(target) || is_feigned) return;
     /** @type {HTMLAnchorElement | null} */
     const link = target.closest('a[href*="#theorem-"]');
     if (link === links.told) return;
@@ -123,15 +130,11 @@
 
   addEventListener("hashchange", open_claim);
   document.addEventListener("copy", copy);
-  for (const kind of ["mouseover", "focusin"]) document.addEventListener(kind, tell);
+  for (const kind of ["mouseover", "focusin", "pointerdown"]) document.addEventListener(kind, tell);
   document.addEventListener("keydown", ({ key }) => key === "Escape" && note.remove());
-  document.addEventListener("pointerdown", () => {
-    links.before = links.told;
-  });
   // A finger's first tap shows what the second one follows.
   document.addEventListener("click", (event) => {
-    const { pointerType } = /** @type {PointerEvent} */ (event);
-    if (pointerType === "touch" && links.told && links.told !== links.before) event.preventDefault();
+    if (is_finger && links.told && links.told !== links.before) event.preventDefault();
   });
   when_ready(watch);
 })();
