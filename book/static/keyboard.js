@@ -91,13 +91,12 @@
 
   /** Show what the card says that a link under the pointer, or with the focus, leads to; else nothing. @param {Event} event */
   async function tell(event) {
-    const { target, type } = event;
+    const { target } = event;
     if (event instanceof PointerEvent) {
       links.before = links.told;
       is_finger = event.pointerType === "touch";
     }
-    const is_feigned = is_finger && type === "mouseover"; // a browser's mouse, which no hand moves
-    if (!(target instanceof Element) || note.contains(target) || is_feigned) return;
+    if (!(target instanceof Element) || note.contains(target)) return;
     /** @type {HTMLAnchorElement | null} */
     const link = target.closest('a[href*="#theorem-"]');
     if (link === links.told) return;
@@ -130,7 +129,8 @@
 
   addEventListener("hashchange", open_claim);
   document.addEventListener("copy", copy);
-  for (const kind of ["mouseover", "focusin", "pointerdown"]) document.addEventListener(kind, tell);
+  // Not when the mouse is over it by a page's own motion.
+  for (const kind of ["mousemove", "focusin", "pointerdown"]) document.addEventListener(kind, tell);
   document.addEventListener("keydown", ({ key }) => key === "Escape" && note.remove());
   // A finger's first tap shows what the second one follows.
   document.addEventListener("click", (event) => {

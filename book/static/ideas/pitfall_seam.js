@@ -25,9 +25,8 @@ const pitfall_of =
       const state = scene_state(data, { field: "sine", ...changes(value) });
       const whole = Math.round(SIDE * zoom(value));
       const raster = { width: whole, height: whole, left: 0, top: 0, wide: SIDE, high: SIDE };
-      const [left, top] = module
-        .placing_in(raster)(at * module.radius_of_a, 0)
-        .map((to) => Math.round(to) - SIDE / 2);
+      const middle = module.placing_in(raster)(at * module.radius_of_a, 0);
+      const [left, top] = middle.map((to) => clamp(0, Math.round(to) - SIDE / 2, whole - SIDE));
       const part = module.make_stage(state, { ...raster, left, top });
       module.draw_pair(state, { numeric: { name: "central", eps: eps(value) }, symbolic: { name: "exact" } }, part);
       for (const [n, canvas] of canvases.entries()) {
