@@ -143,6 +143,8 @@ RECORDING = recorded()
 
 def done(name, *numbers):
     """Return the result of a recorded operation."""
+    if name == "product_error":
+        return kernels.two_product(*numbers)[1]
     return (getattr(operator, f"__{name}__", None) or getattr(kernels, name))(*numbers)
 
 
@@ -159,8 +161,6 @@ def run(inputs):
         given = [numbers[place] for place in places]
         if kind == "where":
             given = [holds(text, given[2:]), *given[:2]]
-        elif kind in ("sinpi", "cospi"):
-            given = kernels.two_product(*given)
         number = done(kind, *given) if given else next(inputs) if kind == "input" else float.fromhex(text)
         numbers.append(np.asarray(number, np.float64))
     return numbers

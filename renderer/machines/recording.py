@@ -78,13 +78,13 @@ class Recorder(Rows):
         """Make a number an output."""
         self.outputs.setdefault(name, []).append(self.place(number))
 
-    sqrt, floor, rint, sinpi, cospi, atan2pi, power = map(
-        partial(partialmethod, line), ("sqrt", "floor", "rint", "sinpi", "cospi", "atan2pi", "power")
+    sqrt, floor, rint, sinpi, cospi, atan2pi, exp, log, power = map(
+        partial(partialmethod, line), ("sqrt", "floor", "rint", "sinpi", "cospi", "atan2pi", "exp", "log", "power")
     )
 
-    def two_product(self, *factors: Any) -> tuple:
-        """Return the factors: sinpi and cospi take them, as the rules of the enclosing machine do."""
-        return factors
+    def two_product(self, a: Any, b: Any) -> tuple:
+        """Return a product, and its rounding error."""
+        return a * b, self.line("product_error", a, b)
 
     def where(self, mask: Recorded, *sides: Any) -> Recorded:
         """Return a selection."""

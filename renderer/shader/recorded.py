@@ -26,7 +26,7 @@ Module recorded_pixel.
 Inductive condition : Type := Lt (i j : nat) | Le (i j : nat) | Eq (i j : nat) | Ne (i j : nat)
   | And (c d : condition) | Or (c d : condition) | Invert (c : condition).
 Inductive operation : Type := Literal (m e : Z) | Infinite | Constant (m e : Z) | Neg | Abs | Add | Sub | Mul | Truediv
-  | Sqrt | Floor | Rint | Sinpi | Cospi | Atan2pi | Power | Where (c : condition).
+  | Product_error | Sqrt | Floor | Rint | Sinpi | Cospi | Atan2pi | Exp | Log | Power | Where (c : condition).
 """
 PART = 50  # lines in one list: Coq's time to read one grows with its square
 ANY = Want(
