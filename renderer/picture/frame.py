@@ -283,7 +283,9 @@ class Frame:
         want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
         self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
         places = np.flatnonzero(self.stage.on_a)
-        on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
+        on_a = np.empty((len(ON_A), len(places)))
+        for plane, into in zip(planes[..., : self.raster.shape[1]], on_a, strict=True):
+            plane.ravel().take(places, out=into, mode="wrap")  # without a copy, which "raise" makes
         read_only(on_a)
         return on_a
 

@@ -153,8 +153,11 @@ class Scene:
             values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
         return cls(**values)
 
-    def number(self, name: str) -> float:
-        """Return a number by its name in the record, such as "lights[0].position[2]". Raises ValueError on no name."""
+    def number(self, name: str, argument: str = "name") -> float:
+        """Return a number by its name in the record, such as "lights[0].position[2]".
+
+        Raises ValueError on no such name, which is the value of the `argument` that it names.
+        """
         number: Any = self
         try:
             for part in path_of(name):
@@ -162,7 +165,7 @@ class Scene:
         except (AttributeError, IndexError, TypeError):
             number = None
         if not isinstance(number, float):
-            raise not_allowed("name", name, NUMBERS)
+            raise not_allowed(argument, name, NUMBERS)
         return number
 
     def with_numbers(self, numbers: Mapping[str, float]) -> "Scene":
@@ -174,7 +177,7 @@ class Scene:
         """
         scene = self
         for name, number in check_kind("numbers", numbers, Mapping).items():  # type: ignore[type-abstract]
-            scene.number(name)
+            scene.number(name, "numbers")
             scene = with_part(scene, path_of(name), number)
         return scene
 

@@ -10,18 +10,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from renderer.checks import check_kind
+from renderer.checks import check_kind, check_whole
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.machines.forms import COLORS, Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method, exact
-from renderer.scene.raster import Raster
+from renderer.scene.raster import MAX_SIDE, Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers
 from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
 EXACT, PIXEL = exact(), Raster(1, 1)
+MOST_SAMPLES = 16
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "ka", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
@@ -113,16 +114,19 @@ _shading = attrgetter(*(field.name for field in fields(Scene) if field.name not 
 class Shot:
     """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
 
-    By default the exact gradient, and one pixel. Raises ValueError on a scene or a method that is none.
+    By default the exact gradient, and one pixel. samples: each way across a pixel. Raises ValueError on what is none.
     """
 
     scene: Scene
     method: GradientMethod = EXACT
     raster: Raster = PIXEL
+    samples: int = 1
 
     def __post_init__(self):
         checked_method("gradient", self.method)
         check_kind("scene", self.scene, Scene)
+        most = min(MOST_SAMPLES, MAX_SIDE // max(self.raster.width, self.raster.height))
+        object.__setattr__(self, "samples", check_whole("samples", self.samples, most))
 
     @cached_property
     def geometry(self) -> Geometry:

@@ -31,7 +31,7 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
         if not is_on and str(name).startswith(front):
             raise not_allowed("derivatives", name, f"no number of {front.strip('_')}, which is off in this scene")
     for name in names:
-        scene.number(name)
+        scene.number(name, "derivatives")
     method = shot.method.name
     if method == "exact" and {"ku", "kv"} & set(names):
         if shot.method.form == "algebraic":
