@@ -39,7 +39,9 @@ def test_shapes_and_types():
 
 def with_parts(scene, parts, names):
     """Return a scene with some of the parts that are given by name."""
-    return replace(scene, **{name: parts[name] for name in names})
+    values = {name: parts[name] for name in names}
+    most = 1e80 * scene.radius if scene.bump == "surface" else 1e100
+    return replace(scene, **values | {"beta": max(-most, min(values["beta"], most))})
 
 
 @pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])

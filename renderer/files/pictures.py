@@ -71,7 +71,7 @@ def _way(lines):
     for size in (LOOK, SAMPLE):
         sample = lines.reshape(-1)[middle : middle + size]
         runs, search = (len(_deflate(sample, way)) / len(sample) for way in (RUNS, QUICK))
-        if noise := runs > 0.5:
+        if runs > 0.5:  # noise
             break
     if search < runs / 4:
         return DEEP
