@@ -15,12 +15,7 @@ def inputs_of(kernel: Callable) -> tuple[str, ...]:
 
 
 def emit_points(
-    module: ir.Module,
-    name: str,
-    kernel: Callable,
-    lanes: int,
-    number: ir.Type = FLOAT,
-    everywhere: Sequence[bool] = (),
+    module: ir.Module, name: str, kernel: Callable, lanes: int, number: ir.Type = FLOAT, everywhere: Sequence[bool] = ()
 ) -> int:
     """Emit the function `name`, its one parameter the address of int64 numbers: how many points, then addresses.
 
