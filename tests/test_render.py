@@ -12,7 +12,7 @@ from hypothesis import given, settings, strategies as st
 
 from renderer import Light, Scene, central, exact, fit, gradient_at, height_at, pixel, render, stage_of
 from renderer.machines import native, numpy_rows
-from renderer.picture import drawing, stage, views
+from renderer.picture import drawing, stage as memory, views
 from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
@@ -64,16 +64,16 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
 
 
 def test_memory_waits_for_the_next_picture_up_to_a_size_and_is_given_back():
-    stage.give_back()
+    memory.give_back()
     places = [render(DEFAULT, 64, 48, derivatives=["beta", "kd"]).planes.ctypes.data for _ in range(2)]
-    assert places[0] == places[1] and len(stage._spare) == 2
+    assert places[0] == places[1] and len(memory._spare) == 2
     for sizes, kept in (([27] * 5, [27] * 3), ([28, 27, 28], [28]), ([27, 30], [27]), ([29, 27], [27])):
-        blocks = [stage.lent((1, 2**size // 8)) for size in sizes]  # nothing is written, so that the system gives none
+        blocks = [memory.lent((1, 2**size // 8)) for size in sizes]  # nothing is written, so that the system gives none
         while blocks:
             del blocks[0]
-        assert [block.nbytes for block in stage._spare][-len(kept) :] == [2**size for size in kept]
-        stage.give_back()
-    assert not stage._spare
+        assert [block.nbytes for block in memory._spare][-len(kept) :] == [2**size for size in kept]
+        memory.give_back()
+    assert not memory._spare
 
 
 def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_crop():

@@ -128,7 +128,7 @@ def drawer(
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    addresses = {name: array.ctypes.data for name, array in job.items()}
+    addresses = {name: array.__array_interface__["data"][0] for name, array in job.items()}  # sooner than by `ctypes`
     addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
     names, kinds = arguments(want.shader.planes), len(want.shader.counted)
     shared = [addresses.get(name, 0) for name in names]

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from functools import cache, cached_property, lru_cache
+from functools import cache, lru_cache
 from operator import attrgetter
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -107,6 +107,21 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
+if TYPE_CHECKING:
+    once = property
+else:
+
+    class once:
+        """A property that is computed once. Python 3.11's own has a lock, for which a forked child might wait."""
+
+        def __init__(self, compute: Callable):
+            self.compute, self.__doc__ = compute, compute.__doc__
+
+        def __get__(self, shot: Any, owner: Any = None) -> Any:
+            value = vars(shot)[self.compute.__name__] = self.compute(shot)
+            return value
+
+
 _shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
 
 
@@ -128,32 +143,32 @@ class Shot:
         most = min(MOST_SAMPLES, MAX_SIDE // max(self.raster.width, self.raster.height))
         object.__setattr__(self, "samples", check_whole("samples", self.samples, most))
 
-    @cached_property
+    @once
     def geometry(self) -> Geometry:
         """The part of the scene on which chambers depend."""
         return geometry_of(self.scene)
 
-    @cached_property
+    @once
     def shading(self) -> tuple:
         """The fields on which the colours off A depend: equal for equal shadings."""
         return _shading(self.scene)
 
-    @cached_property
+    @once
     def powers(self) -> tuple[int, int] | None:
         """The powers of the algebraic form of the gradient, or None."""
         return algebraic_powers(self.scene, self.method)
 
-    @cached_property
+    @once
     def way(self) -> str:
         """The way to the gradient: algebraic, general, or a difference."""
         return "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
 
-    @cached_property
+    @once
     def glows(self) -> bool:
         """True if light is scattered: without it, no normal is seen."""
         return (self.scene.kd > 0.0 or self.scene.ks > 0.0) and any(any(each.color or ()) for each in self.scene.lights)
 
-    @cached_property
+    @once
     def want(self) -> Want:
         """The Want of the picture, drawn from nothing; without a bump that is seen, without a gradient."""
         scene, numbers = self.scene, {"k_u": self.scene.ku, "k_v": self.scene.kv}
