@@ -168,8 +168,8 @@ REFUSED = {
     "names = 'nope' is not allowed: names": lambda: fit(DEFAULT, np.zeros((8, 8, 3)), ["nope"]),
     "samples = 17 is not allowed: a whole number from 1 to 16": lambda: default(samples=17),
     "samples = 9 is not allowed: a whole number from 1 to 8": lambda: render(DEFAULT, 2**21, 1, samples=9),
-    "stage = Stage(": lambda: default(samples=2, stage=stage_of(DEFAULT, 8, 8)),
-    "into = Frame(": lambda: default(samples=2, into=default()),
+    "samples = 2 is not allowed: 1 beside a stage": lambda: default(samples=2, stage=stage_of(DEFAULT, 8, 8)),
+    "samples = 2 is not allowed: 1 beside": lambda: default(samples=2, into=default()),
     "derivatives = ('beta', 'ku') is not allowed: one name": lambda: stream(
         DEFAULT, 8, 8, "a.npy", derivatives=["beta", "ku"]
     ),

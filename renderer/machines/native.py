@@ -99,7 +99,7 @@ def _points_code(kernel, everywhere):
 def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
     with compiling:
-        code, outputs, _ = _points_code(kernel, tuple(np.size(each) == 1 for each in inputs))
+        code, outputs, _ = _points_code(kernel, tuple(n for n, each in enumerate(inputs) if np.size(each) == 1))
     given, points = [np.ascontiguousarray(each) for each in inputs], np.broadcast(*inputs).size
     results, rest = np.empty((outputs, points)), points % POINTS
     tail = np.zeros((len(given) + outputs, POINTS))  # the last points, as many as go through the code

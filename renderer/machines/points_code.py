@@ -1,8 +1,7 @@
 """The code that runs one kernel over points: a loop around its traced function, for any of LLVM's targets."""
 
 import inspect
-from collections.abc import Callable, Sequence
-from itertools import repeat
+from collections.abc import Callable, Collection
 
 import llvmlite.ir as ir
 
@@ -15,7 +14,12 @@ def inputs_of(kernel: Callable) -> tuple[str, ...]:
 
 
 def emit_points(
-    module: ir.Module, name: str, kernel: Callable, lanes: int, number: ir.Type = FLOAT, everywhere: Sequence[bool] = ()
+    module: ir.Module,
+    name: str,
+    kernel: Callable,
+    lanes: int,
+    number: ir.Type = FLOAT,
+    everywhere: Collection[int] = (),
 ) -> int:
     """Emit the function `name`, its one parameter the address of int64 numbers: how many points, then addresses.
 
@@ -24,8 +28,8 @@ def emit_points(
     """
     tracer, inputs = Tracer(module, name, lanes, number=number), len(inputs_of(kernel))
     with tracer.loop(WHOLE(0), tracer.argument(0), lanes) as at:
-        arrays = zip(map(tracer.argument, range(1, 1 + inputs)), (*everywhere, *repeat(False, inputs)), strict=False)
-        result = kernel(*(tracer.everywhere(a, WHOLE(0)) if one else tracer.load(a, at) for a, one in arrays))
+        arrays = enumerate(map(tracer.argument, range(1, 1 + inputs)))
+        result = kernel(*(tracer.everywhere(a, WHOLE(0)) if n in everywhere else tracer.load(a, at) for n, a in arrays))
         outputs = result if isinstance(result, tuple) else (result,)
         for array, output in enumerate(outputs, start=1 + inputs):
             tracer.store(output, tracer.argument(array), at)

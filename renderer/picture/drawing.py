@@ -84,15 +84,13 @@ def render(
         shot, changes = asked(shot, derivatives)
     by = changes["by"]
     if shot.samples > 1:
-        for name, given in (("stage", stage), ("into", into)):
-            if given is not None:
-                raise not_allowed(name, given, "none beside samples")
+        if stage is not None or into is not None:
+            raise not_allowed("samples", samples, "1 beside a stage or an earlier frame")
         return _sampled(shot, by, bounds, threads)
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
-    fits = (
-        isinstance(into, Frame) and stage is into.stage and shot.shading == into.shot.shading and into.shot.samples == 1
-    )
+    shading = shot.shading, shot.samples
+    fits = isinstance(into, Frame) and stage is into.stage and shading == (into.shot.shading, into.shot.samples)
     if into is not None and not fits:
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is, without samples")
     complete = bounds or stage is None or not set(by) <= set(MOVE_NO_BOUNDARY)
