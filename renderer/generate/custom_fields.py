@@ -42,8 +42,8 @@ class HeightField(height_fields.HeightField):
     """
 
     expression: Any
-    form: Any = field(default=None, repr=False)
-    parameters: tuple[tuple[str, float], ...] = field(default=(), repr=False)
+    form: Any = field(default=None, init=False, repr=False)
+    parameters: tuple[tuple[str, float], ...] = field(default=(), init=False, repr=False)
 
     def __init__(self, name: str, expression: Any, seam: bool = False, **parameters: float):
         put(self, name=name, expression=expression, seam=seam, form=expression)
