@@ -51,7 +51,7 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
         way = "general" if method == "exact" else method
     if style == "diffuse" and "ks" in names:
         style = "base"
-    changes = {"by": tuple(dict.fromkeys(names)), "around": _sloped_group}
+    changes = {"by": tuple(dict.fromkeys(names)), "around": sloped_group}
     return shot, changes | {"ways": ((field, way),), "lights": ((model, style),)}
 
 
@@ -80,10 +80,10 @@ def _light_seeds(light, name):
     return with_part(seeds, place, where(light.bit == 2.0 ** (FIRST_LIGHT_BIT + int(number)), 1.0, 0.0))
 
 
-def _sloped_group(group: Any) -> Any:
+def sloped_group(group: Any) -> Any:
     """Return a group as the differentiating machine around its own one has it."""
     want, by = group.want, group.want.by
-    ((_, style),) = want.lights
+    style = want.lights[0][1]
     seeded = ("lights" if name in parameters(want.ways[0][0]) else name for name in by)  # which no scene's number is
     scene = with_slopes(group.scene, [_seeds(group.scene, name, style) for name in seeded])
     machine = Differentiating(group.machine, len(by), lambda light: [_light_seeds(light, name) for name in by])
@@ -97,7 +97,7 @@ class _Sloped(Group):
     """A group whose gradient moves with a field's own parameters too."""
 
     def gradient(self, angles: Any, mask: Any) -> Any:
-        gradient, ((field, way),) = super().gradient(angles, mask), self.want.ways
+        gradient, (field, way) = super().gradient(angles, mask), self.want.ways[0]  # of a custom field the one
         for place, name in enumerate(self.want.by if way != "flat" else ()):
             if name in parameters(field):
                 kernels, s = field_kernels(field.by(name)), self.scene
