@@ -24,7 +24,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
- *   ball_radius: number }} SceneData
+ *   ball_radius: number, ambient: Vector, albedo_a: Vector, kd: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
  *   inferno: number[], grey: number[], slopes: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
@@ -129,7 +129,8 @@ var /** @type {SimulatorParts} */ Simulator,
 // ideas/ideas.js
 /**
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }>, angles: number[] }} IdeasData
+ *   lines: Record<string, { inputs: string[], lines: string[] }>, balls: { beta: number,
+ *   turn: number, tip: number, lamp: Point, away: number, ka: number } }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
  * @typedef {{ data: IdeasData, program: string, module?: Promise<IdeasModule> }} IdeasParts
  * @typedef {SimulatorData & IdeasData} AllData

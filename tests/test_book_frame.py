@@ -107,6 +107,14 @@ def test_the_browser_lets_no_page_fetch_or_send(browser, base):
     tab.close()
 
 
+def test_folds_are_open_on_paper(visit):
+    tab = visit("s6")
+    folded = "document.querySelectorAll('.bd-article details:not([open]) > :not(summary)')"
+    for medium, seen in (("screen", False), ("print", True)):
+        tab.emulate_media(media=medium)
+        assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_system_s_colours(visit, mode):
     tab = visit("s3", java_script_enabled=False, color_scheme=mode)
