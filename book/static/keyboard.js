@@ -106,7 +106,8 @@
     links.told = link;
     if (!link) return;
     const card = document.querySelector(`${link.hash} > p`)?.cloneNode(true);
-    if (!card) await (known ??= load_script(src.replace("keyboard", "statements")));
+    if (!card) known ??= load_script(src.replace("keyboard", "statements"));
+    await known;
     if (links.told !== link) return;
     note.replaceChildren(card ?? Statements[link.hash]);
     for (const named of find_all(note, "[id]")) named.removeAttribute("id");
