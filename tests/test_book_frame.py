@@ -106,6 +106,14 @@ def test_the_browser_lets_no_page_fetch_or_send(browser, base):
     tab.close()
 
 
+def test_folds_are_open_on_paper(visit):
+    tab = visit("s6")
+    folded = "document.querySelectorAll('.bd-article details:not([open]) > :not(summary)')"
+    for medium, seen in (("screen", False), ("print", True)):
+        tab.emulate_media(media=medium)
+        assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_system_s_colours(visit, mode):
     tab = visit("s3", java_script_enabled=False, color_scheme=mode)
@@ -126,14 +134,6 @@ def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_wher
         tab.keyboard.press("Control+KeyF")
         counts.append(tab.locator("*").count())
     assert counts[0] < 6000 and min(counts[1:]) > 60_000
-
-
-def test_folds_are_open_on_paper(visit):
-    tab = visit("s6")
-    folded = "document.querySelectorAll('.bd-article details:not([open]) > :not(summary)')"
-    for medium, seen in (("screen", False), ("print", True)):
-        tab.emulate_media(media=medium)
-        assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
 
 
 def test_a_formula_is_copied_as_tex(visit):

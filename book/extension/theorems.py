@@ -26,7 +26,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
         "F",
         "Coq, a proof assistant, accepted a statement for each of its words, here or on a day that the card names",
     ),
-    "proved": ("●", "P", "a kernel, this book's small checker, accepted a certificate; samples agree, false variants were refuted"),
+    "proved": ("●", "P", "a kernel, this book's checker, accepted a certificate; samples agree, false variants fail"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for words that no claim says, or as what it uses is argued"),
     "certified": ("◆", "C", "enclosed between two ends, by numbers that carry their own error"),
