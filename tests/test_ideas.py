@@ -1,9 +1,11 @@
 """The small interactives: their numbers are the renderer's, hand and keys move them, the still pictures stay."""
 
+import base64
 import functools
 import io
 import re
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -13,16 +15,22 @@ from playwright.sync_api import expect
 from book import idea_kernels, worked
 from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.files.srgb import to_bytes
+from renderer.picture.views import difference_logarithmic, image_view
 from renderer.scene.raster import Raster
 from tests.tabs import PHONE, RUNNING, next_frame, number, wait_for
 
 SCENE = Scene()
 LAMP = Light((4.09, 4.323, 0.762))  # of the three balls: 80° to the left, 0.75 rad up, seen from above the pole
 AFAR = Scene(bump="surface", beta=0.12, ball=False, floor=False, ks=0.0, ka=0.4, eye=1e4, lights=[LAMP])
-PAGES = {"s1": ["three_balls", "slope_is_texture"], "s2": ["scene_from_the_side", "pixel_worked"], "s3": ["two_slopes"]}
+PAGES = {
+    "s1": ["three_balls", "slope_is_texture"],
+    "s2": ["scene_from_the_side", "pixel_worked"],
+    "s3": ["two_slopes"],
+    "s7": ["pitfall_seam"],
+}
 # Brings into sight one figure after another that is still.
 STARTED = """(() => {
-    const still = document.querySelector('figure.idea:not(.idea-live)');
+    const still = document.querySelector('.idea:not(.idea-live)');
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
@@ -79,7 +87,7 @@ def test_the_still_picture_stands_where_no_script_runs_and_on_paper_and_a_phone_
             for name in PAGES[page]:
                 assert tab.is_visible(f"#fig-{name} .pixels") is not live
                 assert tab.is_visible(f"#fig-{name} .idea-stage") is live
-    targets = visit(page, until=STARTED, **PHONE).locator("figure.idea :is(.reach, input, button, select)")
+    targets = visit(page, until=STARTED, **PHONE).locator(".idea :is(.reach, input, button, select)")
     assert min(targets.evaluate_all(SIZES)) >= 43.9
 
 
@@ -160,7 +168,7 @@ def test_three_balls_turn_by_hand_and_stay_still_without_a_card(idea, visit):
     view.drag_to(view, source_position=places[0], target_position=places[1])
     expect(view).to_have_attribute("aria-valuenow", str(int(start + 57)))
     none = "HTMLCanvasElement.prototype.getContext = () => null"
-    without = visit("s1", until=STARTED.replace("'figure.idea:not", "'#fig-slope_is_texture:not"), prepare=none)
+    without = visit("s1", until=STARTED.replace("'.idea:not", "'#fig-slope_is_texture:not"), prepare=none)
     assert without.is_visible("#fig-three_balls .pixels")
 
 
@@ -194,6 +202,34 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
         for shown in figure.locator("[data-line]").all():
             wanted = worked.number_text(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
+
+
+# What a pitfall's three canvases show, each as a PNG.
+CANVASES = "figure => [...figure.querySelectorAll('canvas')].map(canvas => canvas.toDataURL().split(',')[1])"
+
+
+@pytest.mark.parametrize("name, value, width, corner, ku, eps, words", [
+    ("pitfall_seam", 7, 1024, (202, 371), 7, 0.01, "Odd.* crease"),
+    ("pitfall_seam", 6.5, 1024, (202, 371), 6.5, 0.01, "jumps"),
+    ("step_taken", -16, 128, (0, 0), 8, 1e-16, "lie {2} apart"),
+    ("around_pole", 8, 2048, (960, 806), 8, 1e-6, "from {} to {}"),
+])  # fmt: skip
+def test_a_pitfall_shows_the_renderers_pictures_and_says_its_numbers(idea, name, value, width, corner, ku, eps, words):
+    tab, *_ = idea("pitfall_seam")
+    figure, scene = tab.locator(f"#fig-{name}"), Scene(field="sine", ku=ku)
+    figure.scroll_into_view_if_needed()
+    figure.locator("input").fill(str(value))
+    next_frame(tab)
+    crop = *corner, 128, 128
+    with warnings.catch_warnings(action="ignore"):  # of a step that is lost
+        numeric, symbolic = frames = [render(scene, width, width, method, crop) for method in (central(eps), exact())]
+    expected = [*map(image_view, frames), difference_logarithmic(numeric.rgb - symbolic.rgb)]
+    for png, picture in zip(figure.evaluate(CANVASES), expected, strict=True):
+        np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(base64.b64decode(png))).convert("RGB")), picture)
+    ends = [f"{end(symbolic.planes_on_a[5]):.2f}" for end in (np.min, np.max)]
+    ends.append(f"{(0.3 + eps) - (0.3 - eps):.3e}")
+    expected = words.format(*(end.replace("-", "−") for end in ends))
+    assert re.search(expected, figure.locator(".idea-says").inner_text())
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

@@ -92,7 +92,7 @@ def load(book: Path) -> Proofs:
         if in_coq:
             printed = statements(theorems[id])
             in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
-        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in formal.GRADES
+        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] == "proved"
         entry["shown"] = "formal" if formally else entry["grade"]
         entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
