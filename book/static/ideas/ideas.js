@@ -181,9 +181,9 @@ function idea_stage(figure) {
   };
 }
 
-/** The scene as a state of the simulator. @param {SimulatorData} data */
-function scene_state({ scene }) {
-  return { ...scene, lights: scene.lights.map(() => true) };
+/** The scene as a state of the simulator, with changes. @param {SimulatorData} data @param {Partial<SceneState>} [changes] */
+function scene_state({ scene }, changes) {
+  return { ...scene, lights: scene.lights.map(() => true), ...changes };
 }
 
 /** The simulator's module, with another one for the interactives' own kernels. @param {AllData} data */
