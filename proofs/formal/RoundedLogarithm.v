@@ -15,11 +15,10 @@ Proof.
   - apply Rle_trans with (13/1000 / 2 ^ 53 * (3/64)); [|lra]. both_ways B. unfold g; logarithm_polynomial.lines.
     unfold Rabs in L; destruct Rcase_abs in L; [assert (- (59/1000) <= q <= - (3/64)) by lra | assert (3/64 <= q <= 59/1000) by lra]; interval with
       (i_taylor q, i_degree 20, i_prec 120).
-  - assert (G : g 0 = 0) by (unfold g; logarithm_polynomial.lines; rewrite Rplus_0_r, Rminus_0_r; ring).
-    replace (g q) with (g q - g 0) by (rewrite G; ring). rewrite <- (Rminus_0_r q) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
-    assert (T' : - (3/64) <= t <= 3/64) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; lra). clear T. split.
+  - evar (h : R -> R). apply (at_most_times g h _ (3/64)); [unfold g; logarithm_polynomial.lines; rewrite Rplus_0_r, Rminus_0_r; ring | intros t T; split
+      | apply Rabs_le_between; lra].
     + unfold g; logarithm_polynomial.lines. auto_derive; [lra|]. unfold h. reflexivity.
-    + unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 120).
+    + unfold h. clear - T. interval with (i_taylor t, i_degree 20, i_prec 120).
 Qed.
 
 (* A rounding to so many digits, relative to a number that is not negligible. *)
