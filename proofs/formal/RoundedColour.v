@@ -118,7 +118,8 @@ Ltac sums := lazymatch goal with
   | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply Rle_trans; [eapply times_error; [find_bound | find_bound | sums | sums] | find_bound]
   | |- _ => first [eassumption | apply no_error] end.
 Theorem colour_accuracy__phong : Statements.colour_accuracy__phong.
-Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply clamp_is_lipschitz|]. eapply Rle_trans; [sums | interval]. Qed.
+Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply clamp_is_lipschitz|].
+  eapply Rle_trans; [sums | interval]. Qed.
 (* The product of a normal and a vector of that length, of any length. *)
 Lemma along_rounded (nx ny nz hx hy hz L : R) : 1 / 2 ^ 20 <= L -> hx * hx <= L * L -> hy * hy <= L * L -> hz * hz <= L * L -> Rabs nx <= /
   1099511627776 + 1 -> Rabs ny <= / 1099511627776 + 1 -> Rabs nz <= / 1099511627776 + 1 ->
@@ -137,7 +138,8 @@ Proof.
   red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. blinn_highlight_float64.lines; blinn_highlight.lines. of_length hx hy hz.
   assert (R := length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). set (l := rounded (sqrt _)) in
     *. assert (l0 : 0 < l) by in_units.
-  destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply clamp_is_lipschitz|].
+  destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0).
+    eapply Rle_trans; [apply clamp_is_lipschitz|].
   destruct (along_rounded nx ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D G]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny
     * hy + nz * hz) in *.
   assert (B := over_length g _ L ltac:(lra) G). assert (Y : Rabs (d / l - g / L) <= 285/10 * unit53).
@@ -164,7 +166,8 @@ Proof.
   assert (Xl : 1 / 2 ^ 60 <= X) by (apply Rle_trans with (1 / 2 ^ 40 * / 1048576); [lra | apply Rmult_le_compat; lra]). assert (Xu : X <= 2 ^ 600) by
     (change 600%nat with (400 + 200)%nat; rewrite pow_add; apply Rmult_le_compat; lra).
   set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <= 30001/10000)
-    by (split; [exact (Rle_0_sqr b) | apply Rmult_le_reg_l with v; lra]). assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
+    by (split; [exact (Rle_0_sqr b) | apply Rmult_le_reg_l with v; lra]).
+  assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
   assert (F : Rabs (a - b) <= 81/10 * unit53) by (unfold a, b; replace (_ - _) with ((A - B) / L) by (field; lra); apply over_length; lra).
   replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace (B
     ^ 2) with (B * B) by ring; rewrite b2; field; lra).

@@ -352,7 +352,8 @@ Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; int
 Theorem difference_bounds__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
 Proof. do 5 eexists. split; apply witness. Qed.
 Theorem difference_bounds__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
-  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 + arguments_part (PI * k_u) ((u + epsilon) / 2 ^ 53 / 8) epsilon +
+  Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 +
+    arguments_part (PI * k_u) ((u + epsilon) / 2 ^ 53 / 8) epsilon +
     evaluation_part (PI * k_u) epsilon.
 Proof.
   intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) eighth_of_arguments (proj1 steep_there).
@@ -361,7 +362,8 @@ Qed.
 Theorem difference_bounds__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. split; apply witness. Qed.
 Theorem difference_bounds__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
-  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 + arguments_part (PI * k_v) ((v + epsilon) / 2 ^ 53 / 8) epsilon +
+  Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 +
+    arguments_part (PI * k_v) ((v + epsilon) / 2 ^ 53 / 8) epsilon +
     evaluation_part (PI * k_v) epsilon.
 Proof.
   intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) eighth_of_arguments (proj1 steep_there).

@@ -45,7 +45,8 @@ Proof.
 Qed.
 (* The sum of two roundings, named s, whose size is at most X. *)
 Ltac float_is := first [apply rounded_is_float64 | apply generic_format_opp, rounded_is_float64].
-Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in assert (E := sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption)); change (rounded (f + g)) with s in E.
+Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
+  assert (E := sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption)); change (rounded (f + g)) with s in E.
 (* The part of 26 digits, which is split off by a multiplication. *)
 Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
   (Znearest (fun n => negb (Z.even n))) x.
