@@ -43,21 +43,23 @@ def bump_at(
     light_y: Number,
     light_z: Number,
 ) -> tuple[Number, ...]:
-    """Return h of ridges, its gradient, the tilt in degrees, and μ = N'·ω for a light, not below 0."""
+    """Return h of ridges, h_u, the slope along the parallel, the surface's own tilt in degrees, and μ, not below 0."""
     angles, gradient = angles_at(u, v), kernels.gradient_ridges(u, v, k_u, k_v)
-    bumped, point = kernels.bumped_normal(*angles, *gradient, beta), kernels.point_on_a(*angles, radius)
+    slopes = kernels.surface_slopes(angles[3], radius, *gradient)
+    bumped, point = kernels.bumped_normal(*angles, *slopes, beta), kernels.point_on_a(*angles, radius)
     mu = kernels.light_cosine(*point, light_x, light_y, light_z, *bumped)
     # The tangent of the angle between N and N' is β|g|, by theorem angle_of_the_bump.
-    tilt = DEGREES * kernels.atan2pi(abs(beta) * kernels.slope(*gradient), 0.0 * beta + 1.0)
-    return kernels.height_ridges(u, v, k_u, k_v), *gradient, tilt, kernels.maximum(0.0, mu)
+    tilt = DEGREES * kernels.atan2pi(abs(beta) * kernels.slope(*slopes), 0.0 * beta + 1.0)
+    return kernels.height_ridges(u, v, k_u, k_v), gradient[0], -slopes[0], tilt, kernels.maximum(0.0, mu)
 
 
 def surfaces(
     u: Number, v: Number, k_u: Number, k_v: Number, beta: Number, light_x: Number, light_y: Number, light_z: Number
 ) -> tuple[Number, ...]:
-    """Return a point of the unit sphere, the same displaced by βh of ridges, and max(0, μ) for each of five normals.
+    """Return a point of the unit sphere, the same displaced by βh of ridges, and max(0, μ) for each of six normals.
 
-    These are the chapter's, that with its sign mended, its scale, its metric, and the displaced surface's own, there.
+    These are the chapter's, that with its sign mended, its scale, its metric, the displaced surface's own, there, and
+    the sphere's.
     """
     angles, slopes = angles_at(u, v), kernels.gradient_ridges(u, v, k_u, k_v)
     h, light = kernels.height_ridges(u, v, k_u, k_v), (light_x, light_y, light_z)
@@ -69,6 +71,7 @@ def surfaces(
         (smooth, kernels.bumped_normal(*angles, *in_radians(*slopes), -beta)),
         (smooth, BLINN(*angles, *slopes, beta)),
         (raised, DISPLACED(*angles, *slopes, beta, h)),
+        (smooth, smooth),
     ):
         length = sqrt(sum((part * part for part in normal[1:]), normal[0] * normal[0]))
         mu = kernels.light_cosine(*point, *light, *normal) / length
@@ -111,6 +114,9 @@ pixel_lines, PIXEL_LINES = every_line("pixel_lines", PIXEL)
 LINES = {"pixel_lines": PIXEL_LINES}
 """{kernel: the names of its inputs, and of the lines that it returns}."""
 
+BALLS = {"beta": 0.12, "turn": 0.5, "tip": 0.45, "lamp": (-0.8, 0.7), "away": 6.0, "ka": 0.4}
+"""Of the three balls: β, how the eye stands, the lamp at first, in radians to the right and up, and how far away."""
+
 IDEAS = (bump_at, surfaces, two_slopes, slope_parts, kernels.shadow, pixel_lines)
 """Functions that are compiled for them."""
 
@@ -137,6 +143,6 @@ def lines_at(scene: Scene, x: float, y: float) -> dict[str, float]:
 
 def source() -> str:
     """Return the text of the script that their pages load."""
-    data = {"lines": LINES, "given": scene_inputs(Scene()), "angles": angles()}
+    data = {"lines": LINES, "given": scene_inputs(Scene()), "balls": BALLS}
     words = "what the small interactives ask of the renderer's kernels"
     return script(words, "Ideas.data", "Ideas.program", {}, IDEAS, data, {})

@@ -26,9 +26,11 @@ from renderer.machines.forms import flat
 from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
 from renderer.machines.webassembly import LANES, compiled_module
+from renderer.picture.views import DIVERGING
 from renderer.scene.raster import Raster
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
+from renderer.shader.slopes import sloped_group
 from verify.accuracy.creases import crease_point, crease_rates
 from verify.accuracy.step_terms import BOUNDS, slope_bound
 
@@ -38,17 +40,28 @@ FLAT = (SCENE.field, "flat")  # the same for every field
 WAYS = list(product(FIELDS, ("general", *HEIGHT_EVALUATIONS)))
 WAYS += [(name, "algebraic") for name, field in FIELDS.items() if field["wave_numbers"]] + [FLAT]
 
+GENERAL = [(name, "general") for name in FIELDS]
+STORED = (SCENE.field, "stored")
+BY = {
+    "by_beta": "beta",
+    "by_ku": "ku",
+    "by_lamp": "lights[0].position[0]",
+}  # {view: by what it has the picture's slope}
+
 OFF_A = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
 WANTS = {
     "draw_chambers": OFF_A._replace(colors=False),
     "draw_elsewhere": OFF_A._replace(chambers_known=True, surfaces="elsewhere"),
     "draw_chart": OFF_A._replace(chambers_known=True, surfaces="a", colors=False, stored=(*ANGLES, *CHART)),
     "draw_a": OFF_A._replace(ways=tuple(WAYS), chambers_known=True, surfaces="a", stored=SLOPES, charted=True),
-    "draw_own": OFF_A._replace(ways=((SCENE.field, "stored"),), chambers_known=True, surfaces="a", charted=True),
+    "draw_own": OFF_A._replace(ways=(STORED,), chambers_known=True, surfaces="a", charted=True),
+    "draw_sloped": OFF_A._replace(
+        ways=(*GENERAL, STORED), chambers_known=True, charted=True, by=tuple(BY.values()), around=sloped_group
+    ),
 }
 """The drawings; a picture is all of them, one after another. A's chart is kept for the next picture.
 
-`draw_own` takes the slopes that the page has computed of the reader's own field.
+`draw_own` takes the slopes that the page has computed of the reader's own field; `draw_sloped`, but by k_u, of any.
 """
 
 
@@ -122,6 +135,7 @@ def _tables():
         "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
+        "slopes": _colours(colormaps[DIVERGING](range(256), bytes=True)[:, :3]),
         "terms": _colours([*map(ImageColor.getrgb, TERM_COLOURS)]),
         "levels": _colours(
             [[level, 1, 0] for level in range(256)]
@@ -140,13 +154,18 @@ def data() -> dict:
         "offsets": {name: sum(sizes[:number]) for number, name in enumerate(vars(SCENE_FORM))},
         "light_size": len(flat(LIGHT_FORM)),
         "shadows": sum(len(getattr(LIGHT_FORM, name)) for name in SHADOWS),
-        "fields": {n: {"ways": ways[n], "creases": len(f.creases)} for n, f in HEIGHT_FIELDS.items()},
+        "fields": {
+            n: {"ways": ways[n], "sloped": GENERAL.index((n, "general")), "creases": len(f.creases)}
+            for n, f in HEIGHT_FIELDS.items()
+        },
         "models": {
             n: {"index": number, "power": scene_numbers(Shot(scene)).power}
             for number, (n, scene) in enumerate(MODELS.items())
         },
         "max_algebraic": MAX_ALGEBRAIC,
+        "by": BY,
         "arguments": arguments(PLANES),
+        "sloped": arguments(WANTS["draw_sloped"].shader.planes),
         "counts": len(WORK),
         "lanes": LANES,
         "painting": PAINTING,

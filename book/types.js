@@ -5,6 +5,7 @@ var /** @type {SimulatorParts} */ Simulator,
   /** @type {IdeasParts} */ Ideas,
   /** @type {ChapterPages} */ Chapter,
   /** @type {Record<string, [string, string][]>} */ SearchText,
+  /** @type {Record<string, string>} */ Statements, // by the link's hash
   /** @type {SearchScorer} */ Scorer,
   /** @type {SphinxSearch} */ Search,
   /** @type {SphinxStemmer} */ Stemmer,
@@ -16,19 +17,19 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {[number, number, number]} Vector
  * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
  *   a part of a picture of width × height pixels
- * @typedef {{ name: string, eps?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
+ * @typedef {{ name: string, eps?: number, way?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
  * @typedef {{ field: string, h?: string, ku: number, kv: number, beta: number, model: string, ball: number,
  *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
  *   the first light is
  * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
- *   ball_radius: number }} SceneData
+ *   ball_radius: number, ambient: Vector, albedo_a: Vector, kd: number }} SceneData
  * @typedef {{ srgb: { cells: number, thresholds: number[] }, sizes: { bits: number, thresholds: number[] },
- *   inferno: number[], grey: number[], terms: number[], levels: number[] }} Tables
+ *   inferno: number[], grey: number[], slopes: number[], terms: number[], levels: number[] }} Tables
  * @typedef {{ scene: SceneData, scenes: Record<string, { scene: number[], lights: number[][] }>,
  *   offsets: Record<string, number>, light_size: number, shadows: number, max_algebraic: number, counts: number, lanes: number,
- *   fields: Record<string, { ways: Record<string, number>, creases: number }>,
+ *   fields: Record<string, { ways: Record<string, number>, sloped: number, creases: number }>, by: Record<string, string>, sloped: string[],
  *   models: Record<string, { index: number, power: number }>, arguments: string[],
  *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
  *   terms: string[], term_colours: string[], scene_bounds?: number[],
@@ -38,7 +39,7 @@ var /** @type {SimulatorParts} */ Simulator,
  *   targets: Record<string, number> }} Stage
  * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
  * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
- *   normal?: number[], gradient?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
+ *   normal?: number[], gradient?: number[], slope?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
  *   kink?: boolean, straddling?: boolean }} PixelRecord
  * @typedef {Awaited<ReturnType<typeof simulator_module>>} SimulatorModule
  * @typedef {{ data: SimulatorData, program: string, running?: ReturnType<typeof simulator_start>,
@@ -65,17 +66,16 @@ var /** @type {SimulatorParts} */ Simulator,
 /**
  * @typedef {{ kind: "begin", data: SimulatorData, compiled: WebAssembly.Module } | { kind: "stop" } | DrawTask | IdleTask}
  *   Task
- * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part }}
+ * @typedef {{ kind: "draw", id: number, state: State, band: Raster, part: Part, end: number }}
  *   DrawTask
  * @typedef {{ raster: string, bands: number, begin: number }} Part how many bands a raster has, and the rows above this one
  * @typedef {{ kind: "idle", id: number, state: State, band: Raster, steps: number[] | null }} IdleTask
  * @typedef {{ kind: "drawn", id: number, band: Raster, part: Part, images: Record<string, { top: number, bytes: ImageDataArray }>,
- *   count: number, codes: Uint8Array | null, largest: number, squares: number }} Drawn
+ *   count: number, codes: Uint8Array | null, largest: number, squares: number, end: number }} Drawn
  * @typedef {{ kind: "counted", id: number, index: number, flips: number, attached: number[], count: number }} Counted
  * @typedef {{ kind: "followed", id: number, index: number, largest: number, squares: number, count: number,
  *   still: Uint8Array }} Followed
- * @typedef {{ kind: "timed", id: number, index: number, numeric: number, symbolic: number }} Timed
- * @typedef {Drawn | Counted | Followed | Timed} Reply
+ * @typedef {Drawn | Counted | Followed} Reply
  * @typedef {(string | number | boolean)[]} Key
  */
 
@@ -84,7 +84,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {{ postMessage(task: Task): void, terminate(): void }} Drawer a worker, or the page itself
  * @typedef {{ painted(reply: Drawn, by_page: boolean): void, drawn(state: State, replies: Drawn[], asked: number,
  *   by_page: boolean, is_whole: boolean): void, resting(state: State): number[] | null,
- *   counted(all: Counted[]): void, followed(all: Followed[]): void, timed(all: Timed[]): void,
+ *   counted(all: Counted[]): void, followed(all: Followed[]): void,
  *   failed(why: string): void }} Handlers
  */
 
@@ -129,12 +129,17 @@ var /** @type {SimulatorParts} */ Simulator,
 // ideas/ideas.js
 /**
  * @typedef {{ kernels: Record<string, [number, number]>, given: Record<string, number>,
- *   lines: Record<string, { inputs: string[], lines: string[] }>, angles: number[] }} IdeasData
+ *   lines: Record<string, { inputs: string[], lines: string[] }>, balls: { beta: number,
+ *   turn: number, tip: number, lamp: Point, away: number, ka: number } }} IdeasData
  * @typedef {SimulatorModule & { own: SimulatorModule }} IdeasModule with the interactives' own kernels
  * @typedef {{ data: IdeasData, program: string, module?: Promise<IdeasModule> }} IdeasParts
  * @typedef {SimulatorData & IdeasData} AllData
  * @typedef {(stage: ReturnType<typeof idea_stage>, module: IdeasModule, data: AllData) => (() => void) | null} Idea
  *   sets a stage; returns what draws on it, or null where the browser cannot
+ * @typedef {{ label: string, range: { min: number, max: number, step: number, value: number },
+ *   name(value: number): string, changes(value: number): Partial<SceneState>, eps(value: number): number,
+ *   zoom(value: number): number, at: number, words(value: number, slopes: Float64Array): string }} Pitfall
+ *   of one number: what it changes; where the middle is, in radii of A to the right of its own; slopes: h_v of what is seen
  * @typedef {{ clientX: number, clientY: number }} Place of a pointer, or between two
  * @typedef {(x: number, y: number, begins: boolean) => void} Moved is told of a place on a panel
  * @typedef {(right: number, up: number) => void} Stepped is told of arrow keys, ten times as far with shift
@@ -142,6 +147,7 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // checker/kernel.js
 /**
+ * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
  * @typedef {[bigint, bigint]} Fraction numerator and denominator, in lowest terms, the denominator positive
  * @typedef {Map<string, Fraction>} Polynomial from words to coefficients other than 0: the word of x²y is "x x y", its
  *   names in a fixed order
@@ -162,25 +168,11 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {ReturnType<typeof checking_clerk>} Clerk
  */
 
-// checker/polynomials.js
-/**
- * @typedef {Record<string, string>} PolynomialData {"x^2 y": "-3/2", "": "1"}: coefficients by their monomials
- * @typedef {ReturnType<typeof polynomial_texts>} PolynomialTexts
- */
-
 // checker/card.js
 /**
  * @typedef {{ statement: Statement, certificate: Certificate }} Case
  * @typedef {{ theorem: string, claims: { claim: string, statements: Case[] }[] }} TheoremData
- * @typedef {TheoremData & { names: Parameters<typeof polynomial_texts>[0] }} CardData
  * @typedef {Case & { name: string }} NamedCase
- */
-
-// checker/editor.js
-/**
- * @typedef {(string | number)[]} Path where a value stands in a statement
- * @typedef {{ label: string, path: Path, before: (Node | string)[], after: string, names: boolean }} Line
- *   of a statement, that can be changed: the value at `path` is a polynomial, or with `names` a list of names
  */
 
 // shared.js

@@ -75,15 +75,71 @@ def test_a_watched_page_shows_what_is_wrong_until_it_is_not(browser, tmp_path):
     site.shutdown()
 
 
-def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_built_again(stamped, monkeypatch):
-    places = {"SITE": "html", "INDEX": "html/index.html", "WORK": "work", "CACHES": "caches"}
+@pytest.fixture
+def places(stamped, monkeypatch):
+    """A folder with a book of two pages, its work and its site, and a text beside them."""
+    places = {"SITE": "html", "INDEX": "html/index.html", "WORK": "work", "CACHES": "caches", "BOOK": "book"}
     for name, place in places.items():
         monkeypatch.setattr(website, name, stamped / place)
+    monkeypatch.setattr(stamps, "ROOT", stamped)
+    monkeypatch.setattr(website, "execution_cache", lambda: website.CACHES / "one")
+    monkeypatch.setattr(website, "site_hashes", lambda: stamps.file_hashes(website.BOOK.iterdir(), root=stamped))
+    website.BOOK.mkdir()
+    for name in ("s1.md", "s2.md", "text.toml"):
+        (website.BOOK / name).write_text(PAGE)
+    return stamped
+
+
+PAGE = """(label)=
+# Bumps
+
+The slope {number}`a.b`, of [§2](#s2), and (aside) a word.
+
+:::{figure} a
+:alt: a curve
+:::
+"""
+AGAIN = [  # of the page what is changed, by what it is replaced, and the pages that are read again
+    ("a word", "one word", ["s1"]),
+    *(
+        (was, f"{was[:-2]}x{was[-2:]}", None)
+        for was in ("(label)=", "# Bumps", "`a.b`", "(#s2)", "{figure} a", ": a curve")
+    ),
+]
+
+
+def test_the_work_on_pages_that_stay_is_kept(places, monkeypatch):
+    """Not where a file beside them changed, or the kept work itself."""
+    asked, page, text = [], website.BOOK / "s1.md", website.BOOK / "text.toml"
+
+    def work(folder, cache, pages):
+        asked.append(pages)
+        assert {path.suffix for path in folder.rglob("*")} - {""} == (set() if pages is None else {".doctree"})
+        for name in ("html/index.html", ".doctrees/s1.doctree"):
+            stamps.write_whole(folder / "_build" / name, b"whole")
+
+    def after(change):
+        change()
+        website.build()
+        return asked[-1]
+
+    monkeypatch.setattr(website, "build_into", work)
+    assert after(lambda: None) is None
+    for was, now, names in AGAIN:
+        assert after(lambda was=was, now=now: page.write_text(PAGE.replace(was, now))) == names, was
+        assert after(lambda: page.write_text(PAGE)) == names, was
+    assert after(lambda: text.write_text("new")) is None
+    assert after(lambda: shutil.rmtree(website.SITE)) == [] and website.INDEX.is_file()
+    (website.WORK / "odd").touch()
+    assert after(lambda: page.write_text(PAGE.replace("a word", "one word"))) is None
+
+
+def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_built_again(places, monkeypatch):
     website.SITE.mkdir()
     website.INDEX.write_text("old")
     stamps.write("site", {"a": "0"})
 
-    def half_written(folder, cache):
+    def half_written(folder, cache, pages):
         (folder / "_build" / "html").mkdir(parents=True)
         raise subprocess.CalledProcessError(1, "jupyter-book")
 
@@ -91,12 +147,12 @@ def test_failed_build_leaves_the_old_site_and_no_stamp_and_a_spoilt_site_is_buil
     with pytest.raises(subprocess.CalledProcessError):
         website.build()
     assert website.INDEX.read_text() == "old"
-    assert stamps.read("site") is None
+    assert stamps.read("site") is stamps.read("work") is None
     page = website.SITE / "s2.html"
 
-    def complete(folder, cache):
+    def complete(folder, cache, pages):
         made = folder / "_build" / "html"
-        made.mkdir(parents=True)
+        made.mkdir(parents=True, exist_ok=True)
         for name in (".buildinfo", website.INDEX.name, page.name):
             (made / name).write_text("whole")
 

@@ -11,6 +11,7 @@ from book.editions.document import POLICY as MAILED
 from book.extension.mathematics import typeset
 from book.extension.scripts import POLICY
 from book.extension.styles import NAMED, NESTED, pruned
+from tests.tabs import PHONE
 from verify.evidence.sources import ROOT
 
 HEAVIEST = 1_000_000  # bytes: a page, its scripts, style sheets and fonts, as they are before a server compresses them
@@ -106,6 +107,14 @@ def test_the_browser_lets_no_page_fetch_or_send(browser, base):
     tab.close()
 
 
+def test_folds_are_open_on_paper(visit):
+    tab = visit("s6")
+    folded = "document.querySelectorAll('.bd-article details:not([open]) > :not(summary)')"
+    for medium, seen in (("screen", False), ("print", True)):
+        tab.emulate_media(media=medium)
+        assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_system_s_colours(visit, mode):
     tab = visit("s3", java_script_enabled=False, color_scheme=mode)
@@ -126,6 +135,25 @@ def test_a_proof_comes_when_it_is_opened_or_words_are_looked_for_and_stands_wher
         tab.keyboard.press("Control+KeyF")
         counts.append(tab.locator("*").count())
     assert counts[0] < 6000 and min(counts[1:]) > 60_000
+
+
+def test_a_link_to_a_theorem_shows_its_statement(visit):
+    """To the pointer, the Tab key and a finger, of this page and of others; a second tap follows."""
+    tab, phone = visit("s7"), visit("s7", **PHONE)
+    find = "main a[href$='#theorem-{}']".format
+    first = find("crease_contrast")
+    note, other = (each.locator(".theorem-note") for each in (tab, phone))
+    tab.hover(first)
+    words = note.inner_text()
+    assert "where the kink flag is set" in words and tab.get_attribute(first, "aria-description") == words
+    tab.keyboard.press("Escape")
+    assert note.count() == 0
+    tab.focus(find("clamped_difference"))
+    assert "first order" in note.inner_text()
+    phone.tap(first)
+    assert other.inner_text() == words and other.bounding_box()["x"] >= 0
+    phone.tap(first)
+    phone.wait_for_url("**#theorem-crease_contrast")
 
 
 def test_a_formula_is_copied_as_tex(visit):

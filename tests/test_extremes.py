@@ -6,7 +6,6 @@ import tomllib
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from proofs.formulas.enclosed import RULES
 from verify.accuracy.canvas import SIZE
 from verify.accuracy.differences import PER_DECADE
 from verify.evidence.sources import ROOT
@@ -29,7 +28,6 @@ OF_A_THEOREM = {
     "dark_difference": f"${SIZE}^2$",
     "pole_accuracy": f"of {POINTS} points",
     "difference_bounds": {40: "forty"}[PER_DECADE],
-    "enclosing_rules": {12: r"a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$"}[len(RULES)],
 }
 """{theorem: how it says of what its extreme is one}"""
 

@@ -1,9 +1,11 @@
 """The small interactives: their numbers are the renderer's, hand and keys move them, the still pictures stay."""
 
+import base64
 import functools
 import io
 import re
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -11,19 +13,24 @@ from PIL import Image
 from playwright.sync_api import expect
 
 from book import idea_kernels, worked
-from renderer import Scene, central, exact, gradient_at, pixel
+from renderer import Light, Scene, central, exact, gradient_at, pixel, render
+from renderer.files.srgb import to_bytes
+from renderer.picture.views import difference_logarithmic, image_view
 from renderer.scene.raster import Raster
 from tests.tabs import PHONE, RUNNING, next_frame, number, wait_for
 
 SCENE = Scene()
+LAMP = Light((4.09, 4.323, 0.762))  # of the three balls: 80° to the left, 0.75 rad up, seen from above the pole
+AFAR = Scene(bump="surface", beta=0.12, ball=False, floor=False, ks=0.0, ka=0.4, eye=1e4, lights=[LAMP])
 PAGES = {
-    "s1": ["slope_is_texture"],
+    "s1": ["three_balls", "slope_is_texture"],
     "s2": ["scene_from_the_side", "pixel_worked"],
-    "s3": ["bump_surface", "two_slopes"],
+    "s3": ["two_slopes"],
+    "s7": ["pitfall_seam"],
 }
 # Brings into sight one figure after another that is still.
 STARTED = """(() => {
-    const still = document.querySelector('figure.idea:not(.idea-live)');
+    const still = document.querySelector('.idea:not(.idea-live)');
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
@@ -80,7 +87,7 @@ def test_the_still_picture_stands_where_no_script_runs_and_on_paper_and_a_phone_
             for name in PAGES[page]:
                 assert tab.is_visible(f"#fig-{name} .pixels") is not live
                 assert tab.is_visible(f"#fig-{name} .idea-stage") is live
-    targets = visit(page, until=STARTED, **PHONE).locator("figure.idea :is(.reach, input, button, select)")
+    targets = visit(page, until=STARTED, **PHONE).locator(".idea :is(.reach, input, button, select)")
     assert min(targets.evaluate_all(SIZES)) >= 43.9
 
 
@@ -95,35 +102,74 @@ def expected_on_circle(u, beta):
     """Return slope, β, slope × β, tilt, and μ without the bump and with it."""
     at = u, 0.125, SCENE.ku, SCENE.kv
     light = SCENE.radius, *SCENE.lights[0].position
-    (_, slope, _, tilt, lit), smooth = (idea_kernels.bump_at(*at, amount, *light) for amount in (beta, 0.0))
+    (_, _, slope, tilt, lit), smooth = (idea_kernels.bump_at(*at, amount, *light) for amount in (beta, 0.0))
     return slope, beta, beta * slope, tilt, smooth[-1], lit
 
 
 def test_slope_is_texture_says_what_the_renderer_says_and_follows_the_pointer(idea):
     tab, figure, handles = idea("slope_is_texture")
-    point, sphere = handles.all()
+    (point,) = handles.all()
     press(tab, point, "ArrowRight", "Shift+ArrowDown")
     _, beta, *_ = numbers = shown_by(figure)
     np.testing.assert_allclose(numbers, expected_on_circle(now(point), beta), atol=0.051)
+    before = figure.locator("foreignObject").evaluate_all("all => all.map(e => e.innerHTML)")
+    figure.locator("input").last.fill("0.5")
+    next_frame(tab)
+    assert shown_by(figure) == numbers
+    assert figure.locator("foreignObject").evaluate_all("all => all.map(e => e.innerHTML)") == before
     frame = figure.locator("svg").first
     point.drag_to(frame, target_position={"x": frame.bounding_box()["width"] / 2, "y": 50}, force=True)
     next_frame(tab)
-    assert now(point) == now(sphere) == 0.5
+    assert now(point) == 0.5
 
 
-def test_bump_surface_turns_by_hand_and_button_and_stays_still_without_a_card(idea, visit):
-    tab, figure, _ = idea("bump_surface")
-    for button, angle in zip(figure.locator(".idea-states button").all(), idea_kernels.angles(), strict=True):
-        button.click()
-        next_frame(tab)
-        assert button.get_attribute("aria-pressed") == "true" and shown_by(figure)[0] == pytest.approx(angle, abs=0.51)
-    view = figure.locator("[role=slider]")
-    start, places = now(view), [{"x": x, "y": 100} for x in (200, 320)]
+def test_the_slopes_tilt_is_that_of_the_renderers_surface_bump():
+    record = pixel(AFAR, 256, 256, 104, 92)
+    light = SCENE.radius, *AFAR.lights[0].position
+    *_, tilt, lit = idea_kernels.bump_at(record.u, record.v, SCENE.ku, SCENE.kv, AFAR.beta, *light)
+    assert lit == pytest.approx(record.lights[0].mu)
+    assert np.cos(np.radians(tilt)) == pytest.approx(np.dot(record.normal, record.point))
+
+
+def test_three_balls_have_the_renderers_colours_one_dented_rim_and_paint_that_does_not_answer(idea):
+    """From above the pole, where the second is the renderer's picture; the view's right is −y, its up is x."""
+    tab, figure, handles = idea("three_balls")
+    (lamp,) = handles.all()
+
+    def balls():
+        shown = Image.open(io.BytesIO(figure.locator("canvas").screenshot())).convert("RGB")
+        return np.stack(np.split(np.asarray(shown, int)[:, : shown.width // 3 * 3], 3, axis=1))
+
+    _, bumped, painted = balls()
+    assert np.mean(np.abs(bumped - painted).max(axis=2) > 20) < 0.08
+    press(tab, lamp, "Home", "ArrowUp")
+    assert now(lamp) == -80 and "43° up" in lamp.get_attribute("aria-valuetext")
+    press(tab, figure.locator(".idea-ground"), "End", *["Shift+ArrowDown"] * 4)
+    _, bumped, painted = shown = balls()
+    assert np.mean(np.abs(bumped - painted).max(axis=2) > 20) > 0.08
+
+    high, wide, _ = bumped.shape
+    size = min(wide / 2.5, high / 2.4)
+    x, y = np.meshgrid(*Raster(512, 512).image_points(AFAR))
+    points = (np.hypot(x, y) < 0.9) & (np.arange(512) % 7 == 3)
+    seen = bumped[(high / 2 - size * x[points]).astype(int), (wide / 2 - size * y[points]).astype(int)]
+    assert np.quantile(np.abs(seen - to_bytes(render(AFAR, 512, 512).rgb[points])), 0.9) <= 4
+    down, across = np.indices((high, wide))
+    away = np.hypot(across + 0.5 - wide / 2, down + 0.5 - high / 2) / size
+    off = ((shown != bumped[9, 9]).any(axis=3) != (away < 1))[:, away < 1.1].mean(axis=1)
+    assert off[0] > 0.03 > 0.01 > max(off[1:])
+
+
+def test_three_balls_turn_by_hand_and_stay_still_without_a_card(idea, visit):
+    tab, figure, _ = idea("three_balls")
+    view = figure.locator(".idea-ground")
+    press(tab, view, "Home")
+    start, places = now(view), [{"x": x, "y": 300} for x in (200, 320)]
     view.drag_to(view, source_position=places[0], target_position=places[1])
     expect(view).to_have_attribute("aria-valuenow", str(int(start + 57)))
     none = "HTMLCanvasElement.prototype.getContext = () => null"
-    without = visit("s3", until=STARTED.replace("'figure.idea:not", "'#fig-two_slopes:not"), prepare=none)
-    assert without.is_visible("#fig-bump_surface .pixels")
+    without = visit("s1", until=STARTED.replace("'.idea:not", "'#fig-slope_is_texture:not"), prepare=none)
+    assert without.is_visible("#fig-three_balls .pixels")
 
 
 def test_two_slopes_says_what_the_renderer_says_and_where_float64_takes_no_step(idea):
@@ -156,6 +202,34 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
         for shown in figure.locator("[data-line]").all():
             wanted = worked.number_text(lines[shown.get_attribute("data-line")])
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
+
+
+# What a pitfall's three canvases show, each as a PNG.
+CANVASES = "figure => [...figure.querySelectorAll('canvas')].map(canvas => canvas.toDataURL().split(',')[1])"
+
+
+@pytest.mark.parametrize("name, value, width, corner, ku, eps, words", [
+    ("pitfall_seam", 7, 1024, (202, 371), 7, 0.01, "Odd.* crease"),
+    ("pitfall_seam", 6.5, 1024, (202, 371), 6.5, 0.01, "jumps"),
+    ("step_taken", -16, 128, (0, 0), 8, 1e-16, "lie {2} apart"),
+    ("around_pole", 8, 2048, (960, 806), 8, 1e-6, "from {} to {}"),
+])  # fmt: skip
+def test_a_pitfall_shows_the_renderers_pictures_and_says_its_numbers(idea, name, value, width, corner, ku, eps, words):
+    tab, *_ = idea("pitfall_seam")
+    figure, scene = tab.locator(f"#fig-{name}"), Scene(field="sine", ku=ku)
+    figure.scroll_into_view_if_needed()
+    figure.locator("input").fill(str(value))
+    next_frame(tab)
+    crop = *corner, 128, 128
+    with warnings.catch_warnings(action="ignore"):  # of a step that is lost
+        numeric, symbolic = frames = [render(scene, width, width, method, crop) for method in (central(eps), exact())]
+    expected = [*map(image_view, frames), difference_logarithmic(numeric.rgb - symbolic.rgb)]
+    for png, picture in zip(figure.evaluate(CANVASES), expected, strict=True):
+        np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(base64.b64decode(png))).convert("RGB")), picture)
+    ends = [f"{end(symbolic.planes_on_a[5]):.2f}" for end in (np.min, np.max)]
+    ends.append(f"{(0.3 + eps) - (0.3 - eps):.3e}")
+    expected = words.format(*(end.replace("-", "−") for end in ends))
+    assert re.search(expected, figure.locator(".idea-says").inner_text())
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

@@ -1,13 +1,15 @@
 """NumPy draws what LLVM draws, in groups of any size, to the last bit."""
 
+import operator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import chain, product, repeat
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import example, given, strategies as st
 
 from renderer import (
     HeightField,
@@ -19,6 +21,7 @@ from renderer import (
     gradient_at,
     height_at,
     k_v,
+    kernels,
     machines,
     pixel,
     render,
@@ -27,7 +30,11 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
+from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
+from renderer.scene.scene import BUMPS
+from renderer.shader.numbers import SCENE_FORM, numbers_of
+from renderer.shader.recorded import ANY, WANTS, recorded
 from tests.strategies import methods, rasters, scenes
 
 LANES = [2, 4, 8, 16]
@@ -129,6 +136,55 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
         assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
         assert alone.work["slopes"][by] == np.count_nonzero(on)
+
+
+RECORDING = recorded()
+
+
+def done(name, *numbers):
+    """Return the result of a recorded operation."""
+    if name == "product_error":
+        return kernels.two_product(*numbers)[1]
+    return (getattr(operator, f"__{name}__", None) or getattr(kernels, name))(*numbers)
+
+
+@np.errstate(all="ignore")
+def run(inputs):
+    """Return the numbers of the recorded program's lines."""
+    inputs, numbers = iter(inputs), []
+
+    def holds(condition, compared):
+        kind, *parts = condition
+        return done(kind, *(holds(p, compared) if isinstance(p, tuple) else compared[p] for p in parts))
+
+    for kind, text, *places in RECORDING.lines:
+        given = [numbers[place] for place in places]
+        if kind == "where":
+            given = [holds(text, given[2:]), *given[:2]]
+        number = done(kind, *given) if given else next(inputs) if kind == "input" else float.fromhex(text)
+        numbers.append(np.asarray(number, np.float64))
+    return numbers
+
+
+@given(scenes(), rasters(), methods)
+@example(Scene(), SIZE, exact())
+def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
+    """The default scene's as it is drawn; any other's by the gradient's general form and a power that is not whole."""
+    known = scene == Scene()
+    if not known:
+        scene = replace(scene, shininess=scene.shininess % 1e5 // 1 + 0.5)
+        method = exact("general") if method.name == "exact" else method
+    frame = render(scene, *size, method)
+    shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
+    chosen = of_form(SCENE_FORM, numbers)
+    chosen.way, chosen.bump = ANY.ways.index((scene.field, "general" if known else shot.way)), BUMPS.index(scene.bump)
+    chosen.model = ANY.lights.index(shot.want.lights[0])
+    x, y = shot.raster.image_points(scene)
+    numbers = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
+    drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
+    code, *colors = (numbers[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))
+    assert (code == frame.chambers).all()
+    assert all((color == plane).all() for color, plane in zip(colors, frame.planes, strict=True))
 
 
 @pytest.mark.parametrize("field", ["ridges", "rings", HeightField("sum", sinpi(62 * u + 3 * k_v * v))])

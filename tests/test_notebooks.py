@@ -84,6 +84,7 @@ WITHIN = [
     (4, "central:", 0, 4, 4),
     (4, "exact:", 0, 0, 0),
     (5, "complex step:", 0, 0, 1e-13),
+    (5, "from the book's renderer by", 1, 0, 1e-13),  # the slope
     (5, "one-sided difference:", 0, 1.65e-5, 1.65e-5),  # as on every page: the seed's own random numbers
     (6, "β = 0, numeric against symbolic:", 0, 0, 0),
     (6, "no height, numeric against plain:", 0, 0, 0),

@@ -5,21 +5,31 @@ import io
 import json
 import math
 import random
+import re
 from dataclasses import asdict
 from itertools import chain
 
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from matplotlib import colormaps
+from numpy.testing import assert_allclose, assert_array_equal
 from PIL import Image
 
+from book.simulator_module import BY
 from renderer import Scene, central, render
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_linear, difference_logarithmic, image_view, kink_view, slope_view
+from renderer.picture.views import (
+    DIVERGING,
+    difference_linear,
+    difference_logarithmic,
+    image_view,
+    kink_view,
+    slope_view,
+)
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.scene import DEFAULT_LIGHTS
-from tests.tabs import go, number, readout
+from tests.tabs import go, number, readout, says
 
 OFTEN = {
     "field": [*FIELDS],
@@ -105,6 +115,46 @@ def test_the_views_are_the_renderers(tab):
     for view, picture in expected.items():
         paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size=256&view={view}")
         assert_array_equal(painted(tab, "numeric"), picture, view)
+
+
+# The slopes of a picture by a difference and exactly, and what is copied and known of the cursor's pixel.
+SLOPES = """given => {
+    const { states, module } = Simulator.running, state = { ...states.start(), ...given }, crop = states.crop(state);
+    const stage = module.make_stage(state, crop), methods = Object.values(module.methods_of(state));
+    const slopes = methods.map(method => module.picture_slopes(state, stage, method).map(plane => [...plane]));
+    return [...slopes, states.python(state), module.pixel(state, methods[1], crop).slope]; }"""
+
+
+@pytest.mark.parametrize("view", BY)
+@pytest.mark.parametrize("changes", [
+    {"field": "sine", "ku": 7.3, "kv": -3.1, "model": "phong"},
+    {"field": "ridges", "beta": 1.2, "ku": -4, "ball": False},
+])  # fmt: skip
+def test_a_slope_of_the_picture_is_the_renderers(tab, view, changes):
+    """Exactly, to the last bit; by a difference, that of whole pictures, whose shadows move with the lamp."""
+    name, step, scene = BY[view], 1 / 8, Scene(**changes)
+    given = changes | {"view": view, "size": 128, "method": "central", "eps": step}
+    *slopes, line, of_cursor = tab.evaluate(SLOPES, given)
+    apart, slope = (np.transpose(planes).reshape(128, 128, 3) for planes in slopes)
+    assert_array_equal(slope, render(scene, 128, 128, derivatives=(name,)).derivatives[name])
+    moved = (scene.with_numbers({name: scene.number(name) + side * step}) for side in (1, -1))
+    above, below = (render(each, 128, 128).rgb for each in moved)
+    assert_allclose(apart, (above - below) / (2 * step), atol=1e-12)
+    assert printed(line)[1]["derivatives"] == {name: of_cursor}
+    assert not np.allclose(apart, slope, atol=1e-4)
+
+
+@pytest.mark.parametrize("size", [256, 512])
+def test_slopes_are_painted_on_one_scale(tab, size):
+    """By the page, and by workers in bands: as far as all but one pixel in 200 of the page's go."""
+    frames = [render(Scene(), side, side, derivatives=(BY["by_lamp"],)) for side in (256, size)]
+    slopes = [slope for frame in frames for slope in frame.derivatives.values()]
+    coarse, slope = (np.take_along_axis(each, np.abs(each).argmax(2)[..., None], 2)[..., 0] for each in slopes)
+    end = np.sort(np.abs(coarse), axis=None)[int(0.995 * coarse.size)]
+    levels = np.clip(np.floor(128 + 128 * slope / end), 0, 255).astype(int)
+    paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size={size}&view=by_lamp")
+    assert_array_equal(painted(tab, "symbolic"), colormaps[DIVERGING](levels, bytes=True)[..., :3])
+    says(tab, ".sim-legend", re.compile(f"≥ {end:.2e}".replace("e-0", "e−")))
 
 
 def printed(line):

@@ -73,6 +73,12 @@ def test_pictures_are_near_their_words(read):
         assert max(ways) <= WAY_AT_MOST and (name == "s1" or ways[0] <= 120), (name, ways)
 
 
+def test_each_section_opens_with_its_bet_and_closes_with_one_line_to_remember(read):
+    for name, (article, _) in read.items():
+        assert "bet" in article.select_one("section > p.lead").get_text().lower(), name
+        assert [words(line.get_text(" ")) <= 30 for line in article.select("p.remember")] == [True], name
+
+
 def test_numbers_of_theorems_rise_as_one_reads(read):
     """No theorem of the path is named before its card was met; lemmas have numbers of their own."""
     named = [part for article, _ in read.values() for part in article.select("a, .theorem-title strong")]

@@ -108,11 +108,11 @@ def _results():
 def _told(entry):
     """Return how a run tells a grade: formal where Coq agreed in it, else on which day it is recorded that Coq did."""
     theorem = all_theorems()[entry["id"]]
-    if entry["grade"] not in formal.GRADES or not formal.proved([theorem]):
+    if entry["grade"] != "proved" or not formal.proved([theorem]):
         return entry["grade_line"]
     if "Coq" in AGREED:
         return "formal"
-    return f"{'' if theorem.pinned else entry['grade_line'] + '; '}recorded on {formal.day()}"
+    return f"{'' if theorem.pinned or theorem.rounded else entry['grade_line'] + '; '}recorded on {formal.day()}"
 
 
 def pytest_sessionfinish(session, exitstatus):

@@ -9,26 +9,14 @@ from functools import cache
 import numpy as np
 import pytest
 from hypothesis import Phase, given, seed, settings, target
-from hypothesis.strategies import fixed_dictionaries, floats, integers, just, one_of, sampled_from
+from hypothesis.strategies import fixed_dictionaries, floats, integers, sampled_from
 
 from proofs.engine.theorem import all_theorems
 from renderer import render
-from verify.accuracy.differences import SLOPES, Case, bounds, parts
 from verify.accuracy.pixels import SCENES, SIZE, checked_pixel
-from verify.accuracy.step_terms import SLOPE_TERMS
-from verify.coq.formal import proved
 from verify.stability.geometry import toward_the_pole
 
 FITTED = {"difference_slopes"}
-
-
-def difference(field, u, v, ku, kv, digits):
-    """Return the largest part of a central difference's error over its bound."""
-    shares = [0.0]
-    for case in (Case("", field, ku, kv, u, v, slope) for slope in SLOPES):
-        errors, most = (of(case, [10.0**-digits]) for of in (parts, bounds))
-        shares += [float(abs(errors[part][0]) / most[part][0]) for part in errors if errors[part][0]]
-    return max(shares)
 
 
 def stable_frame(digits, number):
@@ -47,13 +35,8 @@ def pixel(name, column, row):
     return 0.0 if checked.undecided or not checked.error else float(checked.error / checked.bound)
 
 
-_moderate = one_of(integers(1, 512).map(float), floats(1, 512), floats(-512, -1))
-_clear = one_of(just(0.0), floats(1e-9, 1 - 1e-9))  # nothing underflows
 _pixels, _seeds = integers(0, SIZE - 1), integers(0, 2**16)
 CLIMBS = {
-    "difference_bounds": (difference, 1.0, 0.3, {
-        "field": sampled_from([*SLOPE_TERMS]), "u": _clear, "v": _clear, "ku": _moderate, "kv": _moderate,
-        "digits": floats(1, 16)}),
     "pole_accuracy": (stable_frame, 1e-12, 1e-16, {"digits": floats(3.9, 6.3), "number": _seeds}),
     "pixel_accuracy": (pixel, 1.0, 1e-4, {
         "name": sampled_from(range(len(SCENES))), "column": _pixels, "row": _pixels}),
@@ -87,6 +70,5 @@ def test_no_climber_gets_above_the_bound(theorem, pytestconfig):
 
 
 def test_each_measured_bound_has_a_climber():
-    theorems = all_theorems()
-    measured = {id for id, theorem in theorems.items() if theorem.expected == "measured"}
-    assert measured - proved(theorems.values()) <= FITTED | CLIMBS.keys()
+    measured = {id for id, theorem in all_theorems().items() if theorem.expected == "measured"}
+    assert measured == FITTED | CLIMBS.keys()

@@ -312,7 +312,7 @@ def test_words_have_the_numbers_functions_and_quantifiers_of_what_is_pinned_and_
     assert _numbers(other) <= of_given | small
 
 
-def test_a_theorem_whose_pin_is_not_what_coq_proved_fails_and_is_not_formal(monkeypatch):
+def test_a_theorem_whose_pin_or_claim_of_float64_is_not_what_coq_proved_fails_and_is_not_formal(monkeypatch):
     accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
     text = recorded.in_full("binades__tie", accepted)
     accepted["binades"]["statements"] |= {"binades__bare": text, "binades__half": text, "binades__half__false": text}
@@ -329,6 +329,10 @@ def test_a_theorem_whose_pin_is_not_what_coq_proved_fails_and_is_not_formal(monk
         assert examination.grade == ("failed" if why else "proved")
         assert all(problem.startswith(why) for problem in examination.problems)
         assert formal.is_formal(theorem, None) == (not why)
+    of_float64 = all_theorems()["colour_accuracy"]
+    for claims, grade in ((accepted[of_float64.id]["claims"], "proved"), ([], "failed")):
+        accepted[of_float64.id] = {"claims": claims}
+        assert proof_checker.examine(of_float64, all_theorems()).grade == grade
     with pytest.raises(ValueError, match="pins what is another theorem's: binades__tie"):
         Theorem("pole", "", {"At a tie.": Pinned("binades__tie", "")})
 

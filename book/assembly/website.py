@@ -1,12 +1,18 @@
-"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole."""
+"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole.
+
+Where words alone changed since the last build, the work on all other pages is kept.
+"""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from book.assembly import report, stamps
+from book.assembly.contents import page_files
 from proofs.engine.project import PROJECT
 
 BOOK, TOOLS = PROJECT.pages, stamps.HOME / "book"
@@ -14,6 +20,10 @@ SITE = BOOK / "_build" / "html"
 INDEX = SITE / "index.html"
 WORK = BOOK / "_build" / "work"
 CACHES = stamps.ROOT / ".jupyter_cache"
+MARKS = re.compile(r"^ *(?:#|:{2,}|`{3}|:\w|\(\S+\)=).*|\{[\w-]+\}`[^`]*`|\]\([^)]*\)", re.MULTILINE)
+"""Headings, directives and their options, labels, roles, links: by these alone one page speaks of another."""
+READ = re.compile(r"/(\.doctrees|jupyter_execute|_images|source|_downloads/theorems)/|/_static/\w+/compiled\w*\.js$")
+"""What comes of reading pages, and what no word of theirs is in. All else, the search index too, is written anew."""
 EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
 
 
@@ -48,9 +58,30 @@ def environment(cache: Path) -> dict[str, str]:
     }
 
 
+def hash_of(folder: Path) -> str:
+    """Return one hash of all files of a folder."""
+    return stamps.key(stamps.file_hashes(folder.rglob("*"), root=folder))
+
+
 def built() -> dict[str, str]:
     """Return one hash of all the site's files."""
-    return {"site": stamps.key(stamps.file_hashes(SITE.rglob("*"), root=SITE))}
+    return {"site": hash_of(SITE)}
+
+
+def marks() -> str:
+    """Return one hash of what pages say to each other."""
+    pages = page_files(BOOK).items()
+    return stamps.key({name: MARKS.findall(path.read_text(encoding="utf-8")) for name, path in pages})
+
+
+def edited(now: dict[str, str]) -> list[str] | None:
+    """Return the pages of which words changed since the kept work; None where more did, or the work itself."""
+    kept = stamps.read("work")
+    if not kept or kept["marks"] != marks() or kept["files"] != hash_of(WORK):
+        return None
+    changed = {path for path, _ in kept["sources"].items() ^ now.items()}
+    pages = {path.relative_to(stamps.ROOT).as_posix(): name for name, path in page_files(BOOK).items()}
+    return [pages[path] for path in changed] if changed <= pages.keys() else None
 
 
 def build() -> None:
@@ -63,23 +94,31 @@ def build() -> None:
     cache = execution_cache()
     for other in {*CACHES.glob("*")} - {cache}:
         shutil.rmtree(other, ignore_errors=True)
-    shutil.rmtree(WORK, ignore_errors=True)
-    build_into(WORK, cache)
-    made = WORK / "_build" / "html"
-    (made / ".buildinfo").unlink()  # it depends on where the site was built
+    pages = edited(now)
+    stamps.remove("work")
+    if pages is None:
+        shutil.rmtree(WORK, ignore_errors=True)
+    for path in [*WORK.rglob("*")]:
+        if path.is_file() and not READ.search(path.relative_to(WORK).as_posix()):
+            path.unlink()
+    build_into(WORK, cache, pages)
     shutil.rmtree(SITE, ignore_errors=True)
-    made.rename(SITE)
-    shutil.rmtree(WORK)
+    shutil.copytree(WORK / "_build" / "html", SITE, ignore=shutil.ignore_patterns(".buildinfo"))  # of the place, too
+    stamps.write("work", {"sources": now, "marks": marks(), "files": hash_of(WORK)})
     stamps.write("site", now | built())
 
 
-def build_into(folder: Path, cache: Path) -> None:
-    """Run Jupyter Book with every warning an error; the site is then in `folder`/_build/html."""
-    folder.mkdir(parents=True)
+def build_into(folder: Path, cache: Path, pages: Iterable[str] | None = None) -> None:
+    """Run Jupyter Book with every warning an error; the site is then in `folder`/_build/html.
+
+    pages: those that are read again, where the work on the others is there.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    again = {} if pages is None else {"BOOK_EDITED": " ".join(pages)}
     options = ["-W", "-n", "--keep-going", "-q", "--path-output", str(folder)]
     command = ["jupyter-book", "build", str(BOOK), *options]
     print("  running Jupyter Book (half a minute when the laboratory's cells have to run)", flush=True)
-    done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache), text=True, capture_output=True)
+    done = subprocess.run(command, cwd=stamps.ROOT, env=environment(cache) | again, text=True, capture_output=True)
     if done.returncode:
         print(done.stdout, done.stderr, sep="\n", file=sys.stderr)
         done.check_returncode()

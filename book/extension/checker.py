@@ -1,24 +1,20 @@
 """Certificates in the page, for the reader's own browser to check: their data, places for the buttons, the scripts."""
 
 import json
-import re
 from pathlib import Path
 
 from docutils import nodes
 
 from book.editions.inlined import base64_gzip
 from book.extension.elements import Filled, Page, filled, on_page, raw
-from book.extension.mathematics import typeset
-from book.extension.printed_claims import PRINTER
 from book.extension.theorems import Here, Proofs, certificate, kind
 
-SCRIPTS = ("kernel", "worker", "polynomials", "editor", "card", "start")
+SCRIPTS = ("kernel", "worker", "card", "start")
 WITHOUT = {
     "measured": "No certificate to check here: this was measured, and the command below measures it again.",
     "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
     "cited": "No certificate to check here: this is taken from the literature.",
 }
-NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 def check_here(book: Here, id: str) -> Filled | str:
@@ -27,9 +23,9 @@ def check_here(book: Here, id: str) -> Filled | str:
     if path is None:
         return filled("unchecked", why=WITHOUT[grade]) if grade in WITHOUT else ""
     claims = stored(path)
-    names = {name: spelling(name) for name in sorted(names_of(claims))}
-    shown = [step["of"] for case in statements_of(claims) for step in case.get("steps", ()) if step["step"] == "show"]
-    data = packed({"theorem": id, "claims": claims, "names": names})
+    steps = [step for claim in claims for pair in claim["statements"] for step in pair["statement"].get("steps", ())]
+    shown = [step["of"] for step in steps if step["step"] == "show"]
+    data = packed({"theorem": id, "claims": claims})
     return filled("checker", theorem=id, book=book, data=data, given=given(book, id), nothing_left=not all(shown))
 
 
@@ -62,28 +58,6 @@ def given(book: Here, id: str) -> list[str]:
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
     cards = [f"{book.name(other)}, which has its own card" for other in borrowed]
     return cards + [f"a lemma from {source}" for source in cited]
-
-
-def statements_of(claims: list[dict]) -> list[dict]:
-    """Return the statements of the claims, each of them once or several times."""
-    return [pair["statement"] for claim in claims for pair in claim["statements"]]
-
-
-def names_of(claims: list[dict]) -> set[str]:
-    """Return the names that the polynomials of the claims use."""
-    names = set()
-    for statement in statements_of(claims):
-        names.update(statement.get("variables", ()), statement.get("state", ()))
-        names.update(step["new"] for step in statement.get("steps", ()) if "new" in step)
-        for name, uses in statement.get("lines", ()):
-            names.update([name], uses)
-    return names
-
-
-def spelling(name: str) -> str:
-    """Return a name as MathML, sin(pi*k_u*u) as k_u."""
-    tex = NAME.sub(lambda part: rf"\{part[0]}" if part[0] in ("sin", "cos") else PRINTER.name(part[0]), name)
-    return typeset(tex.replace("*", r"\,"))
 
 
 @on_page

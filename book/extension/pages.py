@@ -75,10 +75,16 @@ def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
         app.parallel = 2
 
 
+@on("env-get-outdated")
+def read_edited(app: Sphinx, environment: BuildEnvironment, *_: set[str]) -> list[str]:
+    """Return the pages whose words changed, where the work on the others is kept: a file's time may lie."""
+    return os.environ.get("BOOK_EDITED", "").split()
+
+
 @on("builder-inited")
 def write_simulator(app: Sphinx) -> None:
     """Compile what the simulator and the small interactives run."""
-    for name, module in PROGRAMS.items():
+    for name, module in PROGRAMS.items() if "BOOK_EDITED" not in os.environ else ():
         stamps.write_whole(Path(app.outdir) / "_static" / name, import_module(module).source().encode())
 
 

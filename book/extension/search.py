@@ -12,6 +12,7 @@ from sphinx.application import Sphinx
 
 from book.extension.elements import Filled, Page, on, on_page
 from book.extension.mathematics import typeset
+from book.extension.theorems import proofs_of
 
 BREAK, NOT_READ = "\0", "\1"  # where a text ends; what begins one that no sentence is found in
 BLOCK = re.compile(r"\s*</?(?:div|li|p|section|summary)\b")
@@ -77,8 +78,12 @@ def keep_texts(app: Sphinx, document: nodes.document) -> None:
 def write_texts(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         pages = {name: app.env.metadata[name]["texts"] for name in sorted(app.env.found_docs)}
-        text = f"var SearchText = {json.dumps(pages, **COMPACT)};\n"
-        (Path(app.outdir) / "_static" / SCRIPTS[0]).write_text(text, encoding="utf-8")
+        texts = [text for page in pages.values() for text in reversed(page)]
+        titles = {f"theorem-{id}": theorem.title for id, theorem in proofs_of(app).theorems.items()}
+        first = {f"#{id}": text.replace(titles[id], f"{titles[id]}.", 1) for id, text in texts if id in titles}
+        for script, name, known in ((SCRIPTS[0], "SearchText", pages), ("statements.js", "Statements", first)):
+            text = f"var {name} = {json.dumps(known, **COMPACT)};\n"
+            (Path(app.outdir) / "_static" / script).write_text(text, encoding="utf-8")
 
 
 @on_page

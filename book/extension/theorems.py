@@ -24,14 +24,14 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
     "formal": (
         "■",
         "F",
-        "Coq's kernel accepted all that says the words, as printed or pinned, here or on a day that is said",
+        "Coq, a proof assistant, accepted a statement for each of its words, here or on a day that the card names",
     ),
-    "proved": ("●", "P", "the kernel accepted a certificate, the samples agree, the false variants were refuted"),
+    "proved": ("●", "P", "a kernel, this book's checker, accepted a certificate; samples agree, false variants fail"),
     "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
     "argued": ("◐", "A", "as proved, but for words that no claim says, or as what it uses is argued"),
-    "certified": ("◆", "C", "enclosed in balls of exact width"),
+    "certified": ("◆", "C", "enclosed between two ends, by numbers that carry their own error"),
     "measured": ("▲", "M", "sampled, with the worst case given"),
-    "refuted": ("✕", "R", "false: an exact counterexample, accepted by the kernel"),
+    "refuted": ("✕", "R", "false: the kernel accepted an exact counterexample"),
     "cited": ("○", "", "taken from the literature"),
     "failed": ("!", "?", "did not reach what its author expected"),
 }
@@ -92,7 +92,7 @@ def load(book: Path) -> Proofs:
         if in_coq:
             printed = statements(theorems[id])
             in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
-        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] in formal.GRADES
+        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] == "proved"
         entry["shown"] = "formal" if formally else entry["grade"]
         entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))

@@ -90,13 +90,6 @@ def pitfall_seam() -> Drawing:
 
 
 @figure
-def pitfall_rim() -> Drawing:
-    """The rim of A, twice enlarged: bumps on its face and none in its outline."""
-    (frame,) = cropped(Scene(), (50, 190, 160, 110), exact())
-    return Drawing(panels([enlarged(image_view(frame), 2)]), shown=(frame,))
-
-
-@figure
 def pitfall_table() -> Drawing:
     """The slope h_u of ridges on a piece of the chart: by its formula, from a table, and the difference."""
     v, u = np.mgrid[0:192, 0:192] / 192 * 0.25 + 0.06

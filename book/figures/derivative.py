@@ -5,9 +5,10 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, label_curve, panels, plot
 from renderer import Scene, exact, fit, render
-from renderer.picture.views import derivative_view
+from renderer.files.srgb import to_bytes
+from renderer.picture.views import derivative_view, image_view
 
-SCENE, SIDE, MANY = Scene(field="sine"), 264, 512
+SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 176, 512
 MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
 OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
 
@@ -85,3 +86,16 @@ def derivative_fit() -> Drawing:
     numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": far.scene.ku}
     numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors, "side": len(target)}
     return Drawing(numbers=numbers | {"noisy": {name: noisy.scene.number(name) for name in names}})
+
+
+@figure
+def found_again() -> Drawing:
+    """A picture of sine under noise, the scene from which `fit` starts, and the one that it finds."""
+    start, random = SCENE.with_numbers({"beta": 0.1, "ku": 7.0}), np.random.default_rng(56)
+    given = render(SCENE, SMALL, SMALL, exact("general")).rgb + random.normal(0, 0.1, (SMALL, SMALL, 3))
+    found = fit(start, given, ("beta", "ku"))
+    frames = [render(scene, SMALL, SMALL, bounds=True) for scene in (start, found.scene)]
+    numbers = {name: {"beta": scene.beta, "ku": scene.ku} for name, scene in (("start", start), ("found", found.scene))}
+    numbers |= {"error": found.errors, "pictures": found.pictures, "side": SMALL}
+    pictures = [to_bytes(given), *map(image_view, frames)]
+    return Drawing(panels(pictures, ("given", "the start", "found")), numbers, shown=frames)

@@ -1,26 +1,17 @@
 """The still pictures of the small interactives: what paper shows, and a page on which no script runs."""
 
+from dataclasses import replace
+
 import numpy as np
 from matplotlib.patches import Circle, Wedge
 from numpy.typing import ArrayLike
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import (
-    canvas,
-    colour_of,
-    curve,
-    decades,
-    dots,
-    label,
-    pixel_axes,
-    pixel_picture,
-    pixel_text,
-    plot,
-)
-from book.figures.chapter_scene import SCENE, SIZE, place, symbolic
-from book.idea_kernels import bump_at, lines_at, slope_parts, two_slopes
+from book.drawing.style import canvas, colour_of, curve, decades, dots, label, pixel_axes, pixel_text, plot
+from book.figures.chapter_scene import SCENE, SIZE, symbolic
+from book.idea_kernels import BALLS, bump_at, lines_at, slope_parts, two_slopes
 from book.worked import COLUMN, ROW
-from renderer import Scene, exact, render
+from renderer import HeightField, kernels, render
 from renderer.picture.views import image_view, to_bytes
 
 PARALLEL, POINT = 0.125, 0.453  # v of the circle, u of the point on it
@@ -33,23 +24,37 @@ WORDS = {  # by the height where they stand
 }
 
 
-def along_circle(u: ArrayLike, beta: float = SCENE.beta) -> tuple[np.ndarray, ...]:
-    """Return h, h_u, h_v, the tilt in degrees and μ at points of the circle."""
+def along_circle(u: ArrayLike, beta: float = BALLS["beta"]) -> tuple[np.ndarray, ...]:
+    """Return h, h_u, the slope, the tilt in degrees and μ at points of the circle."""
     return bump_at(np.asarray(u, float), PARALLEL, SCENE.ku, SCENE.kv, beta, SCENE.radius, *LIGHT.position)
 
 
 def _draw_normals(ax, u, size, role, width):
     """Draw the tilted normals at points of the circle as arrows of so many units of the axes' height."""
-    _, slope, _, tilt, _ = along_circle(u)
-    turn = np.radians(np.sign(slope) * tilt)
+    _, _, slope, tilt, _ = along_circle(u)
+    turn = -np.radians(np.sign(slope) * tilt)
     ax.quiver(u, np.zeros_like(u), size * np.sin(turn), size * np.cos(turn), scale=1, scale_units="y", angles="uv",
               units="dots", color=colour_of(role), width=width)  # fmt: skip
+
+
+def heights_unseen() -> dict[str, float]:
+    """Return how far two pictures of two landscapes differ at most: h and h + 5; a hill and a hollow, a lamp each.
+
+    The second are on a flat wall, of ridges; the hollow's lamp stands as far on the other side.
+    """
+    scene = replace(SCENE, bump="surface", field=HeightField("raised", "abs(sin(8*pi*u)*sin(4*pi*v)) + 5"))
+    raised, level = (render(each, SIZE, SIZE).rgb for each in (scene, replace(scene, field="ridges")))
+    slopes = kernels.gradient_ridges(*np.random.default_rng(56).random((2, SIZE**2)), SCENE.ku, SCENE.kv)
+    hill, hollow = (
+        kernels.light_cosine(0, 0, 0, side * 3, side * 2, 4, *(-side * s for s in slopes), 1) for side in (1, -1)
+    )
+    return {"raised": np.abs(raised - level).max(), "hollow": np.abs(hill - hollow).max()}
 
 
 @figure
 def slope_is_texture() -> Drawing:
     """The height along a circle of the sphere, the normals that its slope tilts, the light that they catch."""
-    fig, u = canvas(928, 308), np.linspace(0, 1, 513)
+    fig, u = canvas(590, 308), np.linspace(0, 1, 513)
     h, (at_h, slope, *_) = along_circle(u)[0], along_circle(POINT)
     top = pixel_axes(fig, 0, 26, 590, 84, xlim=(-0.01, 1.01), ylim=(-0.1, 1.12))
     curve(top, u, h, "ink", label="height", linewidth=1.2)
@@ -58,22 +63,17 @@ def slope_is_texture() -> Drawing:
     curve(top, POINT, at_h, "symbolic", linestyle="", marker="o", markersize=7)
     middle = pixel_axes(fig, 0, 130, 590, 70, xlim=(-0.01, 1.01), ylim=(-12, 58))
     curve(middle, [0, 1], [0, 0], "ink", linewidth=1.2)
-    beside = (np.arange(16) + 0.25 + 0.5 * (np.arange(16) % 2)) / 16  # the creases: so they do not cross
-    _draw_normals(middle, beside, 24, "muted", 1)
+    few = (np.arange(16) + 0.65 - 0.3 * (np.arange(16) % 2)) / 16  # so near the tops that they do not cross
+    _draw_normals(middle, few, 24, "muted", 1)
     _draw_normals(middle, POINT, 42, "symbolic", 3)
     between = (u[1:] + u[:-1]) / 2
-    for at, high, beta in ((220, 20, 0.0), (264, 32, SCENE.beta)):
+    for at, high, beta in ((220, 20, 0.0), (264, 32, BALLS["beta"])):
         shown = to_bytes(np.repeat(along_circle(between, beta)[-1][None, :, None], 3, axis=2))
         pixel_axes(fig, 6, at, 578, high).imshow(shown, aspect="auto", interpolation="nearest")
-    frame = render(Scene(ball=False, lights=(LIGHT,)), 360, 360, exact(), crop=(30, 4, 300, 300), bounds=True)
-    right = pixel_picture(fig, 628, 8, image_view(frame))
-    x, y = place(frame, np.append(u, POINT), PARALLEL)
-    curve(right, x[:-1], y[:-1], "white", label="circle", linewidth=1, linestyle=(0, (3, 4)))
-    curve(right, x[-1], y[-1], "symbolic", linestyle="", marker="o", markeredgecolor="white", markersize=8)
     for below, words in WORDS.items():
         pixel_text(fig, 6, below, words, "muted")
-    steepest = {"steepest": np.pi * SCENE.ku, "steepest_angle": along_circle(1e-9)[3], "beta": SCENE.beta}
-    return Drawing(fig, steepest, shown=(frame,))
+    _, _, steepest, angle, _ = along_circle(1e-9)
+    return Drawing(fig, {"steepest": steepest, "steepest_angle": angle, "beta": BALLS["beta"], **heights_unseen()})
 
 
 @figure

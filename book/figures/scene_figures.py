@@ -3,11 +3,10 @@
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import TITLE, panels, pixel_axes, pixel_text, plot
-from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, SIZE, averaged, on_picture, smooth, symbolic
-from proofs.formulas.camera import parallel_radius, silhouette_of_a
+from book.drawing.style import GAP, TITLE, panels, pixel_axes, pixel_text
+from book.figures.chapter_scene import FIELD_NAMES, FINE, SCENE, SIZE, averaged, smooth, symbolic
+from proofs.formulas.camera import parallel_radius
 from proofs.formulas.shading import floor_albedo, floor_blue, floor_dark
-from proofs.formulas.symbols import eye, radius, rho_silhouette
 from renderer import Scene, height_at, render
 from renderer.generate.kernels import function_of
 from renderer.picture.views import image_view
@@ -58,17 +57,20 @@ def chambers() -> Drawing:
 
 @figure
 def height_fields() -> Drawing:
-    """The three height fields on the chart, the default wave numbers."""
-    fig, axes = plot(width="page", height=3.1, ncols=3, sharey=True)
-    u, v = np.meshgrid((np.arange(480) + 0.5) / 480, (np.arange(240) + 0.5) / 240)
+    """Sphere A with each height field as the surface's own bump, the default wave numbers; below it the chart."""
+    side, line = 276, (0xD5, 0x5E, 0x00, 0xFF)
+    u, v = np.meshgrid((np.arange(side) + 0.5) / side, (np.arange(side // 2) + 0.5) / (side // 2))
     heights = {field: height_at(Scene(field=field), u, v) for field in FIELD_NAMES}
-    for ax, (field, h) in zip(axes, heights.items(), strict=True):
-        image = ax.imshow(h, extent=(0, 1, 1, 0), aspect="auto", cmap="gray", vmin=-1, vmax=1, interpolation="nearest")
-        ax.set(title=field, xlabel="$u$")
-    axes[0].set_ylabel("$v$")
-    bar = fig.colorbar(image, ax=axes, label="$h$", ticks=[-1, 0, 1])
-    bar.outline.set_visible(False)
-    return Drawing(fig, {"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, {"u": u[0], "v": v[:, 0], **heights})
+    rim, pictures, shown = int(np.arccos(SCENE.radius / SCENE.eye) / np.pi * side / 2), [], []
+    for field, h in heights.items():
+        scene, around = Scene(field=field, bump="surface", ball=False), [FINE * n for n in (28, 3, side, side)]
+        shown.append(render(scene, *2 * [FINE * 332], crop=tuple(around), bounds=True))
+        grey = np.rint(127.5 * (1 + h)).astype(np.uint8)[..., None].repeat(3, axis=2)
+        ball, chart = (np.insert(each, 3, 255, axis=2) for each in (smooth(shown[-1]), grey))
+        chart[rim : rim + 2] = line
+        pictures.append(np.concatenate([ball, np.zeros((GAP, side, 4), np.uint8), chart]))
+    data = {"u": u[0], "v": v[:, 0], **heights}
+    return Drawing(panels(pictures, FIELD_NAMES), {"ku": int(SCENE.ku), "kv": int(SCENE.kv)}, data, tuple(shown))
 
 
 def _point(numbers):
@@ -86,44 +88,16 @@ def default_scene() -> Drawing:
     floor = floor_albedo.expand(floor_blue)
     numbers |= {name: f"{float(floor.subs({floor_dark: dark})):g}" for dark, name in enumerate(("light", "dark"))}
     lean = SCENE.beta * symbolic().slope.max()
-    return Drawing(numbers=numbers | {"field": SCENE.field, "lean": lean})
-
-
-def _visible_parallels():
-    """Return {m: ρ} of the creases v = m/k_v that face the eye, the pole left out."""
-    image_radius, angles = function_of(parallel_radius), {m: np.pi * m / SCENE.kv for m in range(1, int(SCENE.kv))}
-    return {m: image_radius(np.sin(phi), np.cos(phi), SCENE.eye, SCENE.radius)
-            for m, phi in angles.items() if np.cos(phi) > SCENE.radius / SCENE.eye}  # fmt: skip
-
-
-def _draw_on_a(ax, frame, distance, angle, **line):
-    """Draw a curve about the axis where the pixels show A."""
-    column, row = on_picture(frame, distance * np.cos(angle), distance * np.sin(angle))
-    high, wide = frame.raster.shape
-    nearest = np.clip(np.rint(row), 0, high - 1).astype(int), np.clip(np.rint(column), 0, wide - 1).astype(int)
-    ax.plot(np.where(frame.stage.on_a[nearest], column, np.nan), row, **line)
+    return Drawing(numbers=numbers | {"field": SCENE.field, "lean": lean, "tilt": np.degrees(np.arctan(lean))})
 
 
 @figure
 def kink_loci() -> Drawing:
-    """The creases of ridges over the picture: rays from the axis and a circle."""
-    frame, fine = render(SCENE, 640, 560), render(SCENE, 640 * FINE, 560 * FINE, bounds=True)
-    fig = panels([smooth(fine) // 2 + 40])
-    ax = fig.axes[0]
-    limits = ax.axis()
-    rim = float(silhouette_of_a.expand(rho_silhouette).subs({eye: SCENE.eye, radius: SCENE.radius}))
-    angle, along = np.linspace(0, 2 * np.pi, 1441), np.linspace(0, rim, 400)
-    parallels = _visible_parallels()
-    for m, size in parallels.items():
-        _draw_on_a(ax, frame, size, angle, label=f"circle {m}", color="#56B4E9", linewidth=1.6)
-    for m in range(int(SCENE.ku)):
-        theta, dashes = 2 * np.pi * m / SCENE.ku - np.pi, (0, (4, 3))
-        _draw_on_a(ax, frame, along, theta, label=f"ray {m}", color="#F0E442", linewidth=1.4, linestyle=dashes)
-    for text, at in (("$u = 0$", (-rim, 0)), (f"$v = 1/{int(SCENE.kv)}$", (0, -parallels[1]))):
-        ax.annotate(text, on_picture(frame, *at), xytext=(7, -15), textcoords="offset points", color="white")
-    ax.axis(limits)
-    numbers = {"rays": int(SCENE.ku), "circles": len(parallels), "circle_radius": parallels[1], "rim": rim}
-    return Drawing(fig, numbers, shown=(fine,))
+    """The creases of ridges that are in view: rays from the axis and circles, v = m/k_v; numbers only."""
+    image_radius, angles = function_of(parallel_radius), np.pi * np.arange(1, SCENE.kv) / SCENE.kv
+    seen = angles[np.cos(angles) > SCENE.radius / SCENE.eye]
+    radii = image_radius(np.sin(seen), np.cos(seen), SCENE.eye, SCENE.radius)
+    return Drawing(numbers={"rays": int(SCENE.ku), "circles": len(radii), "circle_radius": radii[0]})
 
 
 MARKED = 300  # the side of a panel with marks

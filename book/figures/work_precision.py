@@ -15,17 +15,18 @@ DIFFERENCES = {"forward": DOTTED, "central": SOLID, "central, 4th order": DASHED
 """{difference: the dashes of its curve}"""
 
 UP, DOWN, UNDER = ((4, 4), 40, "left"), ((4, -6), -40, "left"), ((-4, -6), 40, "right")
+ABOVE, BELOW = ((4, 6), 90, "left"), ((-3, -7), -90, "left")  # on a phone lines and points stand close together
 LABELS = {  # method: its name, and how it leans
-    "exact, reduced argument": ("exact, reduced", DOWN),
-    "exact, algebraic": ("exact, algebraic", UP),
+    "exact, reduced argument": ("exact, reduced", BELOW),
+    "exact, algebraic": ("exact, algebraic", ABOVE),
     "SymPy, NumPy": ("by hand", UNDER),
     "dual numbers": ("dual numbers", DOWN),
-    "JAX": ("JAX", UP),
-    "complex step": ("complex step", UP),
+    "JAX": ("JAX", ABOVE),
+    "complex step": ("complex step", ((9, 2), 40, "left")),
     "mpmath": ("mpmath, 5 to 15 digits", UNDER),
-    "central": ("central", UP),
-    "central, 4th order": ("4th order", UP),
-    "Richardson, 8th order": ("8th order", UP),
+    "central": ("central", ((1, 6), 90, "left")),
+    "central, 4th order": ("4th order", ABOVE),
+    "Richardson, 8th order": ("8th order", ABOVE),
 }
 
 
@@ -48,7 +49,7 @@ def work_precision_figure(record: dict) -> Drawing:
     corner = errors == np.minimum.accumulate(errors)  # of the front that no point beats, which goes on to the right
     ends = [*times[corner], 1e6], [*errors[corner], errors.min()]
     curve(ax, *ends, "reference", label="front", drawstyle="steps-post", linewidth=5, alpha=0.3, zorder=0)
-    decades(ax, 1, 2, ylim=(1e-19, 1e4), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
+    decades(ax, 1, 2, ylim=(1e-20, 1e6), xlabel="time, ns a gradient", ylabel="largest error of $h_u$, $h_v$")
     numbers = work_precision.gradient_numbers(rows) | dict(zip(("from", "to"), CLEAR, strict=True))
     numbers |= {name: measured[name] for name in ("machine", "processor", "python", "date", "commit")}
     numbers |= {"absent": len(measured["absent"]), "fewest": min(row["points"] for row in rows)}

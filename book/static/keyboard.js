@@ -1,6 +1,6 @@
 // A claim that a link leads to opens. What is too wide for its column scrolls in itself, and its edge fades while there
 // is more: the Tab key then reaches it, and the arrow keys move it. On a phone a table that is too wide becomes a list. A
-// formula that is copied is its TeX.
+// formula that is copied is its TeX. A link to a theorem's card shows its statement when it is pointed at or has the focus.
 "use strict";
 (() => {
   const SCROLLS =
@@ -83,6 +83,39 @@
     place?.closest(".ledger-list > li")?.querySelector("details")?.setAttribute("open", "");
   }
 
+  const { src } = /** @type {HTMLScriptElement} */ (document.currentScript);
+  const note = make_element("div", { class: "theorem-note", popover: "manual", role: "tooltip" });
+  /** @type {{ told: HTMLAnchorElement | null, before: HTMLAnchorElement | null }} */
+  const links = { told: null, before: null };
+  let is_finger = false;
+
+  /** Show what the card says that a link under the pointer, or with the focus, leads to; else nothing. @param {Event} event */
+  async function tell(event) {
+    const { target } = event;
+    if (event instanceof PointerEvent) {
+      links.before = links.told;
+      is_finger = event.pointerType === "touch";
+    }
+    if (!(target instanceof Element) || note.contains(target)) return;
+    /** @type {HTMLAnchorElement | null} */
+    const link = target.closest('a[href*="#theorem-"]');
+    if (link === links.told) return;
+    note.remove();
+    links.told = link;
+    if (!link) return;
+    const card = document.querySelector(`${link.hash} > p`)?.cloneNode(true);
+    if (!card) await load_script(src.replace("keyboard", "statements"));
+    if (links.told !== link) return;
+    note.replaceChildren(card ?? Statements[link.hash]);
+    for (const named of find_all(note, "[id]")) named.removeAttribute("id");
+    document.body.append(note);
+    note.showPopover();
+    link.ariaDescription = note.textContent;
+    const { left, top, bottom } = link.getBoundingClientRect();
+    const down = bottom + note.offsetHeight < innerHeight ? bottom : top - note.offsetHeight;
+    note.style.translate = `${clamp(8, left, innerWidth - note.offsetWidth - 8)}px ${down}px`;
+  }
+
   /** @param {ClipboardEvent} event */
   function copy(event) {
     const chosen = getSelection();
@@ -96,5 +129,12 @@
 
   addEventListener("hashchange", open_claim);
   document.addEventListener("copy", copy);
+  // Not when the mouse is over it by a page's own motion.
+  for (const kind of ["mousemove", "focusin", "pointerdown"]) document.addEventListener(kind, tell);
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && note.remove());
+  // A finger's first tap shows what the second one follows.
+  document.addEventListener("click", (event) => {
+    if (is_finger && links.told && links.told !== links.before) event.preventDefault();
+  });
   when_ready(watch);
 })();

@@ -221,6 +221,12 @@ function unfold(part) {
   for (const kept of find_all(part, "details > noscript")) kept.outerHTML = kept.textContent;
 }
 
+/** Run a script of the site, once it is wanted. @param {string} src */
+const load_script = (src) =>
+  new Promise((onload, onerror) => {
+    document.head.append(Object.assign(make_element("script"), { src, onload, onerror }));
+  });
+
 /** Save what stands at an address, under a name. @param {string} name @param {string} href */
 const download = (name, href) => make_element("a", { href, download: name }).click();
 

@@ -179,7 +179,7 @@ class Theorem(Parts):
         put(self, uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
-        checked = bool(self.claims) or not (self.pinned or self.expected in WITHOUT_CLAIMS)
+        checked = bool(self.claims) or not (self.pinned or self.rounded or self.expected in WITHOUT_CLAIMS)
         if checked and len(self.mutants) < 2:
             raise ValueError(f"{self.id}: needs at least two mutants")
         if self.expected == "cited" and not self.source:

@@ -33,7 +33,7 @@ SMALL_POWER = Fraction(1, 2**72)
 
 GENERAL_GRADIENT, ALGEBRAIC_GRADIENT = 10, 50
 """Bounds of the error of a slope, in units of 2⁻⁵³ π max(1, |k|) and of 2⁻⁵³ π (1 + k) k: theorems gradient_accuracy
-(which is measured) and algebraic_gradient_accuracy."""
+and algebraic_gradient_accuracy."""
 
 NORMAL, COSINE, BLINN, SQUARED, PHONG, SHARE = 12, 45, 32, 80, 56, 8
 """Bounds of the errors of a component of N', a light's cosine, the base of Blinn's highlight, its square, the base of

@@ -39,15 +39,26 @@ _by_difference = {
     for method, difference in METHODS.items()
     for name, field in HEIGHT_FIELDS.items()
 }
+_recorded = """the pixel's whole program, recorded from the shader: every field and difference, any gradient, every
+model of light, both bumps, with a horizon and without, at most five lights; A's reach, the boxes of B and of shadows,
+which it is given, are found from the geometry alone"""
 theorem = Theorem(
     "bump_moves_no_boundary",
     "The bump moves no boundary",
-    r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
-    none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""",
-    hypotheses="""the pixel's whole program: every model of light, any gradient, five lights; Blinn's with the surface's
-    own bump and a horizon, too; every difference of every field""",
-    claims=(*_unmoved.values(), _surface, *_by_difference.values()),
+    {
+        r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on
+        none of $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$: $N'$ enters the shading alone.""": (
+            *_unmoved.values(),
+            _surface,
+            *_by_difference.values(),
+            coq("bump_moves_no_boundary__program 64669a0a2d04add3"),
+        )
+    },
+    hypotheses=_recorded,
     steps={
+        """no input of the bump reaches the chamber code, by any line of the program""": """Coq computes this on the
+        pixel's program as the renderer's shader itself records it, and proves that it then holds on every machine: of
+        real numbers, of float64, or of both with bounds""",
         "write the pixel as a straight-line program": "the lines are those that the kernels print",
         "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",
         r"none of them is $h_u$, $h_v$, $\beta$, $\varepsilon$, $k_u$, $k_v$ or $N'$": "look",
@@ -71,15 +82,18 @@ _shaded = {
 slopes_theorem = Theorem(
     "edges_add_nothing",
     "These numbers move no edge of a chamber",
-    r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on none of
-    $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and the
-    lights' colours: the edges of chambers stay where they are, at speed 0.""",
-    hypotheses=(
-        "the pixel's whole program: every field, every model of light, five lights; the chapter's bump, no horizon",
-        "a crease is no edge of a chamber: $k_u$ and $k_v$ move it, and the colour jumps there",
-    ),
-    claims=(*_shaded.values(),),
+    {
+        r"""Which surface a pixel shows, which lights another body hides from it, and its checker square depend on none
+        of $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and
+        the lights' colours: the edges of chambers stay where they are, at speed 0.""": (
+            *_shaded.values(),
+            coq("edges_add_nothing__program aa8525c0e5d0bd54"),
+        )
+    },
+    hypotheses=(_recorded, "a crease is no edge of a chamber: $k_u$ and $k_v$ move it, and the colour jumps there"),
     steps={
+        "none of these numbers reaches the chamber code, by any line of the program": """Coq computes this on the
+        pixel's program as the renderer's shader itself records it""",
         "write the pixel as a straight-line program": "the lines are those that the kernels print",
         "the names that the chamber reaches are closed under “is used by a line of”": "reading each line once",
         "none of them is one of these numbers": "look",

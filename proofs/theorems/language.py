@@ -29,9 +29,9 @@ formulas that have changed: search anew, and read the diff. Of hypotheses a poin
 search needs coordinates, `example={eye: 5, radius: 3}`.
 
 A lemma from the literature is `cited=CitedLemma(relation, source, given)`, and the grade says so. `given` are the
-source's conditions; the claim has to prove them, and samples test the lemma under these alone. Coq alone proves what
-float64 loses of a printed program, a `Rounded` claim in the theorem's `rounded=`. Where its tactic `claim` is not
-enough for a claim, `proofs/formal/Hits.v` shows what is.
+source's conditions; the claim has to prove them, samples test the lemma under these alone, and Coq has to prove the
+claim without it. Coq alone proves what float64 loses of a printed program, a `Rounded` claim in the theorem's
+`rounded=`. Where its tactic `claim` is not enough for a claim, `proofs/formal/Hits.v` shows what is.
 """
 
 from collections.abc import Sequence

@@ -50,10 +50,17 @@ class Differentiating:
         self.inner.when(mask.inner, body)
 
     def choose(self, alternatives: Sequence, index: Sloped, result_of: Callable[[Any], Sequence]) -> Sequence:
-        """Return `result_of` the one alternative that a picture has."""
-        (results,) = ([*map(sloped, result_of(each))] for each in alternatives)
-        values = self.inner.choose(alternatives, index.value, lambda _: [result.value for result in results])
-        return [Sloped(value, result.slopes) for value, result in zip(values, results, strict=True)]
+        """Return `result_of` the alternative of an index that is the same everywhere."""
+        if len(alternatives) == 1:  # where a slope that is 0 stays one, which costs nothing
+            results = [*map(sloped, result_of(alternatives[0]))]
+            values = self.inner.choose(alternatives, index.value, lambda _: [result.value for result in results])
+            return [Sloped(value, result.slopes) for value, result in zip(values, results, strict=True)]
+
+        def parts(alternative):
+            return [part for number in result_of(alternative) for part in self.parts(number)]
+
+        chosen, size = self.inner.choose(alternatives, index.value, parts), 1 + len(self._none)
+        return [Sloped(chosen[at], tuple(chosen[at + 1 : at + size])) for at in range(0, len(chosen), size)]
 
     def by_squaring(self, exponent: Sloped, first: Callable, square: Callable, multiply: Callable) -> None:
         """Run the steps of repeated squaring, as the inner machine does."""

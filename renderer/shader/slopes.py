@@ -45,7 +45,7 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
         way = "general" if method == "exact" else method
     if style == "diffuse" and "ks" in names:
         style = "base"
-    changes = {"by": tuple(dict.fromkeys(names)), "around": _sloped_group}
+    changes = {"by": tuple(dict.fromkeys(names)), "around": sloped_group}
     return shot, changes | {"ways": ((field, way),), "lights": ((model, style),)}
 
 
@@ -74,10 +74,10 @@ def _light_seeds(light, name):
     return with_part(seeds, place, where(light.bit == 2.0 ** (FIRST_LIGHT_BIT + int(number)), 1.0, 0.0))
 
 
-def _sloped_group(group: Any) -> Any:
+def sloped_group(group: Any) -> Any:
     """Return a group as the differentiating machine around its own one has it."""
     want, by = group.want, group.want.by
-    ((_, style),) = want.lights
+    style = want.lights[0][1]
     scene = with_slopes(group.scene, [_seeds(group.scene, name, style) for name in by])
     machine = Differentiating(group.machine, len(by), lambda light: [_light_seeds(light, name) for name in by])
     half = image_extent(scene.eye, scene.radius)  # image points move with it

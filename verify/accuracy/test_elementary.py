@@ -1,6 +1,6 @@
 """Our own elementary functions: the bounds that are charged are those that Coq proves; the ends of their ranges.
 
-What Coq proves of each is sampled with the enclosing machine's rules: `verify/test_bounds.py`, theorem enclosing_rules.
+What Coq proves of each is sampled with the enclosing machine's rules: `verify/test_bounds.py`.
 """
 
 import json

@@ -56,7 +56,7 @@ class Examination:
         return "refuted" if self.expected == "refuted" else "proved"
 
     def check_sources(self, theorem: Theorem) -> None:
-        """Keep what is pinned, which Coq's record has to have, and what is cited; the bibliography has each key."""
+        """Keep what is pinned and cited; Coq's record has to bear it out, and the bibliography has each key."""
         self.record |= {"pinned": [pin.name for pin in theorem.pinned]} if theorem.pinned else {}
         self.problems += recorded.why_not_pinned(theorem)
         lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]

@@ -1,6 +1,7 @@
 """Theorems without claims: their measurements, sampled or enclosed in balls, and the grade that these reach.
 
-proved     Coq's record has every statement that is pinned, as it was read; what is measured beside holds
+proved     Coq's record has every statement that is pinned, as it was read, and every claim of float64; what is
+           measured beside holds
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
 cited      the source is in the bibliography
@@ -24,7 +25,7 @@ import pkgutil
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from html.entities import html5
@@ -53,8 +54,7 @@ class Measurement:
     """One measurement: values of each case, drawn with `seed` (None: nothing is random), and a bound.
 
     values: numbers, one or more a case. These, or the numbers that a function `of` them returns, are compared with
-    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does. numbers: {name: number or text}
-    that a page may print.
+    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does.
     """
 
     values: Any
@@ -64,7 +64,6 @@ class Measurement:
     of: Callable[[np.ndarray], Any] = np.asarray
     seed: int | None = None
     holds: bool = True
-    numbers: dict = field(default_factory=dict)
 
     @property
     def samples(self) -> int:
@@ -104,7 +103,6 @@ class Enclosure:
     at: Callable[..., np.ndarray]
     bound: Any
     quantity: str
-    numbers: dict = field(default_factory=dict)
     seed = None
 
     @cached_property
@@ -169,10 +167,9 @@ def _ball(number):
 
 def record(evidence: Measurement | Enclosure) -> dict[str, Any]:
     """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
-    numbers = {name: rounded(value) for name, value in sorted(evidence.numbers.items())}
     certified = isinstance(evidence, Enclosure)
     entry = {"samples": evidence.samples, "seed": evidence.seed, "certified": certified, "what": evidence.quantity}
-    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound), "numbers": numbers}
+    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound)}
 
 
 def variables(tex: str) -> set[str]:
@@ -197,13 +194,8 @@ def says(words: str, bound: Any) -> bool:
     return float(bound) in map(float, re.findall(r"\d+(?:\.\d+)?", words))
 
 
-def rounded(value: Any) -> Any:
-    """Return a number to DIGITS significant digits, as an int or float; texts and booleans as they are.
-
-    A ball is rounded from its upper end.
-    """
-    if isinstance(value, str | bool | int):
-        return value
+def rounded(value: Any) -> float:
+    """Return a number to DIGITS significant digits; a ball is rounded from its upper end."""
     value = value.upper() if isinstance(value, arb) else value
     return float(f"{float(value):.{DIGITS}g}")
 
@@ -254,7 +246,7 @@ def examine(theorem: Theorem, theorems: Theorems) -> Examination:
     evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
     examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
     examination.reached, examination.argued = "cited", [clause.text for clause in theorem.argued]
-    if theorem.pinned:
+    if theorem.pinned or theorem.rounded:
         examination.reached = "proved"
     elif theorem.expected != "cited":
         enclosed = [one for one, *_ in evidence if isinstance(one, Enclosure)]

@@ -16,12 +16,9 @@ SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 *
 
 
 class Sampler:
-    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each.
+    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each."""
 
-    slack: by how much, relatively, an inequality that is claimed may fail.
-    """
-
-    def __init__(self, claim: Claim, seed: str | int, slack: mpmath.mpf = TOLERANCE):
+    def __init__(self, claim: Claim, seed: str | int):
         self.random, self.ranges = random.Random(seed), dict(claim.ranges)
         used, lines = claim.names()
         definitions = lines.definitions if lines else ()
@@ -32,7 +29,7 @@ class Sampler:
         self.given, self.claimed, self.definitions = parts_of(claim.given), claim.shows, definitions
         equations = {_written_out(r, definitions): r for r in claim.given if isinstance(r, Eq)}
         self.late = Relations([r for r in claim.given if r.free_symbols & defined], definitions, slack=0)
-        self.shows = Relations(claim.shows, definitions, slack)
+        self.shows = Relations(claim.shows, definitions)
         solvable = _solvable([r for r in equations if not r.free_symbols & defined])
         self.solved = [(symbol, coefficients) for symbol, coefficients, _ in solvable]
         self.solved_relations = {equations[r]: symbol for symbol, _, r in solvable}

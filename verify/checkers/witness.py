@@ -5,29 +5,17 @@ It knows nothing of the kernel, of certificates, or of the translation into poly
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from operator import sub
 from typing import Any
 
 import mpmath
-from sympy import Derivative, Mul, Ne, Rational, Symbol, evaluate, factor_list
-from sympy.polys.polyerrors import BasePolynomialError
+from sympy import Symbol
 
-from proofs.engine.claim import CitedLemma, Claim, Induction, equation
+from proofs.engine.claim import Claim, Induction
 from proofs.engine.theorem import Point
-from verify.checkers.digits import (
-    DIGITS,
-    ROUNDING,
-    TOLERANCE,
-    WORKING_DIGITS,
-    Code,
-    Relations,
-    Undefined,
-    differentiated,
-)
+from verify.checkers.digits import DIGITS, WORKING_DIGITS, Code, Relations, Undefined
 from verify.checkers.sampler import Sampler
 
-NUMBERS, STARTS, BARREN, LEMMA_DIGITS, EDGE = 13, 12, 256, 150, mpmath.mpf(10) ** -30
-STEPS = tuple(sign * Rational(10) ** power for power in (-6, -45, -55) for sign in (1, -1))
+NUMBERS = 13
 
 
 @dataclass
@@ -61,21 +49,14 @@ def sample(
     points: int = 64,
     failures: int | None = None,
     attempts: int = 200,
-    slack: mpmath.mpf = TOLERANCE,
     digits: int = WORKING_DIGITS,
-    barren: float = mpmath.inf,
 ) -> Witness:
-    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`).
-
-    barren: after how many attempts without such a point none is expected.
-    """
+    """Return the Witness of a claim at `points` random points that satisfy its hypotheses (or until `failures`)."""
     if isinstance(claim, Induction):
         return _sample_induction(claim, seed, points, attempts)
     with mpmath.workdps(digits):
-        sampler, witness = Sampler(claim, seed, slack), Witness()
-        for attempt in range(points * attempts):
-            if attempt >= barren and not witness.points:
-                break
+        sampler, witness = Sampler(claim, seed), Witness()
+        for _ in range(points * attempts):
             try:
                 values = sampler.inputs_at_random()
             except mpmath.libmp.NoConvergence:  # a root that is a double one
@@ -100,87 +81,6 @@ def _sample_induction(claim, seed, points, attempts):
         witness.failures += [{claim.n: mpmath.mpf(number)} | point for point in one.failures]
         witness.undefined += one.undefined
     return witness
-
-
-def lemma_fails_at(lemma: CitedLemma, seed: str | int, points: int) -> dict | None:
-    """Return a point under the source's conditions alone where a lemma is false, or None.
-
-    Tried are points inside, far away and close to 0; where a symbol is 0; on the edge of each condition and beside it;
-    and where the two sides are equal, or their difference is least or largest.
-    """
-    relation, symbols = lemma.relation, sorted(lemma.relation.free_symbols, key=str)
-    apart = relation.rel_op in (">", "<", "!=")
-    shown = Ne(relation.lhs, relation.rhs, evaluate=False) if apart else relation
-    edges = [equation(c.lhs, c.rhs + step) for c in lemma.given for step in (0, *STEPS)]
-    claims = [Claim("cited", (relation,), (*lemma.given, *edge)) for edge in ((), *zip(edges))]
-    claims += [Claim("cited", (relation,), (*lemma.given, equation(symbol, 0))) for symbol in symbols]
-    claims += [Claim("apart", (shown,), (*lemma.given, equation(relation.lhs, relation.rhs)))] if apart else []
-    sizes = [Rational(10) ** power for power in (-30, -9, 9, 30)]
-    claims += [claims[0].but(ranges=tuple((s, (-size, size)) for s in symbols)) for size in sizes]
-    smallest = (sample(claim, seed, points, 1, 50, ROUNDING, LEMMA_DIGITS, BARREN).smallest for claim in claims)
-    return next((point for point in smallest if point), None) or _turning_point(lemma, shown, symbols, seed)
-
-
-def _turning_point(lemma, shown, symbols, seed):
-    """Return a point where a lemma is false among those where its sides are equal, or beside, or turn, or None.
-
-    The sides turn along one symbol, or along all at once.
-    """
-    with mpmath.workdps(LEMMA_DIGITS), evaluate(True):
-        sampler = Sampler(Claim("cited", (shown,), lemma.given), seed, ROUNDING)
-        difference = _once(lemma.relation.lhs - lemma.relation.rhs)
-        slopes = [differentiated(Derivative(difference, symbol)) for symbol in symbols]
-        sought = [
-            ((symbol,), [of], of is slope)
-            for symbol, slope in zip(symbols, slopes, strict=True)
-            for of in (difference, slope, difference / slope)  # the last at a root of several, too
-            if slope != 0
-        ]
-        sought += [(symbols, slopes, True)] if len(symbols) > 1 else []
-        for along, expressions, turns in sought:
-            code = Code([*map(_once, expressions)])
-            for values in filter(None, (sampler.inputs_at_random() for _ in range(STARTS))):
-                root = _root(code, along, values)
-                beside = (
-                    [] if turns else [{s: at + (EDGE + abs(at)) * step} for s, at in root.items() for step in STEPS]
-                )
-                for point in (values | at for at in (root, *beside) if at):
-                    if _fails(sampler, lemma.given, point):
-                        return point
-    return None
-
-
-def _once(e):
-    """Return an expression with each of its factors once, as far as it is a polynomial: near its roots it is steep."""
-    try:
-        number, factors = factor_list(e)
-    except BasePolynomialError:
-        return e
-    return Mul(number, *(factor for factor, _ in factors))
-
-
-def _fails(sampler, conditions, values):
-    """Return whether what is sampled is false; no nearer to an edge than a root is known, nothing is."""
-    try:
-        apart = all(abs(sub(*Code((c.lhs, c.rhs))(values))) >= EDGE for c in conditions)
-        return apart and sampler.early(values) and sampler.verdict(values) == "fails"
-    except Undefined:
-        return False
-
-
-def _root(code, symbols, values):
-    """Return the symbols' values where expressions in them are 0, from where they are now on; {} if none is found."""
-    starts, step = [values[symbol] for symbol in symbols], mpmath.mpf(1) / 8
-    try:
-        if len(starts) == 1:
-            root = [
-                mpmath.findroot(lambda x: code(values | {symbols[0]: x})[0], (*starts, starts[0] + step), tol=1e-120)
-            ]
-        else:
-            root = mpmath.findroot(lambda *x: code(values | dict(zip(symbols, x, strict=True))), starts, tol=1e-120)
-        return dict(zip(symbols, root, strict=True))
-    except (ValueError, TypeError, ZeroDivisionError, Undefined):  # of a singular system mpmath finds no pivot
-        return {}
 
 
 def _exact(point):

@@ -36,8 +36,6 @@ PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
-GRADES = ("proved", "measured")
-"""Those of theorems that are formal where Coq has proved them whole."""
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
 TRUSTED = PROJECT.trusted
 """{what printed files need and no library has: its hash}, which the book prints."""

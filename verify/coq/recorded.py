@@ -57,8 +57,15 @@ def digest(text: str) -> str:
 
 
 def why_not_pinned(theorem: Theorem) -> list[str]:
-    """Return why what a theorem pins is not what Coq proved: another text, none, no false variant refuted, no point."""
-    accepted, problems = record() if theorem.pinned else {}, []
+    """Return why Coq's record does not bear a theorem out.
+
+    Of what it pins: another text, none, no false variant refuted, no point. Of its claims those of float64, which Coq
+    alone proves, and those that cite a lemma, have to be proved there.
+    """
+    accepted, problems = record(), []
+    for claim in (*theorem.rounded, *(claim for claim in theorem.claims if claim.cited)):
+        if f"{theorem.id}__{claim.name}" not in accepted.get(theorem.id, {}).get("claims", ()):
+            problems.append(f"{claim.name}: Coq's record of the files as they are has no proof of it")
     for pin in theorem.pinned:
         if not (text := in_full(pin.name, accepted)):
             problems.append(f"{pin.name} is not in Coq's record of the files as they are")

@@ -32,7 +32,6 @@ def pixels(share: float = 1.0) -> Measurement:
         seed=SEED,
         holds=all(p.error <= share * p.bound and p.same_chamber for p in decided) and len(decided) >= 2000,
         quantity="the largest error of a channel over its pixel's bound",
-        numbers={"undecided": len(_pixels()) - len(decided), "largest": max(p.error for p in decided)},
     )
 
 
@@ -42,22 +41,19 @@ def pixels(share: float = 1.0) -> Measurement:
 )
 def general_gradient(form: str | None = None, bound: float = GENERAL_GRADIENT) -> Measurement:
     """Measure the general form, |k| to 2^20, at random and beside creases; k_u and k_v equal or not, or one 0."""
-    sweeps = {name: sweep(name) for name in SWEEPS if name.startswith("wave_numbers")}
-    units = {name: (one.others[form] if form else one.errors).ravel() / UNIT for name, one in sweeps.items()}
+    sweeps = [sweep(name) for name in SWEEPS if name.startswith("wave_numbers")]
     return Measurement(
-        np.concatenate([*units.values()]),
+        np.concatenate([(one.others[form] if form else one.errors).ravel() / UNIT for one in sweeps]),
         seed=SWEEP_SEED,
         bound=bound,
-        holds=not any(one.escaped for one in sweeps.values()),
+        holds=not any(one.escaped for one in sweeps),
         quantity="the general form: the largest error over π max(1, |k|) 2^-53",
-        numbers={name: max(errors) for name, errors in units.items()},
     )
 
 
 @measures("algebraic_gradient_accuracy", false={"within 40 (1 + k)": {"bound": 40}, "up to the rim": {"least": 0.01}})
 def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_errors.LEAST_SQUARE) -> Enclosure:
     """Enclose the algebraic form from the image point: its bases over every box of the hits, and their powers."""
-    of_u, of_v = base_errors.base_errors(least)
     return Enclosure(
         pieces=partial(base_errors.gradient_pieces, least),
         over={
@@ -70,7 +66,6 @@ def algebraic_gradient(bound: int = ALGEBRAIC_GRADIENT, least: float = base_erro
         bound=bound,
         quantity="the algebraic form: the bound over π k (1 + k) 2^-53, over all boxes of R/e and ρ/ρ_s, all "
         "wave numbers",
-        numbers={"base_of_u": of_u / UNIT, "base_of_v": of_v / UNIT},
     )
 
 
@@ -90,13 +85,7 @@ def under_the_bounds(share: float = 1.0) -> Measurement:
         rounding = (STEPS < 1e-9) & (errors["total"] != 0)
         ratios.append(limits["total"][rounding] / np.abs(errors["total"][rounding]))
     median = np.median(np.concatenate(ratios))
-    return Measurement(
-        seen_over,
-        bound=share,
-        holds=median <= 30,
-        quantity="a part of the error over its bound",
-        numbers={"places": len(CASES), "median_ratio_in_the_rounding_branch": median},
-    )
+    return Measurement(seen_over, bound=share, holds=median <= 30, quantity="a part of the error over its bound")
 
 
 @cache
@@ -115,14 +104,11 @@ def ridges_fall_like_a_root(slope: float = 0.5, at_poles: bool = False) -> Measu
     def off(rms):
         return [[orders.fitted_slope(*each) - slope for each in zip(steps, rms, strict=True)], *(rms / law - 1).T]
 
-    worst = np.abs(off(rms))
     return Measurement(
         rms,
         of=off,
         bound=0.02,
         quantity="how far the fitted slope is from ½, and the constant from the theorem's, relatively",
-        numbers={f"{c}_slope": worst[0, i] for i, c in enumerate(SLOPES)}
-        | {f"{c}_constant": worst[1:, i].max() for i, c in enumerate(SLOPES)},
     )
 
 
@@ -141,7 +127,6 @@ def clamped_orders(odd: float = 2.0, other: float = 1.0) -> Measurement:
         claimed=[{1: other, 2: odd}.get(order, order) for order in orders_of_fields],
         bound=0.02,
         quantity="how far the fitted orders are from 2 for the chapter's fields and from 1 for cos πk_v v",
-        numbers=dict(zip(orders.FIELDS, fitted(errors), strict=True)),
     )
 
 
@@ -150,12 +135,10 @@ def truncation_slope(slope: float = 2.0) -> Measurement:
     """Measure the order of the truncation error at a smooth point."""
     of_part = parts(CASES[0])
     branch = (STEPS < 1e-3) & (STEPS > 1e-12)
-    errors, fitted = np.abs(of_part["truncation"][branch]), partial(orders.fitted_slope, STEPS[branch])
     return Measurement(
-        errors,
-        of=fitted,
+        np.abs(of_part["truncation"][branch]),
+        of=partial(orders.fitted_slope, STEPS[branch]),
         claimed=slope,
         bound=0.02,
         quantity="how far the truncation error's fitted slope is from 2",
-        numbers={"slope": fitted(errors)},
     )

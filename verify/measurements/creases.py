@@ -1,11 +1,9 @@
 """Contrast of a crease in the default scene, and the floats that a rounded product puts on one."""
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import partial
 
-from renderer.picture.facts import crease_contrast
 from verify.accuracy import canvas, products
 from verify.accuracy.canvas import CREASE_STEP, DARK_STEPS, pictures
 from verify.checkers.measurements import Enclosure, measures
@@ -17,7 +15,6 @@ from verify.checkers.measurements import Enclosure, measures
 )
 def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros: int = 0) -> Enclosure:
     """Count, among the nearest floats to all m/k, 0 < m < k ≤ 64, those that are not m/k, and whose k·u rounds to m."""
-    found = products.found()
     return Enclosure(
         pieces=partial(products.off, beside, count, zeros),
         over={"the counts, each over every m and k and its u": ((0, 3),)},
@@ -25,21 +22,18 @@ def rounded_products_hit_the_crease(beside: int = 1824, count: int = 1756, zeros
         bound=0,
         quantity="how far from what is claimed: the floats beside a crease, those that a rounded product k·u puts on "
         "it, those that the kernel does",
-        numbers=dict(zip(("beside", "rounded_onto", "kernel_zeros"), found, strict=True)),
     )
 
 
 @measures("crease_contrast", false={"one order, as the seed says": {"orders": 1}})
 def contrast(orders: int = 4) -> Enclosure:
     """Enclose the mean error at the kink flag against that elsewhere on A, in orders of magnitude."""
-    on, rest = crease_contrast(*pictures(CREASE_STEP))
     return Enclosure(
         pieces=partial(canvas.contrast, orders),
         over={"the picture": ((0, 1),)},
         at=canvas.contrast_drawn,
         bound=Fraction(1, 2),
         quantity="how far the contrast of the exact pictures is from four orders of magnitude, 256², ε = 1e-3",
-        numbers={"on": on, "off": rest, "orders": math.log10(on / rest)},
     )
 
 
@@ -53,7 +47,4 @@ def dark(steps: Sequence[float] = DARK_STEPS) -> Enclosure:
         at=canvas.darkness_alone,
         bound=1,
         quantity="the largest |ΔI| × 100 on A over half a level, all pixels and channels, 256², linear light",
-        numbers={
-            f"at_{step:g}": float(most) / 510 for step, (*_, most) in zip(steps, canvas.darkness(steps), strict=True)
-        },
     )

@@ -392,7 +392,7 @@ function certificate_kernel() {
     }
   }
 
-  return { check, powers, reduced, plus, printed };
+  return { check };
 }
 
 /** Data from its text, which has to be its own canonical form: no key twice, no number that a double rounds. @param {string} text */

@@ -8,9 +8,9 @@ function put_checker(place, buttons, ...parts) {
   place.append(make_element("div", { class: "check-body" }, row, ...parts));
 }
 
-/** A verdict: its word, and what is said of it. @param {"Accepted" | "Accepted all the same" | "Rejected" | "No verdict"} word @param {string} text */
+/** A verdict: its word, and what is said of it. @param {"Accepted" | "Rejected" | "No verdict"} word @param {string} text */
 function verdict_line(word, text) {
-  const look = word.startsWith("Accepted") ? "check-accepted" : "check-rejected"; // whole: else no page has the name
+  const look = word === "Accepted" ? "check-accepted" : "check-rejected"; // whole: else no page has the name
   return make_element("p", { class: look }, make_element("strong", {}, word), text);
 }
 

@@ -207,4 +207,4 @@ async function enliven(figure) {
 }
 
 // Not before each idea's own script has run, which comes after this one.
-document.addEventListener("DOMContentLoaded", () => when_near(find_all(document, "figure.idea"), enliven));
+document.addEventListener("DOMContentLoaded", () => when_near(find_all(document, ".idea"), enliven));

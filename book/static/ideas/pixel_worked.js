@@ -20,7 +20,7 @@ IDEAS.pixel_worked = (stage, module, data) => {
 
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
   const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
-  panel.box.classList.add("idea-picture", "small");
+  panel.box.classList.add("idea-picture");
   const put_pixel = panel.handle("the pixel, column and row", [0, SIZE - 1], set, (right, up) =>
     set(column + right, row - up)
   );

@@ -7,11 +7,12 @@ function simulator_cursor(root, states, data, module) {
   const facts = find_element(root, ".sim-facts");
   const MOST = 10000n; // floats: past that many, their count says less than the numbers themselves
   const AXES = ["x", "y", "z"];
-  /** @type {{ key: "gradient" | "normal" | "rgb", names: string[] }[]} */
+  /** @type {{ key: "gradient" | "normal" | "rgb" | "slope", names: string[] }[]} */
   const COMPUTED = [
     { key: "gradient", names: ["h<sub>u</sub>", "h<sub>v</sub>"] },
     { key: "normal", names: AXES.map((axis) => `N′<sub>${axis}</sub>`) },
-    { key: "rgb", names: ["red", "green", "blue"] }
+    { key: "rgb", names: ["red", "green", "blue"] },
+    { key: "slope", names: ["∂ red", "∂ green", "∂ blue"] }
   ];
 
   /** Where a float stands among all floats, counted from 0. @param {number} number */
@@ -72,8 +73,8 @@ function simulator_cursor(root, states, data, module) {
   /** What they compute, each in its own way. @param {PixelRecord} one @param {PixelRecord} other */
   function compared(one, other) {
     return COMPUTED.flatMap(({ key, names }) =>
-      (one[key] ?? []).map((a, n) => {
-        const b = /** @type {number[]} */ (other[key])[n];
+      (other[key] ?? []).map((b, n) => {
+        const a = /** @type {number[]} */ (one[key])[n];
         const cells = [marked(a, b), marked(b, a), distance(a, b)].map((text) => `<td>${text}</td>`);
         return `<tr><th scope="row">${names[n]}</th>${cells.join("")}</tr>`;
       })

@@ -175,15 +175,6 @@ function simulator_curve(root, module) {
     return [`ε = ${scientific(eps, 1)}`, ...sizes].join(" · ");
   }
 
-  /** @param {Lines} pixel @param {Map<number, PicturePoint>} picture */
-  function csv({ numeric, bound }, picture) {
-    const rows = FINE.map((eps, n) => {
-      const at = picture.get(eps);
-      return [eps, numeric?.[n].size, bound?.[n].size, at?.size, at?.max].join();
-    });
-    return `${["step,gradient_error_at_cursor,bound,rms_on_a,max_on_a", ...rows].join("\n")}\n`;
-  }
-
   // The plot as a picture of its own: what the style sheet says is written into it.
   function picture() {
     const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
@@ -216,5 +207,5 @@ function simulator_curve(root, module) {
     pointer.hidden = true;
     reading.textContent = at_rest;
   });
-  return { COARSE, at_pixel, show, mark, csv, picture };
+  return { COARSE, at_pixel, show, mark, picture };
 }

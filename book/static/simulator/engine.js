@@ -29,6 +29,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
   let resting = 0; // workers that have something to do
   let refined = ""; // the raster that the workers were last asked for
   let is_on = false;
+  let end = 0; // of the scale of slopes, as the page has drawn them: of all bands
   /** @type {Drawer} */
   const page = { postMessage: simulator_worker((reply) => receive(reply, page)), terminate() {} };
   page.postMessage({ kind: "begin", data, compiled });
@@ -118,7 +119,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     waiting = { id: ++id, state, asked: performance.now(), replies: [] };
     for (const [n, band] of bands.entries()) {
       const part = { raster: refined, bands: bands.length, begin: band.top - bands[0].top };
-      drawers[n].postMessage({ kind: "draw", id, state, band, part });
+      drawers[n].postMessage({ kind: "draw", id, state, band, part, end: drawers[n] === page ? 0 : end });
     }
   }
 
@@ -130,6 +131,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     const { state, asked, replies } = waiting;
     if (reply.id !== waiting.id || replies.push(reply) < reply.part.bands) return;
     clearTimeout(timer);
+    end = reply.end;
     const is_whole = reply.band.wide === state.size;
     handlers.drawn(state, replies, asked, drawer === page, is_whole);
     timer = setTimeout(go_on, AFTER, state, is_whole);
@@ -142,7 +144,7 @@ function simulator_engine(data, compiled, states, module, handlers) {
     send(state, workers, bands_of(state));
   }
 
-  /** Idle work is reported when all have done that piece of it. @param {Counted | Followed | Timed} reply */
+  /** Idle work is reported when all have done that piece of it. @param {Counted | Followed} reply */
   function found(reply) {
     if (reply.id !== id) return;
     const piece = `${reply.kind} ${reply.index}`;

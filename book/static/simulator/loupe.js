@@ -41,13 +41,7 @@ function simulator_loupe(root, states, data, module, act) {
       high: SIDE
     };
     const stage = module.make_stage(state, raster);
-    colors = Object.entries(module.methods_of(state)).map(([name, method]) => {
-      const planes = module.render(state, method, stage, name);
-      module.paint("paint_colors", stage, name, { whole: true });
-      return planes;
-    });
-    const pair = { whole: true, of: "numeric", other: "symbolic", table: "sizes", palette: "inferno" };
-    module.paint("paint_difference_logarithmic", stage, "difference", pair);
+    colors = module.draw_pair(state, module.methods_of(state), stage);
     for (const [n, name] of NAMES.entries()) {
       const image = new ImageData(module.bytes(stage, name, [0, SIDE]), SIDE);
       canvas.getContext("2d")?.putImageData(image, APART * n, 0);

@@ -29,6 +29,23 @@ async function simulator_module(data, ...programs) {
   const ANGLES = ["cos_theta", "sin_theta", "cos_phi", "sin_phi"];
   const CHART = ["u", "v"];
   const EXACT = { name: "exact" };
+  /** Of a difference of pictures: how many steps away each is, and its weight. @type {Record<string, number[][]>} */
+  const STEPS = {
+    central: [
+      [1, 1 / 2],
+      [-1, -1 / 2]
+    ],
+    forward: [
+      [1, 1],
+      [0, -1]
+    ],
+    central4: [
+      [1, 2 / 3],
+      [-1, -2 / 3],
+      [2, -1 / 12],
+      [-2, 1 / 12]
+    ]
+  };
   const PAGE = 2 ** 16;
   const CHUNK = 512;
   const MOST_COLUMNS = Math.max(...Object.values(data.kernels).map(([taken, made]) => taken + made));
@@ -49,7 +66,7 @@ async function simulator_module(data, ...programs) {
   /** @param {number} address @param {number} length */
   const integers = (address, length) => new BigInt64Array(memory.buffer, address, length);
 
-  const arguments_at = reserve(8 * Math.max(data.arguments.length, data.painting.length, 1 + MOST_COLUMNS));
+  const arguments_at = reserve(8 * Math.max(data.sloped.length, data.painting.length, 1 + MOST_COLUMNS));
   const counts_at = reserve(8 * data.counts);
   const scene_at = reserve(8 * Object.values(data.scenes)[0].scene.length);
   const lights_at = reserve(8 * data.light_size * data.scene.lights.length);
@@ -184,7 +201,7 @@ async function simulator_module(data, ...programs) {
    * @param {SceneState} state
    * @param {Method} method
    */
-  function numbers_of(state, { name, eps = 0 }) {
+  function numbers_of(state, { name, eps = 0, way: given }) {
     const { ku, kv, beta } = state;
     const is_exact = name === "exact";
     const powers = is_exact ? algebraic_powers(state) : null;
@@ -192,7 +209,7 @@ async function simulator_module(data, ...programs) {
     const way = is_exact ? (powers ? "algebraic" : "general") : name;
     const { index, power } = data.models[state.model];
     const changed = {
-      way: data.fields[state.field]?.ways[beta === 0 ? "flat" : way] ?? 0,
+      way: given ?? data.fields[state.field]?.ways[beta === 0 ? "flat" : way] ?? 0,
       model: index,
       power,
       ku,
@@ -244,7 +261,7 @@ async function simulator_module(data, ...programs) {
       light_count: lights.length,
       counts: counts_at
     };
-    call(what, in_order(data.arguments, given));
+    call(what, in_order(what === "draw_sloped" ? data.sloped : data.arguments, given));
   }
 
   /** What a drawing or a painting is told of the rows: all of them, or where A is. @param {Ground} stage */
@@ -371,13 +388,17 @@ async function simulator_module(data, ...programs) {
   }
 
   /**
-   * Put numbers of A's pixels, one after another, into the plane of what is viewed; 0 elsewhere.
+   * Put numbers of A's pixels, one after another, into the plane of what is viewed, 0 elsewhere; or those of all pixels.
    * @param {Stage} stage
    * @param {Float64Array} values
    */
-  function fill(stage, values) {
+  function fill(stage, values, whole = false) {
     const plane = plane_at(stage, place(stage, "view", "plane")).fill(0);
-    for (let n = 0; n < stage.at.length; n++) plane[stage.at[n]] = values[n];
+    const { pitch, raster, at } = stage;
+    if (whole)
+      for (let i = 0; i < values.length; i++)
+        plane[i + Math.floor(i / raster.wide) * (pitch - raster.wide)] = values[i];
+    else for (let n = 0; n < at.length; n++) plane[at[n]] = values[n];
   }
 
   /** A view of the painted bytes of some rows. @param {Stage} stage @param {string} name @param {[number, number]} rows */
@@ -473,6 +494,23 @@ async function simulator_module(data, ...programs) {
     return colors_of(stage, name);
   }
 
+  /**
+   * Draw and paint whole pictures by two methods, and their difference; return the colours of both.
+   * @param {SceneState} state
+   * @param {Record<string, Method>} methods
+   * @param {Stage} stage
+   */
+  function draw_pair(state, methods, stage) {
+    const colors = Object.entries(methods).map(([name, method]) => {
+      const planes = render(state, method, stage, name);
+      paint("paint_colors", stage, name, { whole: true });
+      return planes;
+    });
+    const pair = { whole: true, of: "numeric", other: "symbolic", table: "sizes", palette: "inferno" };
+    paint("paint_difference_logarithmic", stage, "difference", pair);
+    return colors;
+  }
+
   /** The colours of a name, three planes. @param {Stage} stage @param {string} name */
   const colors_of = (stage, name) => COLORS.map((color) => rows(plane_at(stage, place(stage, name, color)), stage));
 
@@ -515,6 +553,48 @@ async function simulator_module(data, ...programs) {
       bounds: colors_of(stage, "bound"),
       open: rows(new Uint8Array(memory.buffer, open, stage.pitch * high), stage)
     };
+  }
+
+  /**
+   * The slope of every colour of a picture by the number that is viewed: exactly, or by a difference of whole pictures.
+   * Three planes; null by k_u of the reader's own field.
+   * @param {State} state
+   * @param {Stage} stage
+   * @param {Method} method
+   */
+  function picture_slopes(state, stage, method) {
+    const by_ku = state.view === "by_ku";
+    if (method.name !== EXACT.name) return difference_of_pictures(state, stage, method);
+    if (by_ku && state.field === "own") return null;
+    draw_a({ ...state, beta: 1 }, EXACT, stage, "gradient");
+    const views = Object.keys(data.by);
+    const planes = views.flatMap((view, n) =>
+      COLORS.map((color) => [`${color}_slope_${n}`, place(stage, view === state.view ? "slope" : "unseen", color)])
+    );
+    const way = by_ku ? data.fields[state.field].sloped : Object.keys(data.fields).length;
+    const into = { ...target(stage, "gradient"), ...Object.fromEntries(planes) };
+    draw("draw_sloped", state, { ...EXACT, way }, stage, into);
+    return colors_of(stage, "slope");
+  }
+
+  /** @param {State} state @param {Stage} stage @param {Method} method */
+  function difference_of_pictures(state, stage, { name, eps = 0 }) {
+    const code = stage.addresses.code_again;
+    const number = state.view.slice(3);
+    const [x, y, z] = state.lamp;
+    /** @type {Float64Array[]} */
+    let sums = [];
+    for (const [steps, weight] of STEPS[name]) {
+      const step = steps * eps;
+      const beside = { ...state, [number]: number === "lamp" ? [x + step, y, z] : state[number] + step };
+      chambers_of(beside, stage, code);
+      draw("draw_elsewhere", beside, EXACT, stage, { ...target(stage, "beside"), code });
+      draw_a(beside, EXACT, stage, "beside", { code });
+      sums = colors_of(stage, "beside").map((plane, c) =>
+        plane.map((color, i) => (sums[c]?.[i] ?? 0) + weight * color)
+      );
+    }
+    return sums.map((plane) => plane.map((sum) => sum / eps));
   }
 
   /** @param {Ground} stage @param {number} address */
@@ -603,7 +683,8 @@ async function simulator_module(data, ...programs) {
     const stage = stage_of_pixel(state, raster);
     const surface = ["none", "A", "B", "floor"][stage.codes[0] & SURFACE];
     const rgb = render(state, method, stage).map(first_of);
-    const record = { column: state.column, row: state.row, surface, rgb };
+    const slope = state.view in data.by && picture_slopes(state, stage, method)?.map(first_of);
+    const record = { column: state.column, row: state.row, surface, rgb, ...(slope && { slope }) };
     if (surface === "none") return record;
     if (surface === "A") return { ...record, ...record_on_a(state, method, stage) };
     const [x, y] = image_points(stage.raster).map(first_of);
@@ -656,10 +737,12 @@ async function simulator_module(data, ...programs) {
     draw_a,
     draw_elsewhere,
     draw_bounded,
+    picture_slopes,
     paint,
     fill,
     bytes,
     render,
+    draw_pair,
     chart: points_of_a,
     own_of,
     kinks,

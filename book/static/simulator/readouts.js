@@ -1,4 +1,4 @@
-// The numbers and words beside the pictures: how far apart they are, flips, times, captions, the scale's bar.
+// The numbers and words beside the pictures: how far apart they are, flips, captions, the scale's bar.
 "use strict";
 
 /** @param {HTMLElement} root @param {SimulatorData} data @param {SimulatorModule} module */
@@ -10,10 +10,7 @@ function simulator_readouts(root, data, module) {
     const place = $(selector);
     if (place.textContent !== text) place.textContent = text; // else some screen readers say it again
   }
-  const ENOUGH = 8;
-  const SPREAD = 0.25; // times are shown when so many agree so far
-  /** @type {Record<string, number[]>} */
-  let times = {};
+  let end = 0; // of the scale of slopes
 
   /** @param {number} x */
   const number = (x) => (x === 0 ? "0" : scientific(x, 2));
@@ -28,8 +25,10 @@ function simulator_readouts(root, data, module) {
    * The largest difference, and the root mean square: about, while a coarser picture stands for the one that is asked for.
    * @param {{ count: number, max: number, size: number }} found
    * @param {boolean} is_whole
+   * @param {number} most of the slopes that are shown
    */
-  function apart({ count, max, size }, is_whole) {
+  function apart({ count, max, size }, is_whole, most) {
+    end = most;
     for (const [name, one] of Object.entries({ max, rms: size }))
       put(`[data-readout=${name}]`, count ? `${is_whole ? "" : "≈ "}${number(one)}` : "—");
   }
@@ -43,35 +42,12 @@ function simulator_readouts(root, data, module) {
     put("[data-readout=attached]", shares ? shares.join(", ") || "no light is on" : "…");
   }
 
-  function forget_times() {
-    times = { numeric: [], symbolic: [], ratio: [] };
-    for (const name of Object.keys(times)) put(`[data-readout=${name}]`, "…");
-  }
-
-  /** @param {number[]} list */
-  function quartiles(list) {
-    const sorted = list.toSorted((a, b) => a - b);
-    return [0.25, 0.5, 0.75].map((share) => sorted[Math.floor(share * (list.length - 1))]);
-  }
-
-  /**
-   * One more time of either pipeline, in milliseconds. Only what has settled is shown: a median, and the ratio's spread.
-   * @param {number} numeric
-   * @param {number} symbolic
-   */
-  function timed(numeric, symbolic) {
-    for (const [name, time] of Object.entries({ numeric, symbolic, ratio: numeric / symbolic })) times[name].push(time);
-    if (times.ratio.length < ENOUGH || !times.ratio.every(Number.isFinite)) return;
-    const [low, middle, high] = quartiles(times.ratio);
-    if (high - low > SPREAD * middle) return;
-    for (const name of ["numeric", "symbolic"])
-      put(`[data-readout=${name}]`, `${quartiles(times[name])[1].toFixed(1)} ms`);
-    put("[data-readout=ratio]", `${middle.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})`);
-  }
-
   /** @param {State} state */
   function remark(state) {
     const { view, field } = state;
+    if (view === "by_ku" && field === "own")
+      return "The page has no exact slope by k_u of your own h: the picture stands for it.";
+    if (view === "by_lamp" && !state.lights[0]) return "The first light is off: no colour moves with it.";
     if (field === "own") {
       const seam = module.own_of(state)?.has_seam ? "h differs at u = 0 and u = 1: the seam is in both pictures. " : "";
       return `${seam}Of your own h no bound is proved.`;
@@ -93,7 +69,11 @@ function simulator_readouts(root, data, module) {
     name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
     put(".sim-remark", remark(state));
-    $(".sim-legend").hidden = view !== "terms";
+    const legends = view === "terms" ? terms : view in data.by ? slopes() : [];
+    $(".sim-legend").hidden = !legends.length;
+    $(".sim-legend").innerHTML = legends
+      .map(([color, words]) => `<span><i style="background:${color}"></i> ${words}</span>`)
+      .join(" ");
     $("#certified").hidden = view !== "bounds";
   }
 
@@ -113,9 +93,16 @@ function simulator_readouts(root, data, module) {
       $(`[data-picture=${name}] .pixels`).setAttribute("aria-label", `${name}: ${scene}; ${words}`);
   }
 
-  const terms = data.terms.map(
-    (term, n) => `<span><i style="background:${data.term_colours[n + 1]}"></i> ${term}</span>`
-  );
-  $(".sim-legend").innerHTML = terms.join(" ");
-  return { apart, counted, timed, forget_times, captions };
+  const terms = data.terms.map((term, n) => [data.term_colours[n + 1], term]);
+
+  // The ends of a scale of slopes, and its middle.
+  function slopes() {
+    const words = [`≤ −${number(end)}`, "0", `≥ ${number(end)}`];
+    return words.map((word, n) => {
+      const color = data.tables.slopes[Math.round(127.5 * n)];
+      return [`rgb(${[0, 8, 16].map((shift) => (color >> shift) & 255)})`, word];
+    });
+  }
+
+  return { apart, counted, captions };
 }

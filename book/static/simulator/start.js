@@ -30,7 +30,6 @@ function simulator_start(root, compiled, module) {
   let picture_of = "";
   let pixel_of = "";
   let counted_of = "";
-  let timed_of = "";
   let addressed = state;
   let wanted = 0;
   let saved = 0;
@@ -55,7 +54,6 @@ function simulator_start(root, compiled, module) {
   const pixel_key = key_without("eps view scale model lights lamp ball beta");
   const curve_key = key_without("eps view scale column row");
   const chambers_key = key_without("eps view scale column row model method");
-  const times_key = key_without("eps view scale column row beta");
 
   function panels_soon() {
     moved_since ||= performance.now();
@@ -175,14 +173,11 @@ function simulator_start(root, compiled, module) {
     shown_panels = performance.now();
   }
 
-  /** @template {string} Name @param {Record<Name, number>[]} replies @param {Name} name */
-  const largest = (replies, name) => Math.max(...replies.map((reply) => reply[name]));
-
   /** What the workers found of their bands, of all of them. @param {(Drawn | Followed)[]} replies */
   function apart(replies) {
     const count = total(replies, (reply) => reply.count);
     const rms = count && Math.sqrt(total(replies, (reply) => reply.squares) / 3 / count);
-    return { count, max: largest(replies, "largest"), size: rms };
+    return { count, max: Math.max(...replies.map(({ largest }) => largest)), size: rms };
   }
 
   /** @type {Handlers} */
@@ -194,11 +189,9 @@ function simulator_start(root, compiled, module) {
       pictures.show(of, by_page);
       pictures.decorate(state);
       const ready = performance.now() - asked;
-      readouts.apart(apart(replies), is_whole);
+      readouts.apart(apart(replies), is_whole, replies[0].end);
       if (is_whole) shown = of;
       if (counted_of !== chambers_key(of)) readouts.counted(null);
-      if (timed_of !== times_key(of)) readouts.forget_times();
-      timed_of = times_key(of);
       requestAnimationFrame(() => {
         frames.push({ ready });
         // Seen first in a frame of its own: what gets its place and is shown in one frame counts as moved.
@@ -223,7 +216,6 @@ function simulator_start(root, compiled, module) {
       picture.set(eps, { eps, ...apart(all), still });
       panels_soon();
     },
-    timed: (all) => readouts.timed(largest(all, "numeric"), largest(all, "symbolic")),
     failed: (why) =>
       say(root, `The browser’s workers draw nothing here (${why}): the page draws alone, and answers more slowly.`)
   };
@@ -269,7 +261,6 @@ function simulator_start(root, compiled, module) {
       act.replace(states.start());
       fit();
     },
-    csv: () => download("u-curve.csv", `data:text/csv,${encodeURIComponent(curve.csv(pixel_curve, picture))}`),
     copy: () => copy(states.python(state), $(".sim-python code")),
     link(_, button) {
       put_into_address();
@@ -375,12 +366,7 @@ function simulator_start(root, compiled, module) {
 async function closer_parts(data, compiled) {
   /** @type {HTMLScriptElement[]} */
   const later = find_all(document, "script[data-later][src]");
-  for (const { src } of later) {
-    await new Promise((onload, onerror) => {
-      const script = make_element("script");
-      document.head.append(Object.assign(script, { src, onload, onerror }));
-    });
-  }
+  for (const { src } of later) await load_script(src);
   const { program, kernels, ...more } = Simulator.closer;
   return [{ ...data, ...more, kernels: { ...data.kernels, ...kernels } }, compiled, await compiled_program(program)];
 }

@@ -2,7 +2,7 @@
 "use strict";
 
 /** @param {HTMLElement} root @param {SimulatorData} data @param {(state: State) => boolean} has_seam */
-function simulator_states(root, { fields, models, scene, record }, has_seam) {
+function simulator_states(root, { fields, models, scene, record, by: numbers }, has_seam) {
   const DECIMAL = /^[\de.+-]+$/i; // the signs of a decimal number, and of no other that Number reads
   /** @type {Record<string, string>} */
   const SIGNS = { eps: "ε", beta: "β" }; // as the page has them
@@ -289,10 +289,13 @@ function simulator_states(root, { fields, models, scene, record }, has_seam) {
     if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
     const [other, by] =
       against === "exact" ? ["", ""] : [against === method ? "" : `${against}, `, `, ${against}(${state.against_eps})`];
+    const is_off = state.view === "by_lamp" && !state.lights[0];
+    const slope = against === "exact" && !is_off && numbers[state.view];
+    const slopes = slope ? `, derivatives=("${slope}",)` : "";
     const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
       `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, ${other}pixel; s = Scene(${given.join(", ")}); ` +
-      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}${by}), sep="\\n")`
+      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}${by}${slopes}), sep="\\n")`
     );
   }
 

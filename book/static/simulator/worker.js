@@ -1,5 +1,5 @@
-// What a worker does, or the page itself: draw and paint a band of rows for a state, tile by tile; when nothing is asked, time
-// both pipelines, count flips, and follow the U-curve of the band. Only what a change touches is computed anew.
+// What a worker does, or the page itself: draw and paint a band of rows for a state, tile by tile; when nothing is asked, count
+// flips, and follow the U-curve of the band. Only what a change touches is computed anew.
 "use strict";
 
 /**
@@ -8,8 +8,8 @@
  * @returns {(task: Task) => void}
  */
 function simulator_worker(post) {
-  const ROUNDS = 12;
   const SIDE = 32; // of a still
+  const MOST = 0.995; // of the pixels lie within the scale of slopes
   const TILE = 2 ** 17; // pixels: some 4 ms of a desktop; the page draws fewer, and at once
   /** @type {Record<string, { key: string, value: any, version: number, fresh: boolean }>} */
   const kept = {};
@@ -89,7 +89,7 @@ function simulator_worker(post) {
   function shown(name, state, stage) {
     const { view, field, ku, kv, eps } = state;
     if (view === "loci" && field === "own") return module.own_creases(state, stage);
-    if (["image", "loci", "bounds"].includes(view)) return null;
+    if (["image", "loci", "bounds", "by_ku"].includes(view)) return null;
     const [u, v] = module.chart(stage);
     if (view === "straddle") return module.straddles(state, module.methods_of(state).numeric, u, v);
     if (view === "kink") return module.kinks(state, module.angles_of(stage)[3], u, v);
@@ -99,8 +99,36 @@ function simulator_worker(post) {
     return bounds ? module.kernel_over(bounds, u, v, ku, kv, eps)[1] : null;
   }
 
-  /** @param {string} name @param {State} state @param {Stage} stage @param {boolean} whole */
-  function paint_view(name, state, stage, whole) {
+  /** How far the colour that moves fastest goes, red, green or blue. @param {Float64Array[]} slopes */
+  function steepest([red, green, blue]) {
+    /** @param {number} a @param {number} b */
+    const further = (a, b) => (Math.abs(b) > Math.abs(a) ? b : a);
+    return red.map((slope, i) => further(further(slope, green[i]), blue[i]));
+  }
+
+  /**
+   * The slopes of the picture that a view has, or null.
+   * @param {string} name @param {State} state @param {Stage} stage
+   * @returns {Float64Array | null}
+   */
+  function slopes_of(name, state, stage) {
+    if (!state.view.startsWith("by_")) return null;
+    const key = [kept.around.version, kept[name].version, state.view];
+    return keep(`slopes ${name}`, key, () => {
+      const planes = module.picture_slopes(state, stage, module.methods_of(state)[name]);
+      return planes && steepest(planes);
+    }).value;
+  }
+
+  /** @param {string} name @param {State} state @param {Stage} stage @param {boolean} whole @param {number} end of the scale of slopes */
+  function paint_view(name, state, stage, whole, end) {
+    const slopes = slopes_of(name, state, stage);
+    if (slopes) {
+      const levels = slopes.map((slope) => Math.max(0, Math.min(Math.floor(128 + (128 * slope) / end), 255)));
+      module.fill(stage, levels, true);
+      module.paint("paint_levels", stage, name, { whole: true, palette: "slopes" });
+      return;
+    }
     const values = shown(name, state, stage);
     if (values) module.fill(stage, values);
     if (values && state.view === "terms") module.paint("paint_levels", stage, name, { whole, palette: "terms" });
@@ -146,7 +174,7 @@ function simulator_worker(post) {
   }
 
   /** @param {DrawTask} task */
-  function* draw({ id, state, band, part }) {
+  function* draw({ id, state, band, part, end: given }) {
     const stage = staged(state, band);
     for (const name of ["numeric", "symbolic"]) yield* draw_anew(name, state, stage);
     const codes = keep("codes", [kept.stage.version]).fresh ? stage.codes.slice() : null;
@@ -171,16 +199,18 @@ function simulator_worker(post) {
       moved.push(bytes.buffer);
     }
 
+    const sizes = slopes_of("symbolic", state, stage)?.map(Math.abs).sort();
+    const end = given || (sizes ? sizes[Math.floor(MOST * sizes.length)] || sizes[sizes.length - 1] || 1 : 0);
     for (const name of ["numeric", "symbolic"]) {
       const by_step = ["straddle", "terms"].includes(state.view) && [state.eps, state.method].join();
-      const around = [kept.around.version, state.view];
-      picture(name, around, [kept[name].version, by_step], (whole) => paint_view(name, state, stage, whole));
+      const around = [kept.around.version, state.view, ...(end ? [kept[name].version, end] : [])];
+      picture(name, around, [kept[name].version, by_step], (whole) => paint_view(name, state, stage, whole, end));
     }
     const pair = [state.scale, kept.numeric.version, kept.symbolic.version];
     picture("difference", [kept.around.version], pair, (whole) => {
       apart = paint_difference(state, stage, whole);
     });
-    post({ kind: "drawn", id, band, part, images, ...apart, count: stage.count, codes }, moved);
+    post({ kind: "drawn", id, band, part, images, ...apart, count: stage.count, codes, end }, moved);
   }
 
   /**
@@ -212,14 +242,6 @@ function simulator_worker(post) {
       module.draw_a(state, { name: state.method, eps }, stage, "spare");
       const sizes = paint_logarithmic(stage, "spare", { other: "symbolic" });
       yield { kind: "followed", id, index, ...sizes, count, still: still_of(state, stage) };
-    }
-    for (let index = 0; index < ROUNDS; index++) {
-      const [numeric, symbolic] = Object.values(module.methods_of(state)).map((method) => {
-        const begin = performance.now();
-        module.draw_a(state, method, stage, "spare"); // drawn again from nothing
-        return performance.now() - begin;
-      });
-      yield { kind: "timed", id, index, numeric, symbolic };
     }
   }
 
