@@ -28,38 +28,26 @@ if TYPE_CHECKING:  # _HOMES, for type checkers
 
 _HOMES = {
     "Frame": "picture.frame",
-    "HeightField": "generate.custom_fields",
-    "Light": "scene.scene",
-    "Scene": "scene.scene",
-    "central": "scene.methods",
-    "central4": "scene.methods",
-    "cospi": "generate.custom_fields",
-    "exact": "scene.methods",
+    "Light Scene": "scene.scene",
+    "central central4 exact forward": "scene.methods",
     "fit": "picture.fit",
-    "forward": "scene.methods",
-    "gradient_at": "shader.gradients",
-    "height_at": "shader.gradients",
-    "k_u": "generate.custom_fields",
-    "k_v": "generate.custom_fields",
+    "gradient_at height_at": "shader.gradients",
     "pixel": "picture.pixel_record",
-    "records": "picture.sweep",
-    "render": "picture.drawing",
-    "sinpi": "generate.custom_fields",
-    "stage_of": "picture.drawing",
-    "sweep": "picture.sweep",
-    "u": "generate.custom_fields",
-    "v": "generate.custom_fields",
+    "records sweep": "picture.sweep",
+    "render stage_of": "picture.drawing",
+    "HeightField cospi k_u k_v sinpi u v": "generate.custom_fields",
     "__version__": "version",
 }
-__all__ = [n for n, home in _HOMES.items() if home not in ("generate.custom_fields", "version")]  # none imports SymPy
+_HOME = {name: home for names, home in _HOMES.items() for name in names.split()}
+__all__ = [n for n, home in _HOME.items() if home not in ("generate.custom_fields", "version")]  # none imports SymPy
 
 
 if not TYPE_CHECKING:  # whose own list it would hide
 
     def __getattr__(name: str) -> Any:
-        if name not in _HOMES:
+        if name not in _HOME:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        value = getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
         globals()[name] = value
         return value
 

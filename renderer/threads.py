@@ -44,6 +44,8 @@ def run_bands(work: Callable[[slice], Any], rows: int, each: int, threads: int |
     for. An error of any of them is raised when all have stopped; after it, or an interrupt, nothing more is begun.
     """
     bands = [slice(start, min(rows, start + each)) for start in range(0, rows, each)]
+    if len(bands) == 1:
+        return [work(*bands)]
     numbered, todo, results, helpers = enumerate(bands), [work], [None] * len(bands), []
 
     def take():

@@ -6,6 +6,7 @@ import shlex
 import sys
 import tomllib
 from dataclasses import fields
+from io import BytesIO
 from unittest.mock import Mock
 
 import numpy as np
@@ -49,8 +50,11 @@ def other_scene():
 def test_image(name, tmp_path, capsys):
     """With every option of the scene; a picture that is drawn whole with its bounds."""
     target, (scene, options) = tmp_path / name, other_scene()
+    samples = 1 + (name == "a.npz")
+    options += [f"--samples {samples}"] * (samples > 1)
     options += ["--width 20 --height 10 --crop 5,2,10,6 --threads 1 --gradient central --eps 1e-2 --out", str(target)]
-    frame, told = render(scene, 20, 10, central(1e-2), (5, 2, 10, 6), bounds=True), f"wrote {target}: 10 x 6 pixels\n"
+    frame = render(scene, 20, 10, central(1e-2), (5, 2, 10, 6), bounds=True, samples=samples)
+    told = f"wrote {target}: 10 x 6 pixels\n"
     is_whole = name in ("a.PNG", "a.npz")
     if is_whole:
         options += ["--bounds", str(tmp_path / "b.npz")]
@@ -65,13 +69,15 @@ def test_image(name, tmp_path, capsys):
         assert (arrays["bounds"] == frame.bounds).all() and (arrays["open"] == frame.open).all()
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.npy", "a.npz"])
-def test_a_slope(name, tmp_path):
+@pytest.mark.parametrize("name", ["a.png", "a.tif", "-", "a.npy", "a.npz"])
+def test_a_slope(name, tmp_path, capfdbinary):
     """A picture beside its scale, or the numbers."""
     target, slope = tmp_path / name, render(Scene(), 20, 20, derivatives=["beta"]).derivatives["beta"]
-    assert run("image", "--by", "beta", "--size", 20, "--out", target) == 0
-    if name == "a.png":
-        assert (np.asarray(Image.open(target))[:20, :20] == views.derivative_view(slope, "beta")[:20, :20]).all()
+    assert run("image", "--by", "beta", "--size", 20, "--out", name if name == "-" else target) == 0
+    shown = {"a.png": target, "a.tif": target, "-": BytesIO(capfdbinary.readouterr().out)}
+    if name in shown:
+        picture = np.asarray(Image.open(shown[name]))
+        assert (picture[:20, :20] == views.derivative_view(slope, "beta")[:20, :20]).all()
     else:
         kept = np.load(target)
         assert ((kept if name == "a.npy" else kept["derivative_beta"]) == slope).all()
@@ -150,7 +156,9 @@ REFUSED = {
         "--out a.npy --linear float32": "linear = 'float32' is not allowed: given with a .tif",
         "--linear float16": "linear = 'float16' is not allowed: one of 'float32', 'float64'",
         "--by beta,ku": "by = 'beta,ku' is not allowed: several numbers for a .npz, one for",
-        "--by lights[7].color[0]": "name = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
+        "--samples 17": "samples = 17 is not allowed: a whole number from 1 to 16",
+        "--again a.png --samples 2": "again = 'a.png' is not allowed: no --samples beside it",
+        "--by lights[7].color[0]": "derivatives = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
         "--by ball_radius --no-ball": "derivatives = 'ball_radius' is not allowed: no number of ball, which is off",
         "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
         "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",

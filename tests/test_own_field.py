@@ -21,6 +21,7 @@ from renderer import (
     central,
     central4,
     exact,
+    fit,
     forward,
     gradient_at,
     height_at,
@@ -199,6 +200,13 @@ NO_FIELDS = {
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
     "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),
+    "derivatives = 'a' is not allowed: a parameter outside abs, max and": lambda: render(
+        Scene(field=HeightField("moving", "max(0, sin(8*pi*u) - a)", a=0.5)), 8, 8, derivatives=["a"]
+    ),
+    "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
+    "parameter = 'A' is not allowed": lambda: HeightField("x", "v", A=1),
+    "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
+    "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
     "number that no float64": lambda: HeightField("vanishing", v / 10**400),
 }
 """{how it is said: what is made}, beside the files of tests/test_again.py."""
@@ -224,6 +232,56 @@ def test_a_field_is_kept_by_its_formula():
     assert first == again != edited == renamed
     assert scenes[0] == scenes[2] != scenes[1] != scenes[3]
     assert Scene(field=replace(HEIGHT_FIELDS["rings"])) == Scene(field="rings")
+
+
+SAME = {
+    ("a*sin(8*pi*u)*sin(4*pi*v)", "a", 0.3): ("beta", 0.35),
+    ("sin(a*pi*u)*sin(k_v*pi*v)", "a", 8.0): ("ku", 8.0),
+    ("abs(sin(6*pi*u))*a + abs(sin(4*pi*v))*a", "a", -2.0): ("beta", 0.35),
+}
+"""{(formula, its parameter, its number): the scene's number by which the picture moves as it does, in relation}"""
+
+
+@pytest.mark.parametrize("case", SAME)
+@pytest.mark.parametrize("method", [exact(), central(1e-3)], ids=lambda method: method.name)
+def test_a_slope_by_a_parameter_is_that_by_a_number_of_the_scene(case, method):
+    """a ∂I/∂a = β ∂I/∂β and its like, within the bounds of both; the picture is that of the number in the formula."""
+    (text, name, number), (other, usual) = case, SAME[case]
+    scene = Scene(field=HeightField("moved", text, True, **{name: number}), ku=8.0)
+    twin = replace(
+        scene, field=HeightField("moved", re.sub(r"\ba\b", "k_u" if other == "ku" else f"({number})", text), True)
+    )
+    with drawn_by(numpy_rows.drawer):
+        frames = [render(s, 24, 16, method, bounds=True, derivatives=[n]) for s, n in ((scene, name), (twin, other))]
+        plain = render(scene, 24, 16, method)
+    slopes, bounds = ([getattr(f, w) for f in frames] for w in ("derivatives", "derivative_bounds"))
+    size = abs(number / usual)
+    apart = abs(slopes[0][name] * number / usual - slopes[1][other])
+    assert (apart <= (bounds[0][name] * size + bounds[1][other]) * (1 + 1e-15) + 1e-15 * abs(slopes[1][other])).all()
+    assert np.isfinite(bounds[0][name]).all() and abs(slopes[0][name]).max() > 0.1
+    assert (frames[0].rgb == plain.rgb).all() and not frames[0].moves_boundaries
+    assert frames[0].work["slopes"][name] == plain.work["pixels_a"]
+
+
+def test_a_parameter_is_drawn_by_llvm_kept_in_a_file_and_found_again(tmp_path):
+    """Beside other slopes: a flat bump has one by what makes it none."""
+    fields = [
+        HeightField("hills", "a*sin(8*pi*u) + sin(6*pi*v + b)", **n)
+        for n in ({"a": 0.5, "b": 0.1}, {"a": 0.45, "b": 0.12})
+    ]
+    scene, start = (Scene(field=field) for field in fields)
+    names = ["ku", "a", "beta", "b"]
+    by_llvm = render(scene, 40, 30, derivatives=names, bounds=True)
+    with drawn_by(numpy_rows.drawer):
+        assert differing(held(by_llvm), held(render(scene, 40, 30, derivatives=names, bounds=True))) == []
+        flat = replace(scene, field=HeightField("flat", "a*sin(8*pi*u)", a=0))
+        assert abs(render(flat, 8, 8, derivatives=["a"]).derivatives["a"]).max() > 0.1
+        found = fit(start, render(scene, 32, 32), ["a", "b"])
+    assert [found.scene.number(name) for name in "ab"] == pytest.approx([0.5, 0.1], rel=1e-9)
+    by_llvm.save(tmp_path / "a.npz")
+    scene.to_file(tmp_path / "a.toml")
+    assert record.read(tmp_path / "a.npz")[0].scene == Scene.from_file(tmp_path / "a.toml") == scene
+    assert (np.load(tmp_path / "a.npz")["derivative_a"] == by_llvm.derivatives["a"]).all()
 
 
 def test_no_constant_is_further_off_than_it_says():

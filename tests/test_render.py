@@ -3,15 +3,16 @@
 import math
 import re
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from renderer import Light, Scene, exact, gradient_at, height_at, pixel, render, stage_of
+from renderer import Light, Scene, central, exact, fit, gradient_at, height_at, pixel, render, stage_of
 from renderer.machines import native, numpy_rows
-from renderer.picture import views
+from renderer.picture import drawing, stage as memory, views
 from renderer.picture.differences import difference_on_a, distance_on_a
 from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
@@ -19,7 +20,7 @@ from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
 from tests.test_machines import drawn_by
 
-DEFAULT = Scene()
+DEFAULT, SINE = Scene(), Scene(field="sine")
 PLANES = ("rgb", "chambers", "kink", "slope", "straddling")
 BUMP = ("field", "ku", "kv", "beta")
 SHADING = ("model", "ambient", "albedo_a", "albedo_b", "ka", "kd", "ks", "shininess", "floor_tint")
@@ -38,7 +39,9 @@ def test_shapes_and_types():
 
 def with_parts(scene, parts, names):
     """Return a scene with some of the parts that are given by name."""
-    return replace(scene, **{name: parts[name] for name in names})
+    values = {name: parts[name] for name in names}
+    most = 1e80 * scene.radius if scene.bump == "surface" else 1e100
+    return replace(scene, **values | {"beta": max(-most, min(values["beta"], most))})
 
 
 @pytest.mark.parametrize("drawer", [native.drawer, numpy_rows.drawer])
@@ -60,6 +63,19 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
                 assert "is not allowed: another frame has been drawn into it" in rejection(gone)
 
 
+def test_memory_waits_for_the_next_picture_up_to_a_size_and_is_given_back():
+    memory.give_back()
+    places = [render(DEFAULT, 64, 48, derivatives=["beta", "kd"]).planes.ctypes.data for _ in range(2)]
+    assert places[0] == places[1] and len(memory._spare) == 2
+    for sizes, kept in (([27] * 5, [27] * 3), ([28, 27, 28], [28]), ([27, 30], [27]), ([29, 27], [27])):
+        blocks = [memory.lent((1, 2**size // 8)) for size in sizes]  # nothing is written, so that the system gives none
+        while blocks:
+            del blocks[0]
+        assert [block.nbytes for block in memory._spare][-len(kept) :] == [2**size for size in kept]
+        memory.give_back()
+    assert not memory._spare
+
+
 def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_crop():
     red, off = (tuple(Light(light.position, colour) for light in DEFAULT.lights) for colour in ((1, 0, 0), None))
     coloured = replace(DEFAULT, lights=red)
@@ -69,8 +85,43 @@ def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_cro
     for stage in (*stages, stage_of(DEFAULT, 16, 17), stage_of(DEFAULT, 16, 16, (8, 8, 4, 4))):
         assert rejection(render, DEFAULT, 16, 16, stage=stage).startswith("stage = ")
     frame = render(DEFAULT, 16, 16)
-    for scene, stage in ((DEFAULT, None), (Scene(ka=0.5), frame.stage)):  # nor a frame of another stage or shading
-        assert rejection(render, scene, 16, 16, into=frame, stage=stage).startswith("into = ")
+    mean = render(DEFAULT, 16, 16, samples=2)
+    for scene, stage, into in (  # nor a frame of another stage or shading, nor a mean, of which the rest would stay
+        (DEFAULT, None, frame),
+        (Scene(ka=0.5), frame.stage, frame),
+        (DEFAULT, mean.stage, mean),
+    ):
+        assert rejection(render, scene, 16, 16, into=into, stage=stage).startswith("into = ")
+
+
+@pytest.mark.parametrize(
+    "count, crop, method, by, drawer",
+    [
+        (2, None, exact(), ("eye", "ku"), native.drawer),
+        (3, (3, 2, 7, 9), exact(), ("eye", "ku"), numpy_rows.drawer),
+        (16, (11, 7, 1, 2), central(1e-3), (), native.drawer),
+    ],
+)
+def test_a_mean_of_samples_keeps_their_bounds(count, crop, method, by, drawer, monkeypatch):
+    """The mean that was rounded is off from the exact mean of the samples by what its bound has more than theirs."""
+    with drawn_by(drawer, 1):
+        drawn = partial(render, SINE, gradient=method, bounds=True, derivatives=by)
+        frame = drawn(17, 13, crop=crop, samples=count)
+        _, _, wide, high = frame.raster.crop
+        fine = drawn(17 * count, 13 * count, crop=tuple(count * n for n in frame.raster.crop))
+        plain = render(SINE, 17, 13, method, crop)
+        assert (frame.chambers == plain.chambers).all() and frame.work["light_terms"] == fine.work["light_terms"]
+        monkeypatch.setattr(drawing, "BAND_SAMPLES", 1)
+        again = drawn(17, 13, crop=crop, samples=count, threads=1)
+    blocks = high, count, wide, count
+    assert (frame.open >= fine.open.reshape(blocks).any(axis=(1, 3))).all()
+    pairs = [(each.rgb, each.bounds) for each in (frame, fine, again)]
+    pairs += [(each.derivatives[name], each.derivative_bounds[name]) for name in by for each in (frame, fine, again)]
+    for one, other, same_bits in zip(*[iter(pairs)] * 3, strict=True):
+        assert all(map(np.array_equal, one, same_bits))
+        means = [np.vectorize(Fraction)(each.reshape(*blocks, 3)).sum(axis=(1, 3)) / count**2 for each in other]
+        mean, bound = map(np.vectorize(Fraction), one)
+        assert (abs(mean - means[0]) + means[1] <= bound).all() and (bound <= means[1] * (1 + 1e-9) + 1e-13).all()
 
 
 @pytest.mark.parametrize(
@@ -107,12 +158,21 @@ REFUSED = {
     "frame = Frame(Raster(width=8, height=9": lambda: default() - render(DEFAULT, 8, 9),
     "linear = 'float32' is not allowed: given with a .tif": lambda: default().save("a.png", linear="float32"),
     "derivatives = 'beta' is not allowed: names of the scene's": lambda: default(derivatives="beta"),
-    "name = 'lights[00].position[0]' is not": lambda: default(derivatives=["lights[00].position[0]"]),
-    "name = 7 is not allowed: names": lambda: default(derivatives=[7]),
+    "derivatives = 'lights[00].position[0]' is not": lambda: default(derivatives=["lights[00].position[0]"]),
+    "derivatives = 7 is not allowed: names": lambda: default(derivatives=[7]),
     "form = 'algebraic' is not allowed: general or": lambda: default(exact("algebraic"), derivatives=["ku"]),
     "direction = 'ku' is not allowed: one of 'kv'": lambda: default(derivatives=["kv"]).derivative({"ku": 1}),
-    "name = 'ball' is not": lambda: default(derivatives=["ball"]),
-    "name = 'lights[5].color[0]' is not": lambda: DEFAULT.with_numbers({"lights[5].color[0]": 1}),
+    "derivatives = 'ball' is not": lambda: default(derivatives=["ball"]),
+    "numbers = 'lights[5].color[0]' is not": lambda: DEFAULT.with_numbers({"lights[5].color[0]": 1}),
+    "name = 'nope' is not allowed: names": lambda: DEFAULT.number("nope"),
+    "names = 'nope' is not allowed: names": lambda: fit(DEFAULT, np.zeros((8, 8, 3)), ["nope"]),
+    "samples = 17 is not allowed: a whole number from 1 to 16": lambda: default(samples=17),
+    "samples = 9 is not allowed: a whole number from 1 to 8": lambda: render(DEFAULT, 2**21, 1, samples=9),
+    "samples = 2 is not allowed: 1 beside a stage": lambda: default(samples=2, stage=stage_of(DEFAULT, 8, 8)),
+    "samples = 2 is not allowed: 1 beside": lambda: default(samples=2, into=default()),
+    "derivatives = ('beta', 'ku') is not allowed: one name": lambda: stream(
+        DEFAULT, 8, 8, "a.npy", derivatives=["beta", "ku"]
+    ),
     "path = None is not allowed: a file's name": lambda: default().save(None),
     "out = b'a.npy' is not allowed: a file's name": lambda: stream(DEFAULT, 8, 8, b"a.npy"),
     "steps = 0.001 is not allowed: a sequence of numbers": lambda: sweep(DEFAULT, 8, 8, 1e-3),

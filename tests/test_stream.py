@@ -5,6 +5,7 @@ import signal
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from renderer import Scene, central, render
@@ -28,6 +29,13 @@ def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch)
     frame = render(Scene(), *size, method, crop)
     assert shape == frame.raster.shape and shows(path, frame)
     assert len(bands_drawn) == -(-shape[0] // max(1, 300 // shape[1])) and [*contents(tmp_path)] == ["a.npy"]
+
+
+def test_a_streamed_slope_and_a_mean_of_samples_are_those_of_render(tmp_path, monkeypatch):
+    monkeypatch.setattr(stream, "BAND_PIXELS", 300)
+    path = tmp_path / "a.npy"
+    stream.stream(Scene(), 37, 53, path, derivatives=["beta"], samples=2)
+    assert (np.load(path) == render(Scene(), 37, 53, derivatives=["beta"], samples=2).derivatives["beta"]).all()
 
 
 def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):

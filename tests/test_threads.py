@@ -54,6 +54,15 @@ begun.wait()
 expected = other
 child(lambda: draw("sine"))
 busy.join()""",
+    "in a child that is forked while another thread chooses its code": """
+from renderer.shader import numbers
+begun, style = threading.Event(), numbers.style_of
+numbers.style_of = lambda scene: begun.set() or time.sleep(0.2) or style(scene)
+busy = threading.Thread(target=draw)
+busy.start()
+begun.wait()
+child(draw)
+busy.join()""",
     "in a child that is forked while another thread imports": """
 from renderer import machines
 begun = threading.Event()

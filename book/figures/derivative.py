@@ -8,7 +8,7 @@ from renderer import Scene, exact, fit, render
 from renderer.files.srgb import to_bytes
 from renderer.picture.views import derivative_view, image_view
 
-SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 176, 512
+SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 152, 512
 MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
 OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
 

@@ -88,6 +88,8 @@
   /** @type {{ told: HTMLAnchorElement | null, before: HTMLAnchorElement | null }} */
   const links = { told: null, before: null };
   let is_finger = false;
+  /** @type {Promise<unknown> | undefined} */
+  let known;
 
   /** Show what the card says that a link under the pointer, or with the focus, leads to; else nothing. @param {Event} event */
   async function tell(event) {
@@ -104,7 +106,8 @@
     links.told = link;
     if (!link) return;
     const card = document.querySelector(`${link.hash} > p`)?.cloneNode(true);
-    if (!card) await load_script(src.replace("keyboard", "statements"));
+    if (!card) known ??= load_script(src.replace("keyboard", "statements"));
+    await known;
     if (links.told !== link) return;
     note.replaceChildren(card ?? Statements[link.hash]);
     for (const named of find_all(note, "[id]")) named.removeAttribute("id");

@@ -81,6 +81,7 @@ OF_IMAGE: dict[str, Option] = {
     "--linear": NAME | {"help": "float32 or float64: linear light in such numbers, in a .tif, and not sRGB bytes"},
     "--by": several(NAME)
     | {"help": "draw the slope by a number of the scene instead, such as beta or lights[0].position[2]; several: .npz"},
+    "--samples": WHOLE | {"default": 1, "help": "N² points a pixel, whose mean it is (default: 1)"},
     "--crop": numbers(int, (4,), "LEFT,TOP,WIDTH,HEIGHT", "L,T,W,H") | {"help": "draw this part of the raster alone"},
     **GRADIENT,
     **RASTER,

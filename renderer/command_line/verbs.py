@@ -36,7 +36,7 @@ from renderer.threads import checked_threads
 from renderer.whole_files import checked_target, named
 
 PIPE = "-"
-OF_RASTER = ("size", "width", "height", "crop", "gradient", "eps")  # of a picture's record, beside its scene
+OF_RASTER = ("size", "width", "height", "crop", "samples", "gradient", "eps")  # of a picture's record, beside its scene
 
 
 def draw_image(options: Namespace) -> None:
@@ -49,29 +49,31 @@ def draw_image(options: Namespace) -> None:
     if options.again is not None:
         shot = _drawn_again(options)
     else:
-        shot = Shot(scene_of(options), method_of(options), Raster(*size_of(options, options.size), options.crop))
+        raster = Raster(*size_of(options, options.size), options.crop)
+        shot = Shot(scene_of(options), method_of(options), raster, options.samples)
     picture = shot.scene, shot.raster.width, shot.raster.height
-    more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
     by, suffix = options.by or (), target.suffix.lower()
-    if by and suffix != ".npz" and not (len(by) == 1 and suffix in (".png", ".npy")):
-        raise not_allowed("by", ",".join(by), "several numbers for a .npz, one for a .png or a .npy")
-    if suffix == ".npy" and not by:
+    if len(by) > 1 and suffix != ".npz":
+        raise not_allowed("by", ",".join(by), "several numbers for a .npz, one for another file")
+    more = {"gradient": shot.method, "crop": shot.raster.crop, "threads": options.threads}
+    more |= {"samples": shot.samples, "derivatives": by}
+    if suffix == ".npy":
         if bounds:
             raise not_allowed("bounds", options.bounds, "no --out that is drawn in bands")
         height, width = stream(*picture, target, **more, progress=progress_bar(desc=target.name, unit="band"))
     else:
-        frame = render(*picture, **more, bounds=bounds is not None, derivatives=by)
+        frame = render(*picture, **more, bounds=bounds is not None)
         height, width = frame.raster.shape
+        shown = None
         if by and suffix != ".npz":
             (slope,) = frame.derivatives.values()
-            if suffix == ".npy":
-                files.write_npy(target, slope.shape[:2], [slope])
-            else:
-                files.write_png(target, views.derivative_view(slope, *by))
-        elif options.out == PIPE:
-            sys.stdout.buffer.write(frame.to_png())
-        else:
+            shown = slope.astype(options.linear) if options.linear else views.derivative_view(slope, *by)
+        if options.out == PIPE:
+            sys.stdout.buffer.write(frame.to_png() if shown is None else files.png_of(shown))
+        elif shown is None:
             frame.save(target, options.linear)
+        else:
+            (files.write_tiff if suffix in files.TIFF else files.write_png)(target, shown)
     told = sys.stderr if options.out == PIPE else sys.stdout
     print(f"wrote {target}: {width} x {height} pixels", file=told)
     if bounds:

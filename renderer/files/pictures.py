@@ -29,7 +29,7 @@ BAND = 2**19  # bytes that are filtered and deflated at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
-FAIR = 0.87  # in noise a slower way has to be shorter than this share of a quicker one
+FAIR = 0.87  # a slower way has to be shorter than this share of a quicker one
 
 
 def _filter(image, start, lines):
@@ -71,13 +71,13 @@ def _way(lines):
     for size in (LOOK, SAMPLE):
         sample = lines.reshape(-1)[middle : middle + size]
         runs, search = (len(_deflate(sample, way)) / len(sample) for way in (RUNS, QUICK))
-        if noise := runs > 0.5:
+        if runs > 0.5:  # noise
             break
     if search < runs / 4:
         return DEEP
     if min(runs, search) > FAIR:
         return STORED
-    return RUNS if runs * (FAIR if noise else 1) < search else SEARCH
+    return RUNS if runs * FAIR < search else SEARCH
 
 
 def _chunk(kind, data):

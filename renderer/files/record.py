@@ -30,7 +30,8 @@ def text_of(shot: Shot) -> str:
     except ValueError:
         return ""
     made_by = {"version": __version__, "machine": machine().NAME}
-    return json.dumps(made_by | asdict(shot.raster) | {"gradient": asdict(shot.method), "scene": scene})
+    samples = {"samples": shot.samples} if shot.samples > 1 else {}
+    return json.dumps(made_by | asdict(shot.raster) | samples | {"gradient": asdict(shot.method), "scene": scene})
 
 
 def read(path: str | Path) -> tuple[Shot, str, str]:
@@ -50,7 +51,7 @@ def read(path: str | Path) -> tuple[Shot, str, str]:
         if len(text) > LARGEST:
             raise ValueError(f"a text of more than {LARGEST} bytes")
         record = read_json(text)
-        if check_kind("record", record, dict).keys() != NAMES:
+        if check_kind("record", record, dict).keys() - {"samples"} != NAMES:
             raise ValueError("other names than a record has")
         if check_kind("gradient", record["gradient"], dict).keys() != {"name", "eps", "form"}:
             raise ValueError("other names than a gradient has")
@@ -58,7 +59,8 @@ def read(path: str | Path) -> tuple[Shot, str, str]:
         if not all(isinstance(name, str) and len(name) < 100 and name.isprintable() for name in made_by):
             raise ValueError("no version and machine")
         raster = Raster(record["width"], record["height"], record["crop"])
-        return Shot(Scene.from_record(record["scene"]), GradientMethod(**record["gradient"]), raster), *made_by
+        scene, samples = Scene.from_record(record["scene"]), record.get("samples", 1)
+        return Shot(scene, GradientMethod(**record["gradient"]), raster, samples), *made_by
 
 
 def _of_png(path):

@@ -3,11 +3,12 @@
 They alone let SymPy and the proofs be imported where something is drawn.
 """
 
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, Rational, Symbol, diff
 
 from proofs.engine.half_turns import cospi as cospi, sinpi as sinpi
 from proofs.engine.program import put
@@ -16,42 +17,73 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.symbols import k_u as k_u, k_v as k_v, u as u, v as v
 from proofs.printers.python import print_function
 from proofs.printers.text import check_operations
-from renderer.checks import check_kind, not_allowed
+from renderer.checks import check_kind, check_number, not_allowed
 from renderer.generate import programs
 from renderer.generate.custom_printer import OwnPrinter, exact_waves, made
 from renderer.generate.kernels import field_entry
-from renderer.generate.reader import as_spelled, expression_text, parse_expression
+from renderer.generate.reader import NAMES, OF_FIELDS, as_spelled, expression_text, parse_expression
 
 _HIGHEST, _STEEPEST = 1e103, 1e143  # β times a height, or a slope: over a step of 1e-40, squared, it is a float64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class HeightField(height_fields.HeightField):
     """A height field, by its formula as it comes to mind: an expression of SymPy, or a text.
 
     name: identifier. expression: h in u, v, k_u, k_v, by any symbols of these names. seam: whether h may differ at
-    u = 0 and u = 1 where k_u is even and k_v whole. Raises ValueError where the name or the formula is not allowed.
+    u = 0 and u = 1 where k_u is even and k_v whole. parameters: numbers by their names in the formula, by which a
+    picture has slopes too. Raises ValueError where the name or the formula is not allowed.
 
     >>> from renderer import HeightField
     >>> HeightField("dunes", "0.1*sin(8*pi*u)^2").expression
     sinpi(8*u)**2/10
+    >>> HeightField("dunes", "a*sin(8*pi*u)", a=0.3).expression
+    3*sinpi(8*u)/10
     """
 
     expression: Any
+    form: Any = field(default=None, init=False, repr=False)
+    parameters: tuple[tuple[str, float], ...] = field(default=(), init=False, repr=False)
 
-    def __post_init__(self):
-        if isinstance(self.expression, str):
-            put(self, expression=parse_expression(self.expression))
-            check_operations("field", self.name, [self.expression] * 2)  # slopes take as many or more, and long
-        elif isinstance(self.expression, Expr):
-            put(self, expression=as_spelled(self.expression))
+    def __init__(self, name: str, expression: Any, seam: bool = False, **parameters: float):
+        put(self, name=name, expression=expression, seam=seam, form=expression)
+        names = NAMES | {each: _symbol(each) for each in parameters}
+        put(self, parameters=tuple((each, check_number(each, number)) for each, number in parameters.items()))
+        if isinstance(expression, str):
+            put(self, form=parse_expression(expression, names=names))
+            check_operations("field", self.name, [self.form] * 2)  # slopes take as many or more, and long
+        elif isinstance(expression, Expr):
+            put(self, form=as_spelled(expression, names))
         else:
             wall = "heights in an array have no formula, and what that costs is told on the page Two frontiers, priced"
             raise self._refused(f"an expression of SymPy, or its text; {wall}")
+        put(self, expression=self.of_numbers(self.form))
         try:
             super().__post_init__()
         except RecursionError:
             raise not_allowed("field", self.name, "a formula that is nested less deep") from None
+
+    def of_numbers(self, form: Expr) -> Expr:
+        """Return a formula with the numbers of the parameters in it."""
+        return form.xreplace({_symbol(name): Rational(repr(number)) for name, number in self.parameters})
+
+    def with_parameter(self, name: str, number: float) -> "HeightField":
+        """Return the field with another number of a parameter."""
+        return HeightField(self.name, self.form, self.seam, **dict(self.parameters) | {name: number})
+
+    def by(self, name: str) -> height_fields.HeightField:
+        """Return the slope of the height by a parameter, as a field. Raises ValueError where a crease would move."""
+        symbol = _symbol(name)
+        if any(choice.has(symbol) for choice in self.form.atoms(*height_fields._CHOICES)):
+            raise not_allowed("derivatives", name, f"a parameter outside abs, max and the other choices of '{self}'")
+        return height_fields.HeightField(f"{self.name}_by_{name}", self.of_numbers(diff(self.form, symbol)), True)
+
+
+def _symbol(name):
+    """Return the symbol of a parameter. Raises ValueError on a name that is another's."""
+    if name in {*NAMES, "pi"} or not re.fullmatch("[a-z][a-z_]*", name):
+        raise not_allowed("parameter", name, f"a name of small letters, but {', '.join(NAMES)}, pi")
+    return Symbol(name, real=True)
 
 
 def made_field(field: height_fields.HeightField) -> str | height_fields.HeightField:
@@ -96,30 +128,35 @@ def check_size(field: HeightField, ku: float, kv: float, beta: float, steeper: f
 
 def as_record(field: HeightField) -> dict[str, Any]:
     """Return a field as a record for JSON. Raises ValueError where it has no text."""
-    return {"name": field.name, "expression": _text_of(field)} | ({"seam": True} if field.seam else {})
+    numbers = {"parameters": dict(parameters)} if (parameters := getattr(field, "parameters", ())) else {}
+    return {"name": field.name, "expression": _text_of(field)} | ({"seam": True} if field.seam else {}) | numbers
 
 
 @cache
 def _text_of(field):
     """Return the text of a field's expression. Raises ValueError where none is read as it."""
     check_operations("field", field.name, [field.expression, *field.gradient()])
-    return expression_text(field.expression)
+    names = {name: _symbol(name) for name, _ in getattr(field, "parameters", ())}
+    return expression_text(getattr(field, "form", field.expression), names=OF_FIELDS | names)
 
 
 def from_record(record: dict[str, Any]) -> HeightField:
-    """Return the field of a record: {"name": …, "expression": its text, "seam": whether it has one}.
+    """Return the field of a record: {"name": …, "expression": its text, "seam": whether it has one, "parameters": {}}.
 
     Raises ValueError on anything else.
     """
     for key in record:
-        if key not in ("name", "expression", "seam"):
-            raise not_allowed("field", key, "the parts name, expression, seam")
+        if key not in ("name", "expression", "seam", "parameters"):
+            raise not_allowed("field", key, "the parts name, expression, seam, parameters")
     for key in ("name", "expression"):
         if key not in record:
             raise not_allowed("field", record, f"one with its {key}")
     name = check_kind("field.name", record["name"], str)
     expression = check_kind("field.expression", record["expression"], str)
     seam = check_kind("field.seam", record.get("seam", False), bool)
-    field = HeightField(name, expression, seam)
+    parameters = check_kind("field.parameters", record.get("parameters", {}), dict)
+    if not parameters.keys().isdisjoint(record):
+        raise not_allowed("field.parameters", parameters, "others than name, expression and seam")
+    field = HeightField(name, expression, seam, **parameters)
     _text_of(field)
     return field

@@ -1,5 +1,6 @@
 """Formulas of custom fields as people write them, in SymPy or as text, and the inverse."""
 
+from collections.abc import Mapping
 from functools import partial
 
 from sympy import (
@@ -56,19 +57,19 @@ SPELLED = {
 _CALLS = {made.__name__: spelled for made, spelled in SPELLED.items()}
 _CALLS |= {"pow": SPELLED[Pow], "ceil": SPELLED[ceiling], "arctan": SPELLED[atan], "mod": text.remainder}
 _CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": lambda x, low, high: Max(low, Min(high, x))}
-_NAMES = {"ku": k_u, "kv": k_v} | OF_FIELDS
+NAMES = {"ku": k_u, "kv": k_v} | OF_FIELDS
 
-parse_expression = partial(text.parse_expression, names=_NAMES, calls=_CALLS)
+parse_expression = partial(text.parse_expression, names=NAMES, calls=_CALLS)
 expression_text = partial(text.expression_text, names=OF_FIELDS)
 
 
 @evaluated
-def as_spelled(expression: Expr) -> Expr:
+def as_spelled(expression: Expr, names: Mapping[str, Symbol] = NAMES) -> Expr:
     """Return an expression by the functions that have kernels, its symbols the field's of these names, decimals exact.
 
     A decimal is the shortest that is this float64.
     """
-    own = {s: _NAMES[name] for s in expression.atoms(Symbol) if (name := s.name) in _NAMES and _NAMES[name] != s}
+    own = {s: names[name] for s in expression.atoms(Symbol) if (name := s.name) in names and names[name] != s}
     own |= {decimal: Rational(repr(float(decimal))) for decimal in expression.atoms(Float)}
     expression = expression.xreplace(own)
     for made, spelled in SPELLED.items():

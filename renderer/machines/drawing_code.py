@@ -1,6 +1,7 @@
 """The code that draws some rows of a picture: two loops around the traced shader, for any of LLVM's targets."""
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 import llvmlite.ir as ir
@@ -12,6 +13,7 @@ BYTES = ("code", "open")
 BEFORE = ("x", "y", "columns", "first_row", "last_row", "pitch", "scene", "lights", "light_count", "counts")
 
 
+@cache
 def arguments(planes: Sequence[str]) -> tuple[str, ...]:
     """Return the names of the code's arguments, addresses and whole numbers in an array of int64, in its order."""
     return (*BEFORE, *planes, "x_bound", "y_bound", "scene_bounds")

@@ -19,6 +19,7 @@ from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options
 from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import arguments, emit
 from renderer.machines.points_code import emit_points
+from renderer.machines.traced import FLOAT
 
 NAME = "llvm"
 POINTS = 8  # go through a kernel's code at a time
@@ -88,29 +89,27 @@ def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], 
 
 
 @cache
-def _points_code(kernel):
+def _points_code(kernel, everywhere):
     """Return (the function that runs a kernel over points, of the address of its arguments; its outputs; the owner)."""
     outputs: list[int] = []
-    code, owner = machine_code(lambda module, name: outputs.append(emit_points(module, name, kernel, POINTS)))
+    code, owner = machine_code(lambda *module: outputs.append(emit_points(*module, kernel, POINTS, FLOAT, everywhere)))
     return code, outputs[0], owner
 
 
 def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
     with compiling:
-        code, outputs, _ = _points_code(kernel)
-    points = np.broadcast(*inputs).size
-    room = -(-points // POINTS) * POINTS
-    given, results = [], np.empty((outputs, room))
-    for each in inputs:
-        if np.size(each) < room or not each.flags.c_contiguous:
-            array = np.zeros(room)
-            array[:points], each = each, array
-        given.append(each)
-    arrays = (*given, *results)
-    arguments = (ctypes.c_int64 * (1 + len(arrays)))(room, *(array.ctypes.data for array in arrays))
-    code(ctypes.addressof(arguments))
-    return [*results[:, :points]]
+        code, outputs, _ = _points_code(kernel, tuple(n for n, each in enumerate(inputs) if np.size(each) == 1))
+    given, points = [np.ascontiguousarray(each) for each in inputs], np.broadcast(*inputs).size
+    results, rest = np.empty((outputs, points)), points % POINTS
+    tail = np.zeros((len(given) + outputs, POINTS))  # the last points, as many as go through the code
+    for row, each in zip(tail, given, strict=False):
+        row[:rest] = each[len(each) - min(rest, len(each)) :]
+    for arrays, count in (([*given, *results], points - rest), (tail, rest)):
+        arguments = (ctypes.c_int64 * (1 + len(arrays)))(count, *(array.ctypes.data for array in arrays))
+        code(ctypes.addressof(arguments))
+    results[:, points - rest :] = tail[len(given) :, :rest]
+    return [*results]
 
 
 @cache
@@ -129,7 +128,7 @@ def drawer(
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    addresses = {name: array.ctypes.data for name, array in job.items()}
+    addresses = {name: array.__array_interface__["data"][0] for name, array in job.items()}  # sooner than by `ctypes`
     addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
     names, kinds = arguments(want.shader.planes), len(want.shader.counted)
     shared = [addresses.get(name, 0) for name in names]

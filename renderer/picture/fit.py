@@ -46,6 +46,8 @@ def fit(scene: Scene, picture: ArrayLike, names: Iterable[str], pictures: int = 
         raise not_allowed("picture", picture.shape, "finite numbers, (height, width, 3)")
     if not names:
         raise not_allowed("names", names, f"one or more of {NUMBERS}")
+    for name in names:
+        scene.number(name, "names")
     drawn, pictures, (height, width, _) = 0, check_whole("pictures", pictures, 10**6, low=2), picture.shape
 
     def compared(scene, block):

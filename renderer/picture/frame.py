@@ -15,7 +15,7 @@ from renderer.files.srgb import to_bytes
 from renderer.kernels import bumped_normal, chart, light_cosine, point_on_a, slope
 from renderer.machines import at_points, machine
 from renderer.picture.stage import SURFACE_BITS, Stage
-from renderer.scene.fields import field_kernels
+from renderer.scene.fields import field_kernels, parameters
 from renderer.scene.methods import GradientMethod
 from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
@@ -101,7 +101,9 @@ class Frame:
             "gradient_evaluations": 0 if heights else gradients,
             "algebraic_gradients": gradients if way == "algebraic" else 0,
             "height_evaluations": heights * gradients,
-            "slopes": {n: on_a if n.startswith(MOVES_A) else on_a + on_b + on_floor for n in self._by},
+            "slopes": {
+                n: on_a if n.startswith(MOVES_A) or n in parameters(field) else on_a + on_b + on_floor for n in self._by
+            },
         }
 
     def hand_over(self) -> np.ndarray:
@@ -262,7 +264,7 @@ class Frame:
         """The names of `derivatives` on which boundaries depend: to the slope of a mean of pixels these edges add."""
         moving: tuple[str, ...] = BOUNDARIES
         if self.scene.model == "blinn_gated":  # where a highlight ends at once
-            moving += ("beta", "ku", "kv")
+            moving += ("beta", "ku", "kv", *parameters(self.scene.field))
         if not isinstance(field_kernels(self.scene.field)["straddling"](0.3, 0.3, 1.0, 1.0, 0.1), float):
             moving += ("ku", "kv")  # a crease, where the colour jumps
         return tuple(name for name in self._by if name.startswith(moving) or "position" in name)
@@ -283,7 +285,9 @@ class Frame:
         want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
         self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
         places = np.flatnonzero(self.stage.on_a)
-        on_a = np.array([plane.ravel().take(places) for plane in planes[..., : self.raster.shape[1]]])
+        on_a = np.empty((len(ON_A), len(places)))
+        for plane, into in zip(planes[..., : self.raster.shape[1]], on_a, strict=True):
+            plane.ravel().take(places, out=into, mode="wrap")  # without a copy, which "raise" makes
         read_only(on_a)
         return on_a
 

@@ -23,8 +23,8 @@ PITCH = 16  # rows of planes are as long as whole groups of pixels, whatever the
 MAX_DRAWN = 2**28
 MOST_BANDS = 16
 SMALLEST_BAND = 2**13  # pixels: below that, starting on a band costs more than drawing it
-LARGEST_KEPT = 2**27  # bytes: the colours of 2048²
-_spare: deque[np.ndarray] = deque(maxlen=2)  # a picture's colours, and their bounds
+MOST_KEPT = 2**29  # bytes: the colours of 4096², or ten slopes of 1024²
+_spare: deque[np.ndarray] = deque(maxlen=3)  # a picture's colours, their bounds, and slopes
 
 
 class _Lent:
@@ -33,9 +33,25 @@ class _Lent:
     def __init__(self, block: np.ndarray):
         self._block, self.__array_interface__ = block, block.__array_interface__
 
-    def __del__(self, spare: deque = _spare) -> None:
-        if self._block.nbytes <= LARGEST_KEPT:
+    def __del__(self, spare: deque = _spare, most: int = MOST_KEPT) -> None:
+        if self._block.nbytes <= most:
+            give_back(most - self._block.nbytes, spare)
             spare.append(self._block)
+
+
+def give_back(keep: int = 0, spare: deque = _spare) -> None:
+    """Give the system what is more than some bytes of the memory of pictures that are gone, kept for the next ones.
+
+    Without this at most MOST_KEPT bytes are kept.
+
+    >>> from renderer import Scene, render
+    >>> from renderer.picture.stage import give_back
+    >>> shape = render(Scene(), 16, 16).shape  # its memory waits for another picture
+    >>> give_back()
+    """
+    with suppress(IndexError):  # another thread took the last
+        while sum(block.nbytes for block in tuple(spare)) > keep:
+            spare.popleft()
 
 
 def lent(shape: tuple[int, ...]) -> np.ndarray:

@@ -37,6 +37,11 @@ def field_kernels(field: Any) -> dict[str, Any]:
     return FIELDS[field] if isinstance(field, str) else _makers().field_kernels(field)
 
 
+def parameters(field: Any) -> dict[str, float]:
+    """Return the numbers of a custom field's parameters, by name."""
+    return dict(getattr(field, "parameters", ()))
+
+
 def field_record(field: Any) -> Any:
     """Return a field as JSON can say it: its name, or a dict. Raises ValueError where its formula has no text."""
     return field if isinstance(field, str) else _makers().as_record(field)

@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from renderer.checks import check_choice, check_items, check_kind, check_number, check_triple, check_truth, not_allowed
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.machines.forms import part_of, path_of, with_part
-from renderer.scene.fields import check_field, check_size, field_from_record, field_record
+from renderer.scene.fields import check_field, check_size, field_from_record, field_record, parameters
 from renderer.scene.text import distrusted, read_toml, toml_of
 from renderer.whole_files import checked_target, write_whole
 
@@ -120,6 +120,9 @@ class Scene:
         for each in fields(self):
             checked = each.metadata["check"](each.name, getattr(self, each.name), *each.metadata["allowed"])
             object.__setattr__(self, each.name, checked if each.type is Any else each.type(checked))
+        for name in parameters(self.field):
+            if hasattr(self, name):
+                raise not_allowed("field", name, "parameters by names that no number of a scene has")
         if self.bump == "surface" and abs(self.beta) > 1e80 * self.radius:
             raise not_allowed("beta", self.beta, f"at most {1e80 * self.radius:g} in size beside bump 'surface'")
         steeper = 1e20 / self.radius if self.bump == "surface" else 1.0  # than 1/R sin φ, off the pole of any raster
@@ -153,16 +156,21 @@ class Scene:
             values["lights"] = [_light_from_record(number, light) for number, light in enumerate(values["lights"])]
         return cls(**values)
 
-    def number(self, name: str) -> float:
-        """Return a number by its name in the record, such as "lights[0].position[2]". Raises ValueError on no name."""
+    def number(self, name: str, argument: str = "name") -> float:
+        """Return a number by its name in the record, such as "lights[0].position[2]".
+
+        Raises ValueError on no such name, which is the value of the `argument` that it names.
+        """
         number: Any = self
+        if name in (of_field := parameters(self.field)):
+            return of_field[name]
         try:
             for part in path_of(name):
                 number = part_of(number, part)
         except (AttributeError, IndexError, TypeError):
             number = None
         if not isinstance(number, float):
-            raise not_allowed("name", name, NUMBERS)
+            raise not_allowed(argument, name, NUMBERS)
         return number
 
     def with_numbers(self, numbers: Mapping[str, float]) -> "Scene":
@@ -174,8 +182,11 @@ class Scene:
         """
         scene = self
         for name, number in check_kind("numbers", numbers, Mapping).items():  # type: ignore[type-abstract]
-            scene.number(name)
-            scene = with_part(scene, path_of(name), number)
+            scene.number(name, "numbers")
+            if name in parameters(scene.field):
+                scene = replace(scene, field=scene.field.with_parameter(name, number))  # type: ignore[union-attr]
+            else:
+                scene = with_part(scene, path_of(name), number)
         return scene
 
     def to_file(self, path: str | Path) -> None:

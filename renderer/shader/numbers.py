@@ -3,25 +3,26 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
-from functools import cache, cached_property, lru_cache
+from functools import cache, lru_cache
 from operator import attrgetter
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from renderer.checks import check_kind
+from renderer.checks import check_kind, check_whole
 from renderer.kernels import HEIGHT_EVALUATIONS, LIGHT_MODELS, ambient_term, floor_albedo, silhouette_of_a
 from renderer.machines.forms import COLORS, Shader, flat
 from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method, exact
-from renderer.scene.raster import Raster
+from renderer.scene.raster import MAX_SIDE, Raster
 from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers
 from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
 EXACT, PIXEL = exact(), Raster(1, 1)
+MOST_SAMPLES = 16
 FIRST_LIGHT_BIT = 2
 AS_GIVEN = ("eye", "radius", "ku", "kv", "beta", "ka", "kd", "ks", "albedo_a", "albedo_b")
 SHADOWS = ("a_on_floor", "b_on_floor", "b_on_a", "a_on_b")  # of which body on which surface, as `shadow_boxes` has them
@@ -106,6 +107,21 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
+if TYPE_CHECKING:
+    once = property
+else:
+
+    class once:
+        """A property that is computed once. Python 3.11's own has a lock, for which a forked child might wait."""
+
+        def __init__(self, compute: Callable):
+            self.compute, self.__doc__ = compute, compute.__doc__
+
+        def __get__(self, shot: Any, owner: Any = None) -> Any:
+            value = vars(shot)[self.compute.__name__] = self.compute(shot)
+            return value
+
+
 _shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
 
 
@@ -113,43 +129,46 @@ _shading = attrgetter(*(field.name for field in fields(Scene) if field.name not 
 class Shot:
     """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
 
-    By default the exact gradient, and one pixel. Raises ValueError on a scene or a method that is none.
+    By default the exact gradient, and one pixel. samples: each way across a pixel. Raises ValueError on what is none.
     """
 
     scene: Scene
     method: GradientMethod = EXACT
     raster: Raster = PIXEL
+    samples: int = 1
 
     def __post_init__(self):
         checked_method("gradient", self.method)
         check_kind("scene", self.scene, Scene)
+        most = min(MOST_SAMPLES, MAX_SIDE // max(self.raster.width, self.raster.height))
+        object.__setattr__(self, "samples", check_whole("samples", self.samples, most))
 
-    @cached_property
+    @once
     def geometry(self) -> Geometry:
         """The part of the scene on which chambers depend."""
         return geometry_of(self.scene)
 
-    @cached_property
+    @once
     def shading(self) -> tuple:
         """The fields on which the colours off A depend: equal for equal shadings."""
         return _shading(self.scene)
 
-    @cached_property
+    @once
     def powers(self) -> tuple[int, int] | None:
         """The powers of the algebraic form of the gradient, or None."""
         return algebraic_powers(self.scene, self.method)
 
-    @cached_property
+    @once
     def way(self) -> str:
         """The way to the gradient: algebraic, general, or a difference."""
         return "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
 
-    @cached_property
+    @once
     def glows(self) -> bool:
         """True if light is scattered: without it, no normal is seen."""
         return (self.scene.kd > 0.0 or self.scene.ks > 0.0) and any(any(each.color or ()) for each in self.scene.lights)
 
-    @cached_property
+    @once
     def want(self) -> Want:
         """The Want of the picture, drawn from nothing; without a bump that is seen, without a gradient."""
         scene, numbers = self.scene, {"k_u": self.scene.ku, "k_v": self.scene.kv}

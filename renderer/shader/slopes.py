@@ -7,13 +7,16 @@ from typing import Any
 
 from renderer.checks import check_items, not_allowed
 from renderer.kernels import image_extent
-from renderer.machines.differentiating import Sloped
+from renderer.machines.bounded import plus
+from renderer.machines.differentiating import Sloped, sloped
 from renderer.machines.differentiating_machine import Differentiating, Pixels, with_slopes
 from renderer.machines.forms import of_form, path_of, with_part
 from renderer.operations import where
+from renderer.scene.fields import field_kernels, parameters
 from renderer.scene.methods import exact
 from renderer.scene.scene import NUMBERS
 from renderer.shader.numbers import FIRST_LIGHT_BIT, Shot
+from renderer.shader.shader import Group, difference
 
 PLACES = {"ball_center": ["ball"], "ball_radius": ["ball", "3"], "shininess": ["power"]}
 """{name of a scene's number: where the shader has it}, but for those that it has by the same name."""
@@ -30,8 +33,11 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
     for name, (front, is_on) in product(names, on.items()):
         if not is_on and str(name).startswith(front):
             raise not_allowed("derivatives", name, f"no number of {front.strip('_')}, which is off in this scene")
+    custom: Any = scene.field
     for name in names:
-        scene.number(name)
+        scene.number(name, "derivatives")
+        if name in parameters(custom):
+            custom.by(name)
     method = shot.method.name
     if method == "exact" and {"ku", "kv"} & set(names):
         if shot.method.form == "algebraic":
@@ -39,7 +45,7 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
         shot = replace(shot, method=exact("general"))
     ((field, way),), ((model, style),) = shot.want.ways, shot.want.lights
     if way == "flat" and shot.scene.beta:  # of a bump that is not seen, and may be by one of these
-        seen_by = any(name in ("ku", "kv", "kd", "ks") or "color" in name for name in names)
+        seen_by = any(name in ("ku", "kv", "kd", "ks", *parameters(field)) or "color" in name for name in names)
         way = shot.way if seen_by else way
     elif way == "flat" and "beta" in names:
         way = "general" if method == "exact" else method
@@ -78,9 +84,28 @@ def sloped_group(group: Any) -> Any:
     """Return a group as the differentiating machine around its own one has it."""
     want, by = group.want, group.want.by
     style = want.lights[0][1]
-    scene = with_slopes(group.scene, [_seeds(group.scene, name, style) for name in by])
+    seeded = ("lights" if name in parameters(want.ways[0][0]) else name for name in by)  # which no scene's number is
+    scene = with_slopes(group.scene, [_seeds(group.scene, name, style) for name in seeded])
     machine = Differentiating(group.machine, len(by), lambda light: [_light_seeds(light, name) for name in by])
     half = image_extent(scene.eye, scene.radius)  # image points move with it
     stretch = Sloped(1.0, (half / half.value).slopes)
     x, y = (Sloped(at, (stretch * at).slopes) for at in (group.pixels.x, group.pixels.y))
-    return want.shader.group(machine, scene, want, Pixels(machine, group.pixels, x, y))
+    return _Sloped(machine, scene, want, Pixels(machine, group.pixels, x, y))
+
+
+class _Sloped(Group):
+    """A group whose gradient moves with a field's own parameters too."""
+
+    def gradient(self, angles: Any, mask: Any) -> Any:
+        gradient, (field, way) = super().gradient(angles, mask), self.want.ways[0]  # of a custom field the one
+        for place, name in enumerate(self.want.by if way != "flat" else ()):
+            if name in parameters(field):
+                kernels, s = field_kernels(field.by(name)), self.scene
+                here = [number.value for number in map(sloped, (*self.chart(angles), s.ku, s.kv, s.eps))]
+                exact_way = way in ("general", "algebraic")
+                moved = kernels["gradient"](*here[:4]) if exact_way else difference(kernels, way, *here)
+                parts = [[*self.machine.parts(part)] for part in gradient]
+                for part, slope in zip(parts, moved, strict=True):
+                    part[1 + place] = plus(part[1 + place], slope)
+                gradient = [Sloped(value, tuple(slopes)) for value, *slopes in parts]
+        return gradient
