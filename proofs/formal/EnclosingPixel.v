@@ -36,7 +36,7 @@ Definition operation_of (constants : Z -> Z -> R * R) (o : recorded_pixel.operat
   | recorded_pixel.Product_error => Rest
   | recorded_pixel.Exp => Exponential
   | recorded_pixel.Log => Logarithm
-  | recorded_pixel.Power => Power
+  | recorded_pixel.Power => Raised
   | recorded_pixel.Where c => Choose (test_of c)
   end.
 (* A sine takes a product in two parts: its line takes the factors, as its rule does. *)
