@@ -41,7 +41,7 @@ LIMITS = (
     r"of an angle $x^2 + y^2 \ge 2^{-10}$",
     r"of a logarithm $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
     "of a program all this of what its result needs: not of a side that a selection leaves out for certain",
-    r"a literal has 53 bits, from $2^{-1074}$ on; below $2^{-1022}$ a rounding is counted as $2^{-1007}$; a count is made "
+    r"a literal has 53 bits, from $2^{-1074}$ on; below $2^{-1022}$ a rounding counts $2^{-1007}$; a count is made "
     r"a bound by $1048577/9444732965739290427392 = 2^{-53} + 2^{-73}$; $2^{10} = 1024$, $2^{19} = 524288$, $2^{53} = "
     r"9007199254740992$, $2^{59} = 576460752303423488$",
 )
