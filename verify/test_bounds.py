@@ -190,7 +190,10 @@ def bounded(lines, inputs):
         alone = [one & (mask.holds == (kind == "or")) for mask, one in zip(masks, sure, strict=True)]
         return done(kind, *masks), reduce(or_, alone if kind != "invert" else [], reduce(and_, sure))
 
+    lines = [*lines]
     for kind, text, *places in lines:
+        if kind in ("sinpi", "cospi"):
+            places = lines[places[0]][2:]  # the factors of what is given in two parts
         given, known = [numbers[place] for place in places], [knowns[place] for place in places]
         sure = reduce(and_, known, np.bool_(True)) & ALLOWED.get(kind, lambda *_: True)(*given)
         if kind == "where":
@@ -201,6 +204,8 @@ def bounded(lines, inputs):
             given = enclosing.two_product(*given)
         if kind == "input":
             number = next(inputs)
+        elif kind == "product_error":
+            number = 0.0  # only a sine takes it
         elif kind in ("literal", "constant"):
             number = (float if kind == "literal" else operations.Constant)(float.fromhex(text))
         else:

@@ -10,11 +10,11 @@ Import ListNotations.
 
 (* What is compared stands in a list, by its places. *)
 Inductive test : Type := Less (i j : nat) | Same (i j : nat) | Not (c : test) | Both (c d : test).
-(* A literal is m 2^e. A constant is a float64 number, with the count of what it stands for, a real number. Choose takes the first of two numbers
-  where a test holds on those after them, else the second. *)
+(* A literal is m 2^e. A constant is a float64 number, with the count of what it stands for, a real number. Rest is what rounding takes from a
+  product. Choose takes the first of two numbers where a test holds on those after them, else the second. *)
 Inductive operation : Type :=
   | Literal (m e : Z) | Constant (value count meant : R) | Negative | Size | Sum | Difference | Product | Quotient | Root | Floor | Nearest | Sine
-  | Cosine | Angle | Exponential | Logarithm | Power | Choose (c : test).
+  | Cosine | Angle | Exponential | Logarithm | Raised | Rest | Choose (c : test).
 
 Definition literal (m e : Z) : R := IZR m * bpow radix2 e.
 Fixpoint holds (c : test) (values : list R) : bool :=
@@ -42,7 +42,7 @@ Definition exactly (o : operation) (given : list R) : R :=
   | Angle, [y; x] => atan2pi y x
   | Exponential, [x] => exp x
   | Logarithm, [x] => ln x
-  | Power, [x; y] => power x y
+  | Raised, [x; y] => power x y
   | Choose c, x :: y :: compared => if holds c compared then x else y
   | _, _ => 0
   end.
@@ -64,7 +64,8 @@ Definition in_float64 (o : operation) (given : list R) : R :=
   | Angle, [y; x] => enclosed_angle_float64.angle x y
   | Exponential, [x] => enclosed_exponential_float64.exponential x
   | Logarithm, [x] => enclosed_logarithm_float64.logarithm x
-  | Power, [x; y] => raised_float64.power x y
+  | Raised, [x; y] => raised_float64.power x y
+  | Rest, [x; y] => two_product_float64.product_error x y
   | Choose c, x :: y :: compared => if holds c compared then x else y
   | _, _ => 0
   end.

@@ -33,11 +33,22 @@ Definition operation_of (constants : Z -> Z -> R * R) (o : recorded_pixel.operat
   | recorded_pixel.Sinpi => Sine
   | recorded_pixel.Cospi => Cosine
   | recorded_pixel.Atan2pi => Angle
-  | recorded_pixel.Power => Power
+  | recorded_pixel.Product_error => Rest
+  | recorded_pixel.Exp => Exponential
+  | recorded_pixel.Log => Logarithm
+  | recorded_pixel.Power => Raised
   | recorded_pixel.Where c => Choose (test_of c)
   end.
-Definition pixel_of (constants : Z -> Z -> R * R) : program operation := map (fun one => (operation_of constants (fst one), snd one))
-  recorded_pixel.pixel.
+(* A sine takes a product in two parts: its line takes the factors, as its rule does. *)
+Definition places_of (o : recorded_pixel.operation) (places : list nat) : list nat :=
+  match o, places with
+  | recorded_pixel.Sinpi, product :: _ | recorded_pixel.Cospi, product :: _ =>
+    match nth (product - recorded_pixel.inputs) recorded_pixel.pixel (recorded_pixel.Infinite, nil) with (recorded_pixel.Mul, factors) => factors | _
+      => nil end
+  | _, _ => places
+  end.
+Definition pixel_of (constants : Z -> Z -> R * R) : program operation :=
+  map (fun one => (operation_of constants (fst one), places_of (fst one) (snd one))) recorded_pixel.pixel.
 Theorem pixel_accuracy__recorded (constants : Z -> Z -> R * R) (inputs : list number) (exact : list exact_number) (output : nat) : Forall2
   (known_encloses 1)
   inputs exact ->

@@ -4,7 +4,7 @@ The measurements are in verify/measurements."""
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT, POWER_RATE, PROVED, SINE
 from proofs.formulas.height_fields import gradient
-from proofs.theorems.enclosing_rules import not_tiny
+from proofs.theorems.enclosing_rules import LIMITS, not_tiny
 from proofs.theorems.language import *
 
 products = Theorem(
@@ -60,11 +60,12 @@ pixels = Theorem(
     {
         r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
         is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
-            "pixel_accuracy__recorded 000bfed995808ce9"
+            "pixel_accuracy__recorded 79add938450c0770"
         )
     },
     hypotheses=(
-        "the hypotheses of enclosing_rules hold of what the channel needs; a power has no rule, and whole powers are "
+        *LIMITS,
+        "float64 numbers; all this of what the channel needs; a power has no rule, and whole powers are "
         "recorded as the default scene's: of others the bounds are measured",
         r"the scene's numbers are within their bounds; what is missed is $2^{1023}$ away",
         "where a sine or an angle is exact the machine counts less",
