@@ -63,6 +63,9 @@ def drawn_by(drawer, smallest_band=stage.SMALLEST_BAND):
         yield
 
 
+numpy_draws = partial(drawn_by, numpy_rows.drawer)
+
+
 def held(frame):
     """Return {name: array} of what a frame holds, the counts among it."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
@@ -81,7 +84,7 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     left, top = (data.draw(st.integers(0, side - 1)) for side in size)
     width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
     draw, part = partial(render, scene, *size, method), np.s_[top : top + height, left : left + width]
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         ours = draw((left, top, width, height))
     with drawn_by(partial(native.drawer, lanes=lanes), 1):
         assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
@@ -123,7 +126,7 @@ def test_slopes_change_no_bit_and_are_the_same(name):
     (scene, method), names = SCENES[name], ("beta", "kd")
     draw = partial(render, scene, *SIZE, method)
     plain, together = draw(bounds=True), draw(derivatives=names, bounds=True)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         ours = draw(derivatives=names)
     assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
     assert (together.bounds == plain.bounds).all()

@@ -36,13 +36,13 @@ from renderer.command_line.verbs import main
 from renderer.files import record
 from renderer.generate.custom_printer import CALLED, OwnPrinter
 from renderer.generate.reader import expression_text, parse_expression
-from renderer.machines import native, numpy_rows
+from renderer.machines import native
 from renderer.scene.fields import field_kernels
 from renderer.shader.gradients import algebraic_powers
 from tests.pictures import shows
 from tests.processes import python
 from tests.refusals import rejection
-from tests.test_machines import differing, drawn_by, held
+from tests.test_machines import differing, drawn_by, held, numpy_draws
 from verify.enclosed_pixels import wrong
 
 DUNES = "exp(-8*(v-1/2)**2)*sinpi(k_u*u)"
@@ -103,7 +103,7 @@ def assert_drawn(scene, method, monkeypatch):
 def assert_bounded(scene, method, monkeypatch):
     """Hold a picture by NumPy to its bounds, and return it."""
     monkeypatch.setitem(HEIGHT_FIELDS, scene.field, scene.field)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         frame = render(scene, 24, 16, method, bounds=True)
     assert not any(wrong(frame, *place) for place in ((10, 6), (13, 9), (8, 8), (12, 4), (2, 14)))
     return frame
@@ -144,7 +144,7 @@ def test_a_field_is_drawn_as_it_comes_to_mind(text, monkeypatch):
     field = HeightField("as_written", text)
     assert apart(text, field) < 1e-12
     scene = Scene(field=field, ku=KU, kv=KV)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         stepped = render(scene, 24, 16, central(1e-5))
         assert abs(stepped.rgb - render(scene, 24, 16).rgb)[~stepped.straddling].max() < 5e-6
     assert_bounded(scene, exact(), monkeypatch)
@@ -185,7 +185,7 @@ def test_a_hostile_formula_is_refused_in_a_sentence(text):
 def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
     scene = Scene(field=HeightField("unevaluated", Mul(2, v + Rational(1, 3), evaluate=False)))
     assert "as SymPy evaluates it" in rejection(scene.as_record)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         render(scene, 4, 4).save(tmp_path / "a.npz")
     assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
 
@@ -244,7 +244,7 @@ def test_a_slope_by_a_parameter_is_that_by_a_number_of_the_scene(text, number, n
     """a ∂I/∂a = β ∂I/∂β and its like, within the bounds of both; the picture is that of the number in the formula."""
     fields = HeightField("moved", text, True, a=number), HeightField("moved", re.sub(r"\ba\b", instead, text), True)
     scene, twin = (Scene(field=field) for field in fields)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         frames = [render(s, 24, 16, method, bounds=True, derivatives=[n]) for s, n in ((scene, "a"), (twin, name))]
         plain = render(scene, 24, 16, method)
     slope, of_twin, bound, of_both = (
@@ -264,7 +264,7 @@ def test_a_parameter_is_drawn_by_llvm_kept_in_a_file_and_found_again(tmp_path):
     start = scene.with_numbers({"a": 0.45, "b": 0.12})
     draw = partial(render, scene, 40, 30, derivatives=["ku", "a", "beta", "b"], bounds=True)
     by_llvm = draw()
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         assert differing(held(by_llvm), held(draw())) == []
         flat = replace(scene, field=HeightField("flat", "a*sin(8*pi*u)", a=0))
         assert abs(render(flat, 8, 8, derivatives=["a"]).derivatives["a"]).max() > 0.1

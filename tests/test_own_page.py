@@ -7,9 +7,8 @@ import pytest
 from playwright.sync_api import expect
 
 from renderer import HeightField, Scene, central, render
-from renderer.machines import numpy_rows
 from tests.tabs import go
-from tests.test_machines import drawn_by
+from tests.test_machines import numpy_draws
 from tests.test_own_field import AS_WRITTEN, KU, KV
 from tests.test_simulator_numbers import paint, painted
 
@@ -28,6 +27,7 @@ REFUSAL = """h => {
     try { module.own_of({ ...states.start(), field: "own", h: states.read("h", h) }); return null; }
     catch (error) { return error.message; }
 }"""
+EXAMPLES = "[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)"
 SIDE = 48
 
 
@@ -35,7 +35,7 @@ def off(tab, text):
     """Return by how much the page's pictures are off the renderer's, beyond the exact one's bound and off creases."""
     planes, has_seam = tab.evaluate(PICTURES, [text, KU, KV, SIDE])
     scene = Scene(field=HeightField("own", text, seam=has_seam), ku=KU, kv=KV)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         frames = render(scene, SIDE, SIDE, central(1e-3)), render(scene, SIDE, SIDE, bounds=True)
     certain = ~frames[1].open & ~frames[1].kink & ~frames[0].straddling
     assert certain.mean() > 0.5
@@ -45,13 +45,9 @@ def off(tab, text):
     return [part[certain].max() for part in beyond]
 
 
-def examples(tab):
-    return tab.evaluate("[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)")
-
-
 def test_a_typed_field_is_the_renderers(tab):
     """The page's examples and formulas as people write them: to 1e-12 beside the bound, by a difference to 1e-9."""
-    for text in (*examples(tab), *READ, *(text for text in AS_WRITTEN if " if " not in text)):
+    for text in (*tab.evaluate(EXAMPLES), *READ, *(text for text in AS_WRITTEN if " if " not in text)):
         numeric, symbolic = off(tab, text)
         assert symbolic <= 1e-12 and numeric <= 1e-9, (text, numeric, symbolic)
 

@@ -3,7 +3,6 @@
 import itertools
 from dataclasses import replace
 from operator import mul, truediv
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -32,7 +31,7 @@ where = enclosing.where
 @pytest.fixture
 def by_rows(monkeypatch):
     """Let NumPy draw, so that nothing is compiled: its bounds are LLVM's to the last bit (tests/test_machines.py)."""
-    monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
+    monkeypatch.setattr(stage, "machine", lambda: numpy_rows)
 
 
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
