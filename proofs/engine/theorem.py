@@ -170,7 +170,8 @@ class Theorem(Parts):
         put(self, short=_clauses(self.short))
         super().__post_init__()
         if not isinstance(self.statement, str):
-            claims = dict.fromkeys(claim for claim in self._named if not isinstance(claim, Pinned))
+            elsewhere = flat(self.rounded)
+            claims = [c for c in dict.fromkeys(self._named) if not isinstance(c, Pinned) and c not in elsewhere]
             put(self, claims=tuple(claims))
         shown = "argued" if self.argued else "proved"
         if self.refuted_at is not None:

@@ -109,12 +109,14 @@ Proof.
   split; [reflexivity | split; [reflexivity|]]. destruct (both _ _) as [_|N]; [apply kept, twice_float64, E|]. exfalso.
   replace (e - v) with (- (v - e)) in N by ring. rewrite rounded_opp in N. lra.
 Qed.
+Ltac unfold_difference := unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v,
+  central_any_float64.h_v_plus, central_any_float64.h_v_minus.
 Lemma none_in_u (height : R -> R -> R -> R -> R) (w v k_u k_v e : R) : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w ->
   central_any_float64.u_plus w e = w /\ central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
 Proof.
   intros B [P M]. assert (P' : central_any_float64.u_plus w e = w) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial).
   assert (M' : central_any_float64.u_minus w e = w) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite M; trivial).
-  split; [exact P' | split; [exact M'|]]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus.
+  split; [exact P' | split; [exact M'|]]. unfold_difference.
   rewrite P', M', Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
 Qed.
 Lemma none_in_v (height : R -> R -> R -> R -> R) (u w k_u k_v e : R) : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w ->
@@ -122,7 +124,7 @@ Lemma none_in_v (height : R -> R -> R -> R -> R) (u w k_u k_v e : R) : 0 <= w <=
     height u w k_u k_v e = 0.
 Proof.
   intros B E [P M]. destruct (arguments_in_v w e E) as (P' & M' & S'); [lra | lra|]. rewrite P in P'. rewrite M in M'.
-  repeat split; try assumption. unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+  repeat split; try assumption. unfold_difference.
   rewrite P', M', Rminus_diag_eq, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
 Qed.
 
@@ -161,8 +163,7 @@ Proof.
   destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F))); f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
-  unfold central_any_float64.h_u, central_any_float64.h_v, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v_plus,
-    central_any_float64.h_v_minus.
+  unfold_difference.
   rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split;
     (transitivity (rounded 2); [f_equal; field; lra | exact Two]).
 Qed.
@@ -177,7 +178,7 @@ Proof.
   assert (M : central_any_float64.v_minus 0 epsilon = 0) by (unfold central_any_float64.v_minus; rewrite Rminus_0_l, rounded_opp, (kept _ E), Rmax_left; lra).
   assert (S : central_any_float64.span_v 0 epsilon = epsilon).
   { unfold central_any_float64.span_v. rewrite P, M, Rplus_0_r, Rminus_0_r, (kept _ E). destruct (both _ _) as [[]|_]; [lra | reflexivity]. }
-  repeat split; try assumption. unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, S. reflexivity.
+  repeat split; try assumption. unfold_difference. rewrite P, M, S. reflexivity.
 Qed.
 
 (* The seam u = 0 keeps half of it: u - epsilon wraps to 1, not to a number below it, and where h is the same at 1 and at 0 the slope is half of the one-sided
@@ -209,7 +210,7 @@ Proof.
     - split; [lra | apply bpow_lt; easy].
     - split; [lra|]. apply Rle_lt_trans with (bpow radix2 (-54)); [lra | apply bpow_lt; easy].
     - intros _. apply B. }
-  split; [exact P | split; [exact M|]]. unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus. rewrite P, M, H. fold rise.
+  split; [exact P | split; [exact M|]]. unfold_difference. rewrite P, M, H. fold rise.
   replace (1 / 2) with (/ 2) by field. destruct R as [R|R].
   - rewrite R. unfold Rdiv. rewrite !Rmult_0_r, Rmult_0_l, !rounded_0, Rmult_0_l, rounded_0. ring.
   - rewrite half_float64, (kept rise) by (exact R || apply rounded_is_float64). replace (/ 2 * rise / epsilon) with (/ 2 * (rise / epsilon)) by

@@ -10,7 +10,7 @@ Ltac given := first [assumption | lra | nra | apply Rgt_not_eq; lra].
 
 Theorem stable_frame__angles : Statements.stable_frame__angles.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
+  hit.
   assert (I : rho_inverse * rho = 1) by (unfold rho_inverse; destruct Rlt_dec; [field |]; lra).
   assert (Z : eye ^ 2 + root_a > 0) by nra. assert (V : t1 = tangent_squared / (eye ^ 2 + root_a)) by (rewrite T, <- TR; field; lra).
   assert (F1 : radius * sin_phi = rho * t1) by (unfold sin_phi, hit_scale; rewrite V; field; lra).

@@ -124,7 +124,7 @@ Proof. intro X. generalize PI_RGT_0. intro. apply sin_ge_0; nra. Qed.
 Theorem clamped_difference_of_odd__first_ridge : Statements.clamped_difference_of_odd__first_ridge.
 Proof.
   red. intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))).
-  replace (PI * (k_u * u)) with (u * PI * k_u) by ring. replace (PI * (k_v * v)) with (v * PI * k_v) by ring. intros S U.
+  printed_angles. intros S U.
   rewrite Rabs_mult, (Rabs_pos_eq _ S). repeat split; nra.
 Qed.
 Theorem clamped_difference_of_odd__second_order : Statements.clamped_difference_of_odd__second_order.

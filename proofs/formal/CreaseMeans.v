@@ -222,10 +222,8 @@ Proof.
   generalize reach_is. intros [K1 H]. generalize (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 1). replace ((2 * (INR k - 1) + 1) * h)
     with (1 - h) by lra. intro C.
   eapply integral_is; [apply (is_RInt_Chasles _ 0 h 1); [|apply (is_RInt_Chasles _ h (1 - h) 1); [eapply is_RInt_ext; [|exact C]|]]|].
-  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
-  - rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [_|[]]; [reflexivity | lra | lra].
-  - apply nothing. rewrite Rmin_left, Rmax_right by lra. intros x X. unfold inner. destruct (both _ _) as [[]|_]; [lra | ring].
-  - unfold plus. simpl. ring.
+  1, 3: apply nothing. 1, 2, 3: rewrite Rmin_left, Rmax_right by lra; intros x X; unfold inner; destruct (both _ _) as [[]|[]]; lra.
+  unfold plus. simpl. ring.
 Qed.
 
 Lemma near_tents_in_u (u : R) : Rabs (error_along_u (INR k) epsilon u - tents (INR k) epsilon u) <= room (INR k) epsilon.

@@ -169,13 +169,13 @@ Proof.
 Qed.
 Theorem ridges_on_creases__crease_in_u : Statements.ridges_on_creases__crease_in_u.
 Proof.
-  red. intros. destruct (either_side k_u m to_u (sin (v * PI * k_v))) as (N & F & G & B); try assumption. rewrite !Rabs_mult, F, G. replace (PI * (k_v
-    * v)) with (v * PI * k_v) by ring. repeat split; lra.
+  red. intros. destruct (either_side k_u m to_u (sin (v * PI * k_v))) as (N & F & G & B); try assumption. rewrite !Rabs_mult, F, G.
+  printed_angles. repeat split; lra.
 Qed.
 Theorem ridges_on_creases__crease_in_v : Statements.ridges_on_creases__crease_in_v.
 Proof.
-  red. intros. destruct (either_side k_v m to_v (sin (u * PI * k_u))) as (N & F & G & B); try assumption. rewrite !Rabs_mult, F, G. replace (PI * (k_u
-    * u)) with (u * PI * k_u) by ring. rewrite !(Rmult_comm (Rabs (sin (u * PI * k_u))) (sin (to_v * PI * k_v))). repeat split; lra.
+  red. intros. destruct (either_side k_v m to_v (sin (u * PI * k_u))) as (N & F & G & B); try assumption. rewrite !Rabs_mult, F, G.
+  printed_angles. rewrite !(Rmult_comm (Rabs (sin (u * PI * k_u))) (sin (to_v * PI * k_v))). repeat split; lra.
 Qed.
 Theorem ridges_on_creases__differ : Statements.ridges_on_creases__differ.
 Proof. claim. Qed.

@@ -45,7 +45,7 @@ Qed.
 Theorem enclosing_rules__angle : Statements.enclosing_rules__angle.
 Proof.
   red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy N. enclosed_angle_float64.lines. fold ROUNDING. fold SLACK. fold least. assert (T := proj1
-    underflow_in_least). assert (U := underflow_is_small).
+    underflow_in_least). assert (U := underflow_is_small). assert (0 <= 731105545250889 / 2251799813685248) by lra. assert (0 <= SLACK) by in_units.
   assert (Ax := Rabs_pos x). assert (Ay := Rabs_pos y). assert (Nx := pow2_abs x). assert (Ny := pow2_abs y). assert (F := two_is_float64).
   assert (L : bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y)) by (apply Rle_trans with (bpow radix2 (-6)); [apply bpow_le; easy | simpl; unfold Rmax;
     destruct Rle_dec; nra]).

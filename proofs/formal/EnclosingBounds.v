@@ -12,10 +12,7 @@ Proof. rewrite underflow_times. apply inverse_power. Qed.
 Ltac multiplied k H := pose proof (Rmult_le_compat_l k _ _ ltac:(apply Rabs_pos || lra) H).
 (* A bound becomes a count exactly. *)
 Lemma count_of (b : R) : float64 b -> rounded (9007199254740992 * b) = 9007199254740992 * b.
-Proof.
-  intro F. apply round_generic; [typeclasses eauto|]. rewrite Rmult_comm. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply
-    mult_bpow_pos_exact_FLT; [exact F | easy].
-Qed.
+Proof. rewrite Rmult_comm. apply distance_as_count. Qed.
 (* What both add up to is made a count; SLACK makes up for the roundings. *)
 Lemma made_a_count (s v p d : R) : 1 <= s -> float64 v -> 0 <= v -> float64 p -> 0 <= p -> Rabs d + 4 * underflow <= (v + p) * (1 + 10 * unit53) ->
   let c := rounded (9007199254740992 * rounded (rounded (v + p) * SLACK)) in float64 c /\ 0 <= c /\ Rabs d <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).

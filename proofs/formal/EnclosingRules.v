@@ -155,7 +155,8 @@ Qed.
 Theorem enclosing_rules__root : Statements.enclosing_rules__root.
 Proof.
   red. intros s x e x' S1 S2 X E P D X0 X0'. enclosed_root_float64.lines. destruct underflow_in_least as [T _].
-  set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. destruct (own_rounding_of_root x X) as [A O]. fold r in A, O.
+  set (r := rounded (sqrt x)). assert (R0 : 0 <= r) by apply not_negative_rounded, sqrt_pos. destruct (own_rounding_of_root x X) as [A O]. fold r in
+    A, O.
   destruct (root_moved x x' ltac:(lra) ltac:(lra)) as [M1 M2]. split; [exact X0'|].
   destruct Rlt_dec as [L|_].
   - assert (Xp : 0 < x) by (apply Rnot_le_lt; intro; replace x with 0 in L by lra; rewrite Rmult_0_l, rounded_0 in L; lra).
@@ -175,7 +176,8 @@ Proof.
     assert (Wp : 1 <= w) by (unfold w; lra). counts k (rounded (sqrt e) * w). counts c (k + r). split; [is_float64 | split; [assumption|]].
     apply enough with (sqrt e * K) r 0; try lra.
     + assert (Z : sqrt e * K <= (1 + unit53) * k).
-      { destruct Q as [[Q Y]|Q]; [|rewrite Q; in_units]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l; assumption).
+      { destruct Q as [[Q Y]|Q]; [|rewrite Q; in_units]. assert (G1 : sqrt e * (K * (1 + 1 / 2 ^ 26)) <= sqrt e * w) by (apply Rmult_le_compat_l;
+        assumption).
         assert (G2 : sqrt e * (1 - unit53) * w <= rounded (sqrt e) * w) by (apply Rmult_le_compat_r; lra). assert (G3 : sqrt e * 1 <= sqrt e * w) by
           (apply Rmult_le_compat_l; assumption).
         clearbody k w K. in_units. }
@@ -207,7 +209,8 @@ Proof.
   { apply Rmult_le_reg_r with l; [exact Lp|]. replace (J / 2 ^ 100 * l) with (J * l / 2 ^ 100) by field. rewrite Jl. eapply Rle_trans; [apply
     Rmult_le_compat_l; [lra | exact Lu] | exact Tl]. }
   counts i J.
-  assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *; nra).
+  assert (Y0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in *; lra). assert (Y0' : y' <> 0) by (intro E; rewrite E, Rabs_R0 in Sy; unfold unit53 in *;
+    nra).
   assert (O := own_rounding (x / y)). set (t := rounded (x / y)) in *. assert (T0 := Rabs_pos t). assert (Ht : Rabs (x / y) <= Rabs t + ((1 + 4 *
     unit53) * unit53 * Rabs t + underflow)) by (generalize (Rabs_triang_inv (x / y) t); rewrite (Rabs_minus_sym (x / y) t); lra).
   counts most (Rabs t + least).
@@ -218,7 +221,8 @@ Proof.
   counts p (v * i). counts c (p + most). assert (EJ : 0 <= E * J) by (apply Rmult_le_pos; lra).
   assert (VI : E * J * (1 - 4 * unit53) - 2 ^ 62 * underflow <= v * i).
   { apply Rle_trans with (v * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_l; [assumption | clearbody i; in_units]].
-    apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [in_units | exact Ve]].
+    apply Rle_trans with ((E * (1 - 22 / 10 * unit53) - 2 * underflow) * (J * (1 - 12 / 10 * unit53))); [|apply Rmult_le_compat_r; [in_units | exact
+      Ve]].
     assert (underflow * J <= underflow * 2 ^ 60) by (apply Rmult_le_compat_l; lra). assert (0 <= underflow * J) by (apply Rmult_le_pos; lra).
       clearbody E. in_units. }
   split; [exact Y0' | split; [is_float64 | split; [assumption|]]].
@@ -250,37 +254,53 @@ Proof.
     revert K. unfold Rabs. destruct Rcase_abs; intro K; split; lra.
   - assert (ea = 0) by in_units. assert (eb = 0) by in_units. subst ea eb. split; lra.
 Qed.
+(* A distance becomes a count exactly. *)
+Lemma distance_as_count (t : R) : float64 t -> rounded (t * 9007199254740992) = t * 9007199254740992.
+Proof.
+  intro F. apply round_generic; [typeclasses eauto|]. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT;
+    [exact F | easy].
+Qed.
+(* Where it is open which of two numbers is chosen, the count covers both, whichever is and whichever should be. *)
+Definition open_count (x ex y ey : R) : R := rounded (rounded (rounded (Rabs (rounded (x - y)) * 9007199254740992) + ex) + ey).
+Lemma open_covers (s x ex x' y ey y' : R) (is_first should : bool) : 1 <= s -> float64 x -> float64 ex -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^
+  53) -> float64 y -> float64 ey -> 0 <= ey ->
+  Rabs (y - y') <= s * (ey / 2 ^ 53) -> let c := open_count x ex y ey in float64 c /\ 0 <= c /\ Rabs ((if is_first then x else y) - (if should then
+    x' else y')) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S1 X Ex Px Dx Y Ey Py Dy. cbv zeta. unfold open_count. assert (O := own_rounding_of_sum x (- y) X ltac:(apply generic_format_opp; exact Y)).
+    change (x + - y) with (x - y) in O. set (t :=
+    rounded (x - y)) in *. assert (T := Rabs_pos t).
+  assert (F := distance_as_count (Rabs t) ltac:(is_float64)). rewrite F. assert (Ft : float64 (Rabs t * 9007199254740992)) by (rewrite <- F;
+    is_float64).
+  counts k (Rabs t * 9007199254740992 + ex). counts c (k + ey). split; [is_float64 | split; [assumption|]].
+  assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); in_units).
+  apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; in_units|].
+  assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | in_units]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra).
+    assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
+  assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v
+    - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
+  { intros v w w' e V W L. clearbody t. sizes. }
+  assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos;
+    [in_units | exact T]).
+  destruct is_first, should; [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try
+    assumption; try apply Zr; try lra.
+  rewrite Rabs_minus_sym. exact Ty.
+Qed.
 Theorem enclosing_rules__selection : Statements.enclosing_rules__selection.
 Proof.
   red. intros s a ea a' b eb b' x ex x' y ey y' S1 S2 A Ea Pa Da B Eb Pb Db X Ex Px Dx Y Ey Py Dy. enclosed_selection_float64.lines. fold ROUNDING.
   assert (H := decided_apart s a ea a' b eb b' S1 S2 A Ea Pa Da B Eb Pb Db).
   assert (Wx : s * (ex / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ex / 2 ^ 53)) by (assert (0 <= s * ex) by (apply Rmult_le_pos; lra); lra).
   assert (Wy : s * (ey / 2 ^ 53) <= s * (1 + 1 / 2 ^ 49) * (ey / 2 ^ 53)) by (assert (0 <= s * ey) by (apply Rmult_le_pos; lra); lra).
-  destruct (either _ _) as [D|D].
+  destruct (either _ _) as [D|_].
   - specialize (H D). destruct (Rlt_dec a b), (Rlt_dec a' b'); try (exfalso; tauto); repeat split; try assumption; lra.
-  - clear D H. assert (O := own_rounding_of_sum x (- y) X ltac:(apply generic_format_opp; exact Y)). change (x + - y) with (x - y) in O. set (t :=
-    rounded (x - y)) in *. assert (T := Rabs_pos t).
-    assert (F : rounded (Rabs t * 9007199254740992) = Rabs t * 9007199254740992).
-    { apply round_generic; [typeclasses eauto|]. replace 9007199254740992 with (bpow radix2 53) by (simpl; lra). apply mult_bpow_pos_exact_FLT;
-      [is_float64 | easy]. }
-    rewrite F. assert (Ft : float64 (Rabs t * 9007199254740992)) by (rewrite <- F; is_float64).
-    counts k (Rabs t * 9007199254740992 + ex). counts c (k + ey). split; [is_float64 | split; [assumption|]].
-    assert (Ty : Rabs (x - y) <= (1 + unit53) * Rabs t) by (generalize (Rabs_triang_inv (x - y) t); rewrite (Rabs_minus_sym (x - y) t); in_units).
-    apply enough with (Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) 0 0; try lra; [clearbody k c t; in_units|].
-    assert (Q : 0 <= (s - 1) * (Rabs t * (1 + unit53))) by (apply Rmult_le_pos; [lra | in_units]). assert (0 <= s * ex) by (apply Rmult_le_pos; lra).
-      assert (0 <= s * ey) by (apply Rmult_le_pos; lra).
-    assert (Near : forall v w w' e, Rabs (v - w) <= (1 + unit53) * Rabs t -> Rabs (w - w') <= s * (e / 2 ^ 53) -> s * e <= s * ex + s * ey -> Rabs (v
-      - w') <= s * ((Rabs t * (1 + unit53) * 2 ^ 53 + ex + ey) / 2 ^ 53) + ((1 + 4 * unit53) * unit53 * 0 + 0)).
-    { intros v w w' e V W L. clearbody t. sizes. }
-    assert (Zr : forall r, Rabs (r - r) <= (1 + unit53) * Rabs t) by (intro r; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; apply Rmult_le_pos;
-      [in_units | exact T]).
-    destruct (Rlt_dec a b), (Rlt_dec a' b'); [apply Near with x ex | apply Near with y ey | apply Near with x ex | apply Near with y ey]; try
-      assumption; try apply Zr; try lra.
-    rewrite Rabs_minus_sym. exact Ty.
+  - assert (W := fun is_first should => open_covers s x ex x' y ey y' is_first should S1 X Ex Px Dx Y Ey Py Dy). destruct (Rlt_dec a b), (Rlt_dec a'
+      b'); apply (W true true) || apply (W true false) || apply (W false true) || apply (W false false).
 Qed.
 
 (* A whole number that is found of x: it changes only where a multiple of a half is in reach. *)
-Lemma whole_rule (s x e x' away y y' : R) (n : Z) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 e -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) -> e <= 2 ^ 60 ->
+Lemma whole_rule (s x e x' away y y' : R) (n : Z) : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 e -> 0 <= e -> Rabs (x - x') <= s * (e / 2 ^ 53) -> e <=
+  2 ^ 60 ->
   y - y' = IZR n -> Rabs (y - y') <= Rabs (x - x') + 1 -> (x = x' \/ Rabs (x - x') < away -> y = y') -> let b := rounded (ROUNDING * e) in
   let c := rounded (9007199254740992 * (if both (Rle_dec (rounded away) (rounded (b * (562949953421313 / 562949953421312)))) (Rlt_dec 0 e) then
     rounded (1 + whole_below b) else whole_below b)) in
@@ -292,7 +312,8 @@ Proof.
   set (w := Zfloor b). assert (W : (0 <= w <= 256)%Z) by (split; [apply Zfloor_lub, B0 | rewrite <- (Zfloor_IZR 256); apply Zfloor_le; exact B1]).
   assert (small : forall m j, (0 <= m <= 257)%Z -> (0 <= j)%Z -> rounded (IZR m * bpow radix2 j) = IZR m * bpow radix2 j) by (intros; apply kept,
     whole_is_float64; lia).
-  assert (plain : forall m, (0 <= m <= 257)%Z -> rounded (IZR m) = IZR m) by (intros m L; rewrite <- (Rmult_1_r (IZR m)); exact (small m 0%Z L ltac:(easy))).
+  assert (plain : forall m, (0 <= m <= 257)%Z -> rounded (IZR m) = IZR m) by (intros m L; rewrite <- (Rmult_1_r (IZR m)); exact (small m 0%Z L
+    ltac:(easy))).
   assert (K : exists m : Z, (0 <= m <= 257)%Z /\ c = IZR m * bpow radix2 53 /\ Rabs (y - y') <= IZR m).
   { unfold c. change (whole_below b) with (IZR w). rewrite (Rmult_comm 9007199254740992). change 9007199254740992 with (bpow radix2 53). destruct
     (both _ _) as [_|Far].
@@ -327,8 +348,10 @@ Lemma rounded_abs (x : R) : Rabs (rounded x) = rounded (Rabs x).
 Proof. symmetry. apply round_NE_abs. typeclasses eauto. Qed.
 Theorem enclosing_rules__floor : Statements.enclosing_rules__floor.
 Proof.
-  red. intros s x e x' S1 S2 X E P D U. enclosed_floor_float64.lines. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite rounded_abs.
-  unfold whole_below at 5. unfold whole_below at 5. apply whole_rule with x x' (Zfloor x - Zfloor x')%Z; try assumption; [symmetry; apply minus_IZR | |].
+  red. intros s x e x' S1 S2 X E P D U. enclosed_floor_float64.lines. fold ROUNDING. change (IZR (Int_part x')) with (whole_below x'). rewrite
+    rounded_abs.
+  unfold whole_below at 5. unfold whole_below at 5. apply whole_rule with x x' (Zfloor x - Zfloor x')%Z; try assumption; [symmetry; apply minus_IZR |
+    |].
   - generalize (Zfloor_lb x) (Zfloor_ub x) (Zfloor_lb x') (Zfloor_ub x') (Rle_abs (x - x')) (Rabs_maj2 (x - x')). intros. apply Rabs_le. lra.
   - intros [->|N]; [reflexivity|]. f_equal. symmetry. apply Zfloor_imp. rewrite plus_IZR. generalize (nearest_is_nearest x (Zfloor x))
     (nearest_is_nearest x (Zfloor x + 1)) (Zfloor_lb x) (Zfloor_ub x) (Rle_abs (x - x')) (Rabs_maj2 (x - x')).

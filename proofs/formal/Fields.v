@@ -192,7 +192,7 @@ Proof.
   red. intros. pose proof PI_RGT_0. destruct (central_difference_of_sine__sine_in_u epsilon k_u k_v u v) as (_ & _ & _ & _ & ->); try assumption.
   truncated (sin (v * PI * k_v) * cos (u * PI * k_u)) k_u epsilon
     (third_of_a_sine (fun u => sin (PI * (k_u * u)) * sin (PI * (k_v * v))) (sin (PI * (k_v * v))) k_u ltac:(intro; cbv beta; ring) u).
-  replace (PI * (k_u * u)) with (u * PI * k_u) by ring. replace (PI * (k_v * v)) with (v * PI * k_v) by ring.
+  printed_angles.
   replace (PI * k_u * epsilon) with (epsilon * PI * k_u) in * by ring. conclusions G1 G2 epsilon.
 Qed.
 Theorem truncation_bound__sine_in_v : Statements.truncation_bound__sine_in_v.
@@ -200,7 +200,7 @@ Proof.
   red. intros. pose proof PI_RGT_0. destruct (central_difference_of_sine__sine_in_v epsilon k_u k_v u v) as (_ & _ & _ & _ & ->); try assumption.
   truncated (sin (u * PI * k_u) * cos (v * PI * k_v)) k_v epsilon
     (third_of_a_sine (fun v => sin (PI * (k_u * u)) * sin (PI * (k_v * v))) (sin (PI * (k_u * u))) k_v ltac:(reflexivity) v).
-  replace (PI * (k_u * u)) with (u * PI * k_u) by ring. replace (PI * (k_v * v)) with (v * PI * k_v) by ring.
+  printed_angles.
   replace (PI * k_v * epsilon) with (epsilon * PI * k_v) in * by ring. conclusions G1 G2 epsilon.
 Qed.
 Theorem truncation_bound__rings : Statements.truncation_bound__rings.

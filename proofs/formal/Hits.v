@@ -34,11 +34,13 @@ Proof.
   rewrite <- M, <- V in I. rewrite T. unfold is_finite. repeat split; try lra. exists t. repeat split; try lra; try exact A; try exact N. rewrite V. field. lra.
 Qed.
 
-Ltac of_a x y eye radius rho tangent edge d := match goal with R : _ >= _ * eye |- _ => change (hit_of_a.rho_raw x y >= tiny * eye) in R;
+(* The same of a claim's lines, by their names there. *)
+Ltac of_a := red; intros; match goal with rho := if Rle_dec _ ?raw then ?raw else 0, tangent := (?eye - ?radius) * (?eye + ?radius), edge := ?eye *
+  ?radius / _, d := _ * (_ - _) * _, raw := sqrt (?x ^ 2 + ?y ^ 2), R : _ >= _ * ?eye |- _ => change (hit_of_a.rho_raw x y >= tiny * eye) in R;
   destruct (lines_of_a x y eye radius ltac:(assumption) ltac:(assumption) ltac:(assumption) R) as (HA & O & T & TP & EP & ES & RP & RS & DV);
   change (hit_of_a.tangent_squared eye radius) with tangent in *; change (hit_of_a.rho x y eye) with rho in *;
   change (hit_of_a.rho_silhouette eye radius) with edge in *; change (hit_of_a.discriminant_a x y eye radius) with d in * end.
-Ltac hit x y eye radius d root t := match goal with A : 0 < radius < eye, O : off_axis x y eye, D : d >= 0 |- _ =>
+Ltac hit := of_a; match goal with A : 0 < ?radius < ?eye, O : off_axis ?x ?y ?eye, D : ?d >= 0, root := sqrt (Rmax 0 ?d), t := _ / (?eye ^ 2 + _) |- _ =>
   destruct (hit_a x y eye radius A O D) as (M0 & N0 & FT & R0 & RR & t1 & _ & TB & TM & TR & TA & TN);
   change (hit_of_a.root_a x y eye radius) with root in *; change (hit_of_a.discriminant_a x y eye radius) with d in *;
   unfold on_a, distance2 in TA; assert (PR : eye ^ 2 + root > 0) by nra;
@@ -48,34 +50,34 @@ Ltac decided := match goal with |- ?hits = _ => unfold hits; match goal with |- 
 Ltac settled := first [assumption | lra | nra | apply Rgt_not_eq; lra | decided].
 
 Theorem hit_of_a__solves : Statements.hit_of_a__solves.
-Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
+Proof. hit. each settled. Qed.
 Theorem hit_of_a__near : Statements.hit_of_a__near.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
+  hit.
   assert (L : t1 <= t) by (apply TN; unfold on_a, distance2; lra). each settled.
 Qed.
 Theorem hit_of_a__misses : Statements.hit_of_a__misses.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  of_a.
   assert (G : (eye ^ 2 + rho ^ 2) * (eye ^ 2 * (1 - t) ^ 2 + t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2 - radius ^ 2) =
     ((eye ^ 2 + rho ^ 2) * t - eye ^ 2) ^ 2 - discriminant_a) by (rewrite DV, RS, T; ring).
   pose proof (pow2_ge_0 ((eye ^ 2 + rho ^ 2) * t - eye ^ 2)). assert (eye ^ 2 + rho ^ 2 > 0) by nra. each settled.
 Qed.
 Theorem silhouette_of_a__quadratic : Statements.silhouette_of_a__quadratic.
-Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
+Proof. of_a. each settled. Qed.
 Theorem silhouette_of_a__inside : Statements.silhouette_of_a__inside.
-Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. each settled. Qed.
+Proof. of_a. each settled. Qed.
 Theorem silhouette_of_a__only_inside : Statements.silhouette_of_a__only_inside.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  of_a.
   assert (Q : discriminant_a = tangent_squared * (rho_silhouette ^ 2 - rho ^ 2)) by (unfold discriminant_a; ring).
   assert (rho ^ 2 <= rho_silhouette ^ 2) by nra. each settled.
 Qed.
 Theorem silhouette_of_a__in_front : Statements.silhouette_of_a__in_front.
-Proof. red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a. each settled. Qed.
+Proof. hit. each settled. Qed.
 Theorem silhouette_of_a__tangent : Statements.silhouette_of_a__tangent.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a.
+  of_a.
   assert (E3 : rho ^ 2 = rho_silhouette ^ 2) by (apply (Rmult_eq_reg_r tangent_squared); [rewrite ES, RS, T | ]; lra).
   set (s := 1 - radius ^ 2 / eye ^ 2) in *. assert (Q : eye ^ 2 * (1 - s) = radius ^ 2) by (unfold s; field; lra).
   assert (E2 : (x ^ 2 + y ^ 2) * s = radius ^ 2) by (unfold s; field_simplify_eq; lra). assert (R4 : radius ^ 4 / eye ^ 2 = radius ^ 2 * (1 - s)) by
@@ -87,19 +89,16 @@ Proof.
   assert (- eye * eye * (1 - s) + x * x * s + y * y * s = 0) by (transitivity ((x ^ 2 + y ^ 2) * s - eye ^ 2 * (1 - s)); [ring | rewrite E2, Q; ring]).
   each settled.
 Qed.
+Ltac from_the_point := match goal with RS : ?rho ^ 2 = ?x ^ 2 + ?y ^ 2 |- context [?eye ^ 2 * (1 - ?t) / ?radius] =>
+  assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra);
+  assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring) end; each settled.
 Theorem visible_iff__visible : Statements.visible_iff__visible.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
-  assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (match goal with C : _ / radius >= radius |- _ => apply Rge_le in C; apply (Rmult_le_compat_r
-    radius) in C; [field_simplify in C; lra | lra] end).
-  assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
-  assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
+  hit. assert (Z : eye ^ 2 * (1 - t) >= radius ^ 2) by (match goal with C : _ / radius >= radius |- _ => apply Rge_le in C; apply (Rmult_le_compat_r
+    radius) in C; [field_simplify in C; lra | lra] end). from_the_point.
 Qed.
 Theorem visible_iff__hidden : Statements.visible_iff__hidden.
 Proof.
-  red. intros. of_a x y eye radius rho tangent_squared rho_silhouette discriminant_a. hit x y eye radius discriminant_a root_a t_a.
-  assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (match goal with C : _ / radius < radius |- _ => apply (Rmult_lt_compat_r radius) in C;
-    [field_simplify in C; lra | lra] end).
-  assert (W : radius * (radius - eye ^ 2 * (1 - t) / radius) = radius ^ 2 - eye ^ 2 * (1 - t)) by (field; lra).
-  assert (V : t ^ 2 * rho ^ 2 = t ^ 2 * x ^ 2 + t ^ 2 * y ^ 2) by (rewrite RS; ring). each settled.
+  hit. assert (Z : eye ^ 2 * (1 - t) < radius ^ 2) by (match goal with C : _ / radius < radius |- _ => apply (Rmult_lt_compat_r radius) in C;
+    [field_simplify in C; lra | lra] end). from_the_point.
 Qed.

@@ -199,16 +199,20 @@ Qed.
 Theorem pole__one_limit__point : exists k_u k_v, k_v <> 0 /\ forall theta, - PI <= theta < PI -> limit theta k_u k_v = limit (- PI) k_u k_v.
 Proof. exists 2, 1. split; [lra|]. intros. rewrite !limit_at_two. reflexivity. Qed.
 
-(* False variants. *)
-Theorem pole__sine_limit__false : ~ forall u k_u k_v, PI * Rabs (k_v * sin (PI * (k_u * u))) = 0.
-Proof. intro H. generalize (H (1/2) 1 1). replace (PI * (1 * (1/2))) with (PI / 2) by field. rewrite sin_PI2, Rabs_pos_eq by lra. generalize PI_RGT_0. lra. Qed.
-Theorem pole__rings_limit__false : ~ forall theta k_v, (2 * PI * k_v * cos theta, 2 * PI * k_v * sin theta, 0) = (2 * PI * k_v * cos (theta + PI), 2 *
-  PI * k_v * sin (theta + PI), 0).
-Proof. intro H. generalize (f_equal (fun a => fst (fst a)) (H 0 1)) PI_RGT_0. cbn [fst]. rewrite neg_cos, cos_0. lra. Qed.
-Theorem pole__surface_limit__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 / 4).
+(* False variants: without the factor of u; with the slope of half the wave number, which sine has; as if u were theta. *)
+Theorem pole__sine_limit__false : ~ forall theta k_u k_v, filterlim (fun v => fst (fst (g_of_sine theta k_u k_v v))) (locally 0) (locally (PI * k_v *
+  cos theta)).
 Proof.
-  intro H. generalize (H 0 1 1) (proj2 (proj2 (proj2 (pole__surface_limit 0 1 1)))) PI_RGT_0. intros -> E P. revert E.
-  replace (PI * (1 * ((0 + PI) / (2 * PI)))) with (PI / 2) by (field; lra). rewrite sin_PI2. lra.
+  intro H. generalize (filterlim_locally_unique _ _ _ (H 0 2 1) (proj1 (pole__sine_limit 0 2 1))) PI_RGT_0.
+  replace (PI * (2 * ((0 + PI) / (2 * PI)))) with PI by (field; apply PI_neq0). rewrite sin_PI, cos_0. lra.
+Qed.
+Theorem pole__rings_limit__false : ~ forall theta k_v, filterlim (fun v => fst (fst (g_of_rings theta k_v v))) (locally 0) (locally (PI * k_v * cos theta)).
+Proof. intro H. generalize (filterlim_locally_unique _ _ _ (H 0 1) (proj1 (pole__rings_limit 0 1))) PI_RGT_0. rewrite cos_0. lra. Qed.
+Theorem pole__surface_limit__false : ~ forall theta k_u k_v, dot (limit theta k_u k_v) (limit theta k_u k_v) = k_v ^ 2 * (k_u ^ 2 + (1 - k_u ^ 2) *
+  sin (PI * (k_u * ((theta + PI) / (2 * PI)))) ^ 2).
+Proof.
+  intro H. generalize (H (- PI) 1 1) (proj2 (proj2 (proj2 (pole__surface_limit (- PI) 1 1)))). intros ->.
+  replace (PI * (1 * ((- PI + PI) / (2 * PI)))) with 0 by (field; apply PI_neq0). rewrite sin_0. lra.
 Qed.
 Theorem pole__one_limit__false : ~ forall k_u k_v, k_v <> 0 -> (forall theta, - PI <= theta < PI -> limit theta k_u k_v = limit (- PI) k_u k_v) -> k_u = 0.
 Proof. intro H. assert (2 = 0); [|lra]. apply (H 2 1 ltac:(lra)). intros. rewrite !limit_at_two. reflexivity. Qed.

@@ -29,12 +29,10 @@ Proof. intro B. arctangent_polynomial.lines. interval with (i_taylor r, i_degree
 Lemma arctangent_relative (r : R) : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1/4 / 2 ^
   53 * Rabs r.
 Proof.
-  intro B. set (g := fun t => arctangent_polynomial.small_part t 0 - atan t / PI). assert (G : g 0 = 0) by (unfold g,
-    arctangent_polynomial.small_part; rewrite atan_0; unfold Rdiv; ring).
-  replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
-  assert (T' : - (5/16 + 1/2^30) <= t <= 5/16 + 1/2^30) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
-  - unfold g; arctangent_polynomial.lines. auto_derive; [exact I|]. unfold h. reflexivity.
-  - unfold h. clear - T'. interval with (i_taylor t, i_degree 40, i_prec 100).
+  intro B. evar (h : R -> R). apply (at_most_times (fun t => arctangent_polynomial.small_part t 0 - atan t / PI) h _ (5/16 + 1/2^30));
+    [unfold arctangent_polynomial.small_part; rewrite atan_0; unfold Rdiv; ring | intros t T; split | exact B].
+  - arctangent_polynomial.lines. auto_derive; [exact I|]. unfold h. reflexivity.
+  - unfold h. clear - T. interval with (i_taylor t, i_degree 36, i_prec 80).
 Qed.
 
 (* A rule for division: of two that were rounded before. *)
@@ -256,8 +254,12 @@ Proof. apply angle_near. Qed.
 (* of the origin it is 0. *)
 Theorem elementary_functions__origin : angle_in_half_turns_float64.angle 0 0 = 0.
 Proof.
-  angle_in_half_turns_float64.lines. rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra. rewrite
-    (Rmult_0_l (rounded (_ + 5734161139222659 / 18014398509481984))), !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
+  unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant,
+    angle_in_half_turns_float64.first_octant, angle_in_half_turns_float64.small_part.
+  (* its polynomial is left as it is: written out, it takes long *)
+  set (tail := angle_in_half_turns_float64.arctangent_tail 0 0). clearbody tail. angle_in_half_turns_float64.lines.
+  rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra.
+  rewrite !Rmult_0_l, !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
 Qed.
 Theorem elementary_functions__arctangent__point : exists r : R, - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
 Proof. exists 0. lra. Qed.

@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Relative.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential EnclosingRules.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential EnclosingRules Shading.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -18,6 +18,8 @@ Proof.
   eapply Rle_trans; [apply rounding_error|]. rewrite Rabs_mult, (Rabs_pos_eq S) by lra. apply Rmult_le_compat_r with (r := S) in B; in_units.
 Qed.
 
+(* A component h near that of the formulas, m, of a vector of length 1. *)
+Definition near_unit (h m : R) : Prop := Rabs (h - m) <= 12 * unit53 /\ Rabs m <= 1.
 (* A vector over its length, as float64 carries it out, of components that are off by 9/4 roundings of the length. *)
 Section normalised.
 Variables m1 m2 m3 h1 h2 h3 L : R.
@@ -61,16 +63,14 @@ Proof.
     with L; [|rewrite Rinv_l]; lra | sizes|].
   replace (/ L * y * L) with y by (field; lra). sizes.
 Qed.
-Lemma component_normalised (h m : R) : Rabs (h - m) <= 9/4 * unit53 * L -> m * m <= L * L -> Rabs (rounded (c * h) - / L * m) <= 12 * unit53 /\ Rabs
-  (/ L * m) <= 1.
+Lemma component_normalised (h m : R) : Rabs (h - m) <= 9/4 * unit53 * L -> m * m <= L * L -> near_unit (rounded (c * h)) (/ L * m).
 Proof.
   intros E M. assert (X := component_of_unit m M). split; [|exact X]. assert (Y : Rabs (/ L * h - / L * m) <= 9/4 * unit53) by (replace (_ - _) with
     ((h - m) / L) by (field; lra); apply over_length; [lra | exact E]).
   replace (c * h) with (c * L * (/ L * h)) by (field; lra). replace (/ L * m) with (1 * (/ L * m)) at 1 by ring. eapply Rle_trans; [apply (times_error
     _ _ _ _ 1 1 _ _ ltac:(rewrite Rabs_R1; lra) X scale_of_length Y) | in_units].
 Qed.
-Lemma direction_rounded : (Rabs (rounded (c * h1) - / L * m1) <= 12 * unit53 /\ Rabs (/ L * m1) <= 1) /\ (Rabs (rounded (c * h2) - / L * m2) <= 12 *
-  unit53 /\ Rabs (/ L * m2) <= 1) /\ Rabs (rounded (c * h3) - / L * m3) <= 12 * unit53 /\ Rabs (/ L * m3) <= 1.
+Lemma direction_rounded : near_unit (rounded (c * h1)) (/ L * m1) /\ near_unit (rounded (c * h2)) (/ L * m2) /\ near_unit (rounded (c * h3)) (/ L * m3).
 Proof. destruct components_short as (? & ? & ?). split; [|split]; apply component_normalised; assumption. Qed.
 End normalised.
 
@@ -92,23 +92,17 @@ Qed.
 (* The bumped normal and the light's direction: near those of the formulas, which are no longer than 1. *)
 Lemma normal_near (nx ny nz gx gy gz b : R) : let m2 := (b * gx + nx) ^ 2 + (b * gy + ny) ^ 2 + (b * gz + nz) ^ 2 in 1 <= m2 <= 2 ^ 900 -> (b * gx) ^
   2 <= m2 -> (b * gy) ^ 2 <= m2 -> (b * gz) ^ 2 <= m2 ->
-  (Rabs (perturbed_float64.bumped_x nx ny nz gx gy gz b - perturbed.bumped_x nx ny nz gx gy gz b) <= 12 * unit53 /\ Rabs (perturbed.bumped_x nx ny nz
-    gx gy gz b) <= 1) /\
-  (Rabs (perturbed_float64.bumped_y nx ny nz gx gy gz b - perturbed.bumped_y nx ny nz gx gy gz b) <= 12 * unit53 /\ Rabs (perturbed.bumped_y nx ny nz
-    gx gy gz b) <= 1) /\
-  Rabs (perturbed_float64.bumped_z nx ny nz gx gy gz b - perturbed.bumped_z nx ny nz gx gy gz b) <= 12 * unit53 /\ Rabs (perturbed.bumped_z nx ny nz
-    gx gy gz b) <= 1.
+  near_unit (perturbed_float64.bumped_x nx ny nz gx gy gz b) (perturbed.bumped_x nx ny nz gx gy gz b) /\
+  near_unit (perturbed_float64.bumped_y nx ny nz gx gy gz b) (perturbed.bumped_y nx ny nz gx gy gz b) /\
+  near_unit (perturbed_float64.bumped_z nx ny nz gx gy gz b) (perturbed.bumped_z nx ny nz gx gy gz b).
 Proof.
   intros m2 M Bx By Bz. unfold m2 in *. perturbed_float64.lines; perturbed.lines. of_length (b * gx + nx) (b * gy + ny) (b * gz + nz). unfold v in LL.
   apply direction_rounded; try apply component_rounded; unfold v in *; lra.
 Qed.
 Lemma towards_near (px py pz lx ly lz : R) : let d2 := (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 in / 1099511627776 <= d2 <= 2 ^ 900 ->
-  (Rabs (light_direction_float64.towards_x px py pz lx ly lz - light_direction.towards_x px py pz lx ly lz) <= 12 * unit53 /\ Rabs
-    (light_direction.towards_x px py pz lx ly lz) <= 1) /\
-  (Rabs (light_direction_float64.towards_y px py pz lx ly lz - light_direction.towards_y px py pz lx ly lz) <= 12 * unit53 /\ Rabs
-    (light_direction.towards_y px py pz lx ly lz) <= 1) /\
-  Rabs (light_direction_float64.towards_z px py pz lx ly lz - light_direction.towards_z px py pz lx ly lz) <= 12 * unit53 /\ Rabs
-    (light_direction.towards_z px py pz lx ly lz) <= 1.
+  near_unit (light_direction_float64.towards_x px py pz lx ly lz) (light_direction.towards_x px py pz lx ly lz) /\
+  near_unit (light_direction_float64.towards_y px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) /\
+  near_unit (light_direction_float64.towards_z px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz).
 Proof.
   intros d2 D. unfold d2 in *. light_direction_float64.lines; light_direction.lines. of_length (lx - px) (ly - py) (lz - pz).
   apply direction_rounded; try assumption; (eapply Rle_trans; [apply (rounded_error _ L), within_length; lra | in_units]).
@@ -117,16 +111,15 @@ Theorem colour_accuracy__normal : Statements.colour_accuracy__normal.
 Proof.
   red. intros. destruct (normal_near normal_x normal_y normal_z g_x g_y g_z beta) as ([] & [] & []); try (simpl; lra). in_units.
 Qed.
-Lemma positive_part (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
-Proof. unfold Rmax, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
 (* The highlight's base: Phong's is made of sums and products, *)
 Ltac sums := lazymatch goal with
   | |- Rabs (rounded (_ + _) - (_ + _)) <= _ => eapply both_error; [find_bound | sums | sums]
   | |- Rabs (rounded (_ - _) - (_ - _)) <= _ => eapply difference_error; [find_bound | sums | sums]
-  | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply times_error; [find_bound | find_bound | sums | sums]
+  | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply Rle_trans; [eapply times_error; [find_bound | find_bound | sums | sums] | find_bound]
   | |- _ => first [eassumption | apply no_error] end.
 Theorem colour_accuracy__phong : Statements.colour_accuracy__phong.
-Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply positive_part|]. eapply Rle_trans; [sums | interval]. Qed.
+Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. eapply Rle_trans; [apply clamp_is_lipschitz|].
+  eapply Rle_trans; [sums | interval]. Qed.
 (* The product of a normal and a vector of that length, of any length. *)
 Lemma along_rounded (nx ny nz hx hy hz L : R) : 1 / 2 ^ 20 <= L -> hx * hx <= L * L -> hy * hy <= L * L -> hz * hz <= L * L -> Rabs nx <= /
   1099511627776 + 1 -> Rabs ny <= / 1099511627776 + 1 -> Rabs nz <= / 1099511627776 + 1 ->
@@ -145,7 +138,8 @@ Proof.
   red. intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. blinn_highlight_float64.lines; blinn_highlight.lines. of_length hx hy hz.
   assert (R := length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1)). set (l := rounded (sqrt _)) in
     *. assert (l0 : 0 < l) by in_units.
-  destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0). eapply Rle_trans; [apply positive_part|].
+  destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0).
+    eapply Rle_trans; [apply clamp_is_lipschitz|].
   destruct (along_rounded nx ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D G]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny
     * hy + nz * hz) in *.
   assert (B := over_length g _ L ltac:(lra) G). assert (Y : Rabs (d / l - g / L) <= 285/10 * unit53).
@@ -165,14 +159,15 @@ Proof.
     + ny * ny + nz * nz) * v); [|apply Rmult_le_compat_r; [lra | generalize (S _ Bx) (S _ By) (S _ Bz); lra]].
     unfold v. generalize (Rle_0_sqr (nx * hy - ny * hx)) (Rle_0_sqr (nx * hz - nz * hx)) (Rle_0_sqr (ny * hz - nz * hy)). unfold Rsqr. lra. }
   rewrite LL in Q. set (h := rounded (_ + rounded (hz * hz))) in *. set (e := nx * hx + ny * hy + nz * hz) in *. assert (M := Rle_trans _ _ _
-    (positive_part _ e) D). set (A := Rmax 0 (rounded _)) in *.
+    (clamp_is_lipschitz _ e) D). set (A := Rmax 0 (rounded _)) in *.
   assert (B2 : 0 <= Rmax 0 e /\ Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. set (X := v
     * d). clearbody h A B. assert (Vu : v <= 2 ^ 400) by (unfold v; lra).
   assert (h0 : 0 < h) by sizes. destruct (Rlt_dec 0 h) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 v) as [_|N]; [|lra].
   assert (Xl : 1 / 2 ^ 60 <= X) by (apply Rle_trans with (1 / 2 ^ 40 * / 1048576); [lra | apply Rmult_le_compat; lra]). assert (Xu : X <= 2 ^ 600) by
     (change 600%nat with (400 + 200)%nat; rewrite pow_add; apply Rmult_le_compat; lra).
-  set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <=
-    30001/10000) by nra. assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
+  set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <= 30001/10000)
+    by (split; [exact (Rle_0_sqr b) | apply Rmult_le_reg_l with v; lra]).
+  assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
   assert (F : Rabs (a - b) <= 81/10 * unit53) by (unfold a, b; replace (_ - _) with ((A - B) / L) by (field; lra); apply over_length; lra).
   replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace (B
     ^ 2) with (B * B) by ring; rewrite b2; field; lra).
@@ -249,7 +244,7 @@ Lemma share_moves (b i a kd ks p m n e : R) : i >= 0 -> a >= 0 -> kd >= 0 -> Rab
   light_term.lit_red b i a kd ks n p) <= i * (a * kd * e).
 Proof.
   intros I A K E. light_term.lines. replace (_ - _) with (i * (a * kd * (Rmax 0 m - Rmax 0 n))) by ring. rewrite !Rabs_mult, !Rabs_pos_eq by lra.
-  apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. eapply Rle_trans; [apply positive_part | exact E].
+  apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. eapply Rle_trans; [apply clamp_is_lipschitz | exact E].
 Qed.
 Theorem colour_accuracy__composed (nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : R) :
   let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) in let d2 := (lz - pz) *

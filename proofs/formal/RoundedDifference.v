@@ -117,8 +117,7 @@ Lemma sine_in_u (u v k_u k_v epsilon : R) : sampled_in_u k_u u epsilon -> carrie
 Proof.
   intros I V. destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (U & E & K & B & W & Cp & Cm). assert (W' := proj2 (up_to_1 _) W). assert (T
     := truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K).
-  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold central_any_float64.h_u, central_any_float64.h_u_plus,
-    central_any_float64.h_u_minus. rewrite P, M.
+  destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold_difference. rewrite P, M.
   refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => eq_refl)) _ Ap Am
     (quotient_in_u _ _ _ _ _ _) (sine_height_near _ _ _ _ Cp V) (sine_height_near _ _ _ _ Cm V) _);
     try apply rounded_is_float64; [lra..| truncation T (gradient_sine.h_u u v k_u k_v) epsilon].
@@ -131,7 +130,7 @@ Lemma difference_in_v (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k
 Proof.
   intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon E (proj1 (up_to_1
     _) W) M) as (P' & M' & S'). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
-  unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', S'. destruct (N _ Cp) as [Np Fp].
+  unfold_difference. rewrite P', M', S'. destruct (N _ Cp) as [Np Fp].
     destruct (N _ Cm) as [Nm Fm].
   refine (three_parts h L v epsilon _ _ _ _ _ _ _ _ S _ Ap Am (quotient_in_v _ _ _ Fp Fm _) Np Nm T); lra.
 Qed.
@@ -199,8 +198,7 @@ Theorem difference_bounds__in_float64_u (u v k_u k_v epsilon : R) : sampled_in_u
 Proof.
   intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v
     epsilon I V)).
-  - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold central_any_float64.h_u,
-    central_any_float64.h_u_plus, central_any_float64.h_u_minus.
+  - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold_difference.
     rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
@@ -214,7 +212,7 @@ Proof.
     epsilon I U)).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. assert (P := proj1 (up_to_1 _) W). destruct
     (arguments_in_v v epsilon E P M) as (P' & M' & _).
-    unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P', M', !(ridges_height s) by assumption.
+    unfold_difference. rewrite P', M', !(ridges_height s) by assumption.
       exact (proj2 (opposite_quotients s _ _ 0 _ S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
@@ -273,7 +271,7 @@ Lemma difference_when_clamped (height : R -> R -> R -> R -> R) (h : R -> R) (L u
 Proof.
   intros (V & E & K & B & W & C) (h1 & D & S) N. destruct (clamped_arguments v e V E B W) as (P & M & Z). destruct (N _ C) as [A' Fa]. destruct (N _
     (zero_carried _ _ C)) as [B' Fb].
-  unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, Z. set (a := height _ (rounded _) _ _) in
+  unfold_difference. rewrite P, M, Z. set (a := height _ (rounded _) _ _) in
     *. set (b := height _ 0 _ _) in *. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded
     (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
   destruct (rounded_sum e v E V) as (d3 & D3 & R3). fold w in R3.
@@ -311,7 +309,7 @@ Proof.
     _ I (sine_is_steep _ 1 _ K _ _) (rings_height_near k F)); [rewrite Rabs_R1; lra | intro; symmetry; apply Rmult_1_r]. }
   intros s G H H'. assert (K0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _
     _ _ _ _ G _ _ N).
-  - unfold central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus. rewrite P, M, !(ridges_height s) by (assumption ||
+  - unfold_difference. rewrite P, M, !(ridges_height s) by (assumption ||
     lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).
   - central_ridges.lines; central_sine.lines.
     rewrite P', M', !S'. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v * 0))) in *.
@@ -319,7 +317,7 @@ Proof.
       (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). unfold Rdiv. ring.
 Qed.
 
-(* False variants: without the part of the arguments, where the slope dies. *)
+(* False variants: with an eighth of the arguments' part, where the slope dies. *)
 Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
 Proof.
   apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply
@@ -338,32 +336,37 @@ Proof.
 Qed.
 Lemma no_slope (height : R -> R -> R -> R -> R) (k_u k_v : R) : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
   central_any_float64.h_u height w w k_u k_v e = 0 /\ central_any_float64.h_v height w w k_u k_v e = 0.
-Proof. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := arguments_in_v (bpow radix2 (-1)) _ E). unfold central_any_float64.h_u,
-  central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v, central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+Proof. destruct witness as (U & (_ & E & _ & B & W & _) & _). assert (P := arguments_in_v (bpow radix2 (-1)) _ E). unfold_difference.
   destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [S T]. rewrite S, T in *. destruct P as (-> & -> & _); try lra.
   rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
 Qed.
-Lemma without_arguments : let L := PI * (201 / 2) in let e := bpow radix2 (-55) in e ^ 2 / 6 * L ^ 3 + evaluation_part L e < 100.
-Proof. intros L e. unfold L, e, evaluation_part, kappa_unclamped. change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)). interval with (i_prec 80). Qed.
-Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 100 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
-  100 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
+Lemma eighth_of_arguments : let L := PI * (201 / 2) in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
+  e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53 / 8) e + evaluation_part L e < 150.
+Proof.
+  intros L w e. unfold L, w, e, arguments_part, evaluation_part, kappa_unclamped. change (bpow radix2 (-1)) with (/ 2). change (bpow radix2 (-55)) with
+    (/ IZR (2 ^ 55)). interval with (i_prec 80).
+Qed.
+Lemma steep_there : let k := 201 / 2 in let w := bpow radix2 (-1) in 150 <= Rabs (0 - PI * cos (PI * (k * w)) * k * sin (PI * (k * w))) /\
+  150 <= Rabs (0 - 2 * PI * cos (PI * (k * w)) * (k / 2)).
 Proof. intros k w. unfold k, w. change (bpow radix2 (-1)) with (/ 2). split; interval. Qed.
 Theorem difference_bounds__in_float64_u__point : exists u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon /\ carried k_v v.
 Proof. do 5 eexists. split; apply witness. Qed.
 Theorem difference_bounds__in_float64_u__false : ~ forall u v k_u k_v epsilon : R, sampled_in_u k_u u epsilon -> carried k_v v ->
   Rabs (central_any_float64.h_u height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_u u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_u) ^ 3 +
+    arguments_part (PI * k_u) ((u + epsilon) / 2 ^ 53 / 8) epsilon +
     evaluation_part (PI * k_u) epsilon.
 Proof.
-  intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) without_arguments (proj1 steep_there).
+  intro H. destruct witness as (U & _ & C). generalize (H _ _ _ _ _ U C) eighth_of_arguments (proj1 steep_there).
   rewrite (proj1 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). unfold_slopes. lra.
 Qed.
 Theorem difference_bounds__in_float64_v__point : exists u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon /\ carried k_u u.
 Proof. do 5 eexists. split; apply witness. Qed.
 Theorem difference_bounds__in_float64_v__false : ~ forall u v k_u k_v epsilon : R, sampled_in_v k_v v epsilon -> carried k_u u ->
   Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= epsilon ^ 2 / 6 * (PI * k_v) ^ 3 +
+    arguments_part (PI * k_v) ((v + epsilon) / 2 ^ 53 / 8) epsilon +
     evaluation_part (PI * k_v) epsilon.
 Proof.
-  intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) without_arguments (proj1 steep_there).
+  intro H. destruct witness as (_ & V & C). generalize (H _ _ _ _ _ V C) eighth_of_arguments (proj1 steep_there).
   rewrite (proj2 (no_slope height_sine_float64.h (201 / 2) (201 / 2))). unfold_slopes. lra.
 Qed.
 Lemma clamped_witness : clamped_in_v (201 / 2) 0 (bpow radix2 (-1)) /\ carried (201 / 2) (bpow radix2 (-1)).
@@ -391,9 +394,9 @@ Theorem difference_bounds__rings_in_float64__point : exists v k_v epsilon : R, f
 Proof. do 3 eexists. exact for_rings. Qed.
 Theorem difference_bounds__rings_in_float64__false : ~ forall u v k_u k_v epsilon : R, float64 k_v -> sampled_in_v (2 * k_v) v epsilon ->
   Rabs (central_any_float64.h_v (fun _ v _ k_v => height_rings_float64.h v k_v) u v k_u k_v epsilon - gradient_rings.h_v v k_v) <= epsilon ^ 2 / 6 *
-    (PI * (2 * k_v)) ^ 3 + evaluation_part (PI * (2 * k_v)) epsilon.
+    (PI * (2 * k_v)) ^ 3 + arguments_part (PI * (2 * k_v)) ((v + epsilon) / 2 ^ 53 / 8) epsilon + evaluation_part (PI * (2 * k_v)) epsilon.
 Proof.
-  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) without_arguments (proj2 steep_there).
+  intro H. destruct for_rings as [F V]. generalize (H (bpow radix2 (-1)) _ 0 _ _ F V) eighth_of_arguments (proj2 steep_there).
   rewrite (proj2 (no_slope _ 0 (201 / 2 / 2))). unfold_slopes. replace (2 * (201 / 2 / 2)) with (201 / 2) by field. lra.
 Qed.
 Lemma seam_witness : carried (IZR (2 * 100)) (central_any_float64.u_plus (bpow radix2 (-1)) (bpow radix2 (-55))) /\ carried (IZR (2 * 100))

@@ -38,7 +38,7 @@ Proof.
   { eapply Rle_trans; [apply (rounded_error _ 1024); unfold scale; interval | lra]. }
   assert (D : Rabs (IZR n - scale * p) <= 1/2 + 1 / 2 ^ 42).
   { apply through with (rounded (scale * p)); [|exact R]. rewrite Rabs_minus_sym. apply Rle_trans with (/ 2); [apply Znearest_half | lra]. }
-  split; [exact D|]. assert (P : -102143/100 <= scale * p <= 10229/10) by (unfold scale; split; lra). apply Rabs_le_between in D.
+  split; [exact D|]. assert (P : -102143/100 <= scale * p <= 10229/10) by (unfold scale; split; lra). both_ways D.
   assert (-1022 < n < 1024)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 Lemma doublings_range : -1021 <= IZR n <= 1023.
@@ -46,18 +46,18 @@ Proof. destruct near_doublings as [_ N]. split; apply IZR_le, N. Qed.
 Lemma doublings_off : Rabs (p - IZR n * ln 2) <= 34658/100000.
 Proof.
   destruct near_doublings as [D _]. replace (p - IZR n * ln 2) with (p * (1 - scale * ln 2) - ln 2 * (IZR n - scale * p)) by ring.
-  set (d := IZR n - scale * p) in *. clearbody d. apply Rabs_le_between in D. unfold scale. interval.
+  set (d := IZR n - scale * p) in *. clearbody d. both_ways D. unfold scale. interval.
 Qed.
 Lemma away_high_printed : exponential_of_sum_float64.away_high p = p - IZR n * (22713/32768) /\ Rabs (p - IZR n * (22713/32768)) <= 3481/10000.
 Proof.
   assert (S : Rabs (p - IZR n * (22713/32768)) <= 3481/10000).
   { replace (p - _) with (p - IZR n * ln 2 + IZR n * (ln 2 - 22713/32768)) by ring. generalize doublings_off. set (d := p - IZR n * ln 2). intro D.
-    generalize doublings_range. clearbody d. generalize (IZR n). intros w W. apply Rabs_le_between in D. interval. }
+    generalize doublings_range. clearbody d. generalize (IZR n). intros w W. both_ways D. interval. }
   split; [|exact S]. destruct near_doublings as [D N]. unfold exponential_of_sum_float64.away_high. change (exponential_of_sum_float64.whole p) with (IZR n).
   assert (W : IZR n * (22713/32768) = IZR (22713 * n) * bpow radix2 (-15)) by (rewrite mult_IZR; change (bpow radix2 (-15)) with (/ 32768); field).
   assert (K : float64 (IZR n * (22713/32768))) by (rewrite W; apply whole_is_float64; lia).
   rewrite (Rmult_comm (22713/32768)), (kept _ K). apply kept. rewrite W in *. apply rest_is_float64; [exact F | lra|].
-  destruct (Rle_lt_dec (1/4) (Rabs p)) as [G|G]; [left; exact G | right]. apply Rabs_def2 in G. apply Rabs_le_between in D. unfold scale in D.
+  destruct (Rle_lt_dec (1/4) (Rabs p)) as [G|G]; [left; exact G | right]. apply Rabs_def2 in G. both_ways D. unfold scale in D.
   assert (-1 < n < 1)%Z by (split; apply lt_IZR; lra). lia.
 Qed.
 (* What remains of the argument, in two parts. *)
@@ -83,14 +83,13 @@ Proof.
   { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E4 : Rabs (exponential_of_sum_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
   { assert (T : Rabs (h - a) <= 1471/1000000).
-    { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. apply Rabs_le_between in Bl. apply Rabs_le_between in
-      E1. apply Rabs_le_between in E3. apply Rabs_le. lra. }
+    { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. by_sides. }
     eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E5 : Rabs (b - (h - a - l)) <= 2/1000 / 2 ^ 53).
   { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a -
     (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
     eapply Rle_trans; [eapply difference_error; [exact T | exact E4 | apply no_error] | lra]. }
-  apply Rabs_le_between in Br. apply Rabs_le_between in E2. apply Rabs_le_between in E3. apply Rabs_le_between in E5. repeat split; apply Rabs_le; lra.
+  repeat split; by_sides.
 Qed.
 End exponential.
 
@@ -134,13 +133,12 @@ Proof.
   unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh :=
     exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
   assert (S : Rabs (a + (b + w)) <= Rabs (v - 1) + 1/1000).
-  { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))). rewrite Rabs_Ropp. apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y.
-    intros. apply Rabs_le. lra. }
+  { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))) B. rewrite Rabs_Ropp. intros. by_sides. }
   assert (E1 := both_error a a (b + w) wh _ _ _ S (no_error a) M).
   assert (S' : Rabs (a + (b + w) + 1) <= v + 1/1000).
-  { apply Rabs_le_between in X. assert (Y := B). apply Rabs_le_between in Y. apply Rabs_le. lra. }
+  { assert (Y := B). by_sides. }
   assert (E2 := sum_error (a + (b + w)) _ 1 _ _ S' E1). set (near := rounded (_ + 1)) in *. clearbody near.
-  apply Rabs_le_between in X. apply Rabs_le_between in E2. assert (P : Rabs (v - 1) <= 1) by (apply Rabs_le; lra). apply Rabs_le. lra.
+  both_ways X. both_ways E2. assert (P : Rabs (v - 1) <= 1) by (apply Rabs_le; lra). apply Rabs_le. lra.
 Qed.
 End polynomial.
 
@@ -148,21 +146,21 @@ Lemma exponential_near_float64 (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs
   let r := p + e - IZR (Znearest (fun n => negb (Z.even n)) (rounded (3248660424278399 / 2251799813685248 * p))) * ln 2 in
   Rabs (exponential_of_sum_float64.exponential_near p e - exp r) <= 11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_of_sum_float64.exponential_near p e.
 Proof.
-  intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. apply Rabs_le_between in A. assert (N := near_rounded p e A C). cbv zeta in N.
+  intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. both_ways A. assert (N := near_rounded p e A C). cbv zeta in N.
   set (a := exponential_of_sum_float64.away p e) in *. set (b := exponential_of_sum_float64.away_error p e) in *. set (near :=
     exponential_of_sum_float64.exponential_near p e) in *.
   assert (V := near_one _ A).
   assert (G : forall t, Rabs t <= 36/100 / 2 ^ 53 -> Rabs (exp t - 1 - t) <= 1 / 2 ^ 100).
-  { intros t T. apply Rabs_le_between in T. interval with (i_taylor t, i_degree 4, i_prec 200). }
+  { intros t T. both_ways T. interval with (i_taylor t, i_degree 4, i_prec 200). }
   assert (Q : Rabs (r - a) <= 36/100 / 2 ^ 53).
   { replace (r - a) with (b - (a + b - r)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
   generalize (G _ Q). clear G. replace (exp r) with (exp a * exp (r - a)) by (rewrite <- exp_plus; f_equal; ring). set (t := exp (r - a) - 1 - (r - a)).
   replace (exp (r - a)) with (1 + b - (a + b - r) + t) by (unfold t; ring). intro T. clearbody t near a b r. set (v := exp a) in *. clearbody v. set
     (h := a + b - r) in *. clearbody h.
   assert (I : forall x m y, Rabs x <= m -> 0 <= y -> - (m * y) <= x * y <= m * y).
-  { intros x m y K O. apply Rabs_le_between in K. split; nra. }
+  { intros x m y K O. both_ways K. split; nra. }
   generalize (I h _ v D ltac:(lra)) (I t _ v T ltac:(lra)) (I b _ v C ltac:(lra)) (I b _ (Rabs (v - 1)) C (Rabs_pos _)). clear I. intros Ih It Ib Ibd.
-    apply Rabs_le_between in N.
+    both_ways N.
   destruct (Rle_lt_dec 1 v) as [O|O]; [rewrite (Rabs_pos_eq (v - 1)) in * by lra | rewrite (Rabs_left (v - 1)) in * by lra]; (split; [apply Rabs_le|]; lra).
 Qed.
 
@@ -196,6 +194,6 @@ Theorem elementary_functions__exp__false : ~ forall p e, float64 p -> -708 <= p 
 Proof.
   intro H. assert (E : Rabs (1 / 2 ^ 42) <= 1 / 2 ^ 42) by (rewrite Rabs_pos_eq; lra). generalize (H 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra)
     E) (elementary_functions__exp 0 (1 / 2 ^ 42) (generic_format_0 _ _) ltac:(lra) E).
-  rewrite exp_0, Rplus_0_l. intros X Y. apply Rabs_le_between in X. apply Rabs_le_between in Y. assert (1 + 9 / 2 ^ 53 < exp (1 / 2 ^ 42) < 2) by
+  rewrite exp_0, Rplus_0_l. intros X Y. both_ways X. both_ways Y. assert (1 + 9 / 2 ^ 53 < exp (1 / 2 ^ 42) < 2) by
     (split; interval with (i_prec 100)). lra.
 Qed.

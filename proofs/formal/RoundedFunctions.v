@@ -15,8 +15,8 @@ Proof.
 Qed.
 Lemma sine_of_float64 (x : R) : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c :=
   half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in
-  sine_of_half_turns_float64.sine x 0 = match (quarters x mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
-  cosine_of_half_turns_float64.cosine x 0 = match (quarters x mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+  sine_of_half_turns_float64.sine x 0 = sine_in (quarters x) s c /\
+  cosine_of_half_turns_float64.cosine x 0 = cosine_in (quarters x) s c.
 Proof. intro F. rewrite <- (proj1 (remainder_of_float64 x F)). exact (sine_printed x 0 F). Qed.
 
 (* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)

@@ -12,6 +12,10 @@ Lemma twice_float64 (x : R) : float64 x -> float64 (2 * x).
 Proof. intro F. rewrite Rmult_comm. apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 x 1); [exact F | easy]. Qed.
 Lemma four_quadrants (q : Z) : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z.
 Proof. generalize (Z.mod_pos_bound q 4 ltac:(easy)). lia. Qed.
+(* The sine and the cosine after q quarters of a turn, from those before. *)
+Definition sine_in (q : Z) (s c : R) : R := match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end.
+Definition cosine_in (q : Z) (s c : R) : R := match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+Ltac each_quadrant q := unfold sine_in, cosine_in; destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K.
 (* The number of quarters of a turn, and what remains of a float64 product: both are exact. *)
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
@@ -58,14 +62,13 @@ Qed.
 (* What the sine and the cosine return, by the quadrant. *)
 Lemma sine_printed : let r := sine_of_half_turns_float64.remainder p e in let s := half_turn_polynomials_float64.sine_near r in let c :=
   half_turn_polynomials_float64.cosine_near r in
-  sine_of_half_turns_float64.sine p e = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
-  cosine_of_half_turns_float64.cosine p e = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+  sine_of_half_turns_float64.sine p e = sine_in q s c /\ cosine_of_half_turns_float64.cosine p e = cosine_in q s c.
 Proof.
   intros r s c. unfold sine_of_half_turns_float64.sine, cosine_of_half_turns_float64.cosine.
   change (cosine_of_half_turns_float64.quadrant p) with (sine_of_half_turns_float64.quadrant p).
 
 
-  rewrite quadrant_printed. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; repeat destruct Rlt_dec; (split; reflexivity) || lra.
+  rewrite quadrant_printed. each_quadrant q; repeat destruct Rlt_dec; (split; reflexivity) || lra.
 Qed.
 End reduction.
 
@@ -75,13 +78,12 @@ Proof.
     cos_2a_sin, Z. split; ring.
 Qed.
 Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
-  sin (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end /\
-  cos (PI * (w + IZR q / 2)) = match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+  sin (PI * (w + IZR q / 2)) = sine_in q s c /\ cos (PI * (w + IZR q / 2)) = cosine_in q s c.
 Proof.
   intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
   replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR;
     field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
-  destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K;
+  each_quadrant q;
     [rewrite Rmult_0_l, sin_0, cos_0 | rewrite Rmult_1_l, sin_PI2, cos_PI2 | replace (2 * (PI / 2)) with PI by field; rewrite sin_PI, cos_PI | rewrite
       sin_3PI2, cos_3PI2]; split; ring.
 Qed.
@@ -99,10 +101,9 @@ Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 (* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
 Lemma in_each_quadrant (F : R -> R -> Prop) (q : Z) (s c s' c' : R) : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) ->
-  F (match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end) (match (q mod 4)%Z with 0%Z => s' | 1%Z => c' | 2%Z => - s' | _ => - c' end) /\
-  F (match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end) (match (q mod 4)%Z with 0%Z => c' | 1%Z => - s' | 2%Z => - c' | _ => s' end).
+  F (sine_in q s c) (sine_in q s' c') /\ F (cosine_in q s c) (cosine_in q s' c').
 Proof.
-  intros S C N. destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K; split; try apply N; assumption.
+  intros S C N. each_quadrant q; split; try apply N; assumption.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Lemma half_turns_apart (f g : R -> R) (x y : R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <=

@@ -9,6 +9,7 @@ Open Scope R_scope.
 
 (* What a size says, both ways. *)
 Ltac both_ways H := apply Rabs_le_between in H.
+Ltac by_sides := repeat match goal with B : Rabs _ <= _ |- _ => both_ways B end; try apply Rabs_le; lra.
 Lemma through (a b c x y : R) : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
 Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
 Lemma size (a ah A e : R) : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
@@ -91,10 +92,8 @@ Proof.
 Qed.
 Lemma sine_rounded : Rabs (half_turn_polynomials_float64.sine_near r - half_turn_polynomials.sine_near r) <= 207 / 100 / 2 ^ 53.
 Proof.
-  destruct z_is as [z0 Ez]. unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near, half_turn_polynomials_float64.sine_tail,
-    half_turn_polynomials.sine_tail.
-  change (half_turn_polynomials_float64.z r) with zh. change (half_turn_polynomials.z r) with z. clearbody zh z.
-  eapply Rle_trans; [find_error | interval].
+  destruct factor_rounded as [E P]. eapply Rle_trans; [eapply (times_error r r _ _ (1/4 + 1/2^30) (315/100)); [| | apply no_error | exact E] | lra];
+    apply Rabs_le; lra.
 Qed.
 (* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
 Theorem elementary_functions__cosine_float64 : Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).

@@ -72,7 +72,7 @@ Proof.
     p)); [ring | rewrite P, Q; unfold b, d; ring]).
   assert (pr := Rmult_le_pos p r p0 ltac:(lra)). assert (qp : 1 / 2 ^ 90 <= z * r * p) by interval.
   assert (T : 0 < r * r * (p * p)) by interval.
-  assert (r2 : 4 * (r * r) <= z * r * (z * r)) by nra. assert (Hs : - (z * r) <= h <= z * r) by nra.
+  assert (r2 : 4 * (r * r) <= z * r * (z * r)) by nra. assert (Hs : - (z * r) <= h <= z * r) by (apply Rabs_le_between, within_length; lra).
   assert (Bs : Rabs b <= z * r * p) by (apply within_length; unfold d in I; lra).
   eassert (Bn : near (z * r * p) _ bh b) by (unfold bh, b; follow).
   eassert (Cn : near (3/2 * (z * r) * (3/2 * (z * r))) _ ch c) by (unfold ch, c; follow).
@@ -80,7 +80,8 @@ Proof.
   assert (Bl : 866/1000 * (z * r * p) <= b) by (apply less_of_squares; nra). assert (dr : r * r * (p * p) / 16 <= d <= r * r * (p * p)) by (unfold d
     in *; lra). assert (Cl : 3/4 * (z * r * (z * r)) <= c) by (unfold c; lra).
   assert (L : Rabs (dh - d) <= 31 * z * unit53 * (r * r * (p * p))) by (eapply Rle_trans; [apply Dn | apply Rmult_le_compat_r; [lra | unfold unit53;
-    nra]]). assert (d0 : 0 <= dh) by (both_ways L; unfold unit53 in *; nra).
+    nra]]). assert (d0 : 0 <= dh).
+  { assert (31 * z * unit53 * (r * r * (p * p)) <= 1 / 16 * (r * r * (p * p))) by (apply Rmult_le_compat_r; [|unfold unit53]; lra). both_ways L. lra. }
   generalize (sqrt_pos d) (sqrt_sqrt d ltac:(lra)). rewrite !Rmax_right by lra. set (s := sqrt d). intros s0 Sd. assert (s1 : p * r / 4 <= s <= z * r
     * p) by (split; apply less_of_squares; nra).
   assert (Rn : near (z * r * p) 63 (sqrt dh) s).

@@ -12,14 +12,13 @@ Lemma series_relative (q : R) : Rabs q <= 589/10000 -> Rabs (2 * q + logarithm_p
 Proof.
   intro B. set (g := fun t => 2 * t + logarithm_polynomial.log_tail t - (ln (1 + t) - ln (1 - t))). change (Rabs (g q) <= 13/1000 / 2 ^ 53 * Rabs q).
     destruct (Rle_lt_dec (3/64) (Rabs q)) as [L|L].
-  - apply Rle_trans with (13/1000 / 2 ^ 53 * (3/64)); [|lra]. apply Rabs_le_between in B. unfold g; logarithm_polynomial.lines.
+  - apply Rle_trans with (13/1000 / 2 ^ 53 * (3/64)); [|lra]. both_ways B. unfold g; logarithm_polynomial.lines.
     unfold Rabs in L; destruct Rcase_abs in L; [assert (- (59/1000) <= q <= - (3/64)) by lra | assert (3/64 <= q <= 59/1000) by lra]; interval with
       (i_taylor q, i_degree 20, i_prec 120).
-  - assert (G : g 0 = 0) by (unfold g; logarithm_polynomial.lines; rewrite Rplus_0_r, Rminus_0_r; ring).
-    replace (g q) with (g q - g 0) by (rewrite G; ring). rewrite <- (Rminus_0_r q) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
-    assert (T' : - (3/64) <= t <= 3/64) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; lra). clear T. split.
+  - evar (h : R -> R). apply (at_most_times g h _ (3/64)); [unfold g; logarithm_polynomial.lines; rewrite Rplus_0_r, Rminus_0_r; ring | intros t T; split
+      | apply Rabs_le_between; lra].
     + unfold g; logarithm_polynomial.lines. auto_derive; [lra|]. unfold h. reflexivity.
-    + unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 120).
+    + unfold h. clear - T. interval with (i_taylor t, i_degree 20, i_prec 120).
 Qed.
 
 (* A rounding to so many digits, relative to a number that is not negligible. *)
@@ -44,6 +43,10 @@ Lemma sum_within (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Ra
 Proof.
   intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. apply bounded_product; assumption.
 Qed.
+(* The sum of two roundings, named s, whose size is at most X. *)
+Ltac float_is := first [apply rounded_is_float64 | apply generic_format_opp, rounded_is_float64].
+Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
+  assert (E := sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption)); change (rounded (f + g)) with s in E.
 (* The part of 26 digits, which is split off by a multiplication. *)
 Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
   (Znearest (fun n => negb (Z.even n))) x.
@@ -76,7 +79,6 @@ Proof.
 Qed.
 Lemma at_the_scale_of (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
 Proof. intros. apply bounded_product; [assumption | rewrite Rabs_pos_eq; lra]. Qed.
-Ltac by_sides := repeat match goal with B : Rabs _ <= _ |- _ => apply Rabs_le_between in B end; try apply Rabs_le; lra.
 
 Section doublings.
 Variable x : R.
@@ -98,7 +100,7 @@ Proof.
   { apply Rle_trans with (bpow radix2 (k + b)); [apply bpow_le, Ks|]. rewrite bpow_plus. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact K]. }
   assert (S0 := bpow_gt_0 radix2 (-874)). set (c := 6369051672525773 / 4503599627370496). destruct (standard_model (c * s)) as (d & D & W).
   { rewrite Rabs_pos_eq by (unfold c; lra). apply Rle_trans with (bpow radix2 (-874)); [apply bpow_le; easy | unfold c; lra]. }
-  replace unit_roundoff with (/ 2 ^ 53) in D by (unfold unit_roundoff; simpl; lra). apply Rabs_le_between in D. set (e := (mag radix2 (c * s * (1 + d)) - 1)%Z).
+  replace unit_roundoff with (/ 2 ^ 53) in D by (unfold unit_roundoff; simpl; lra). both_ways D. set (e := (mag radix2 (c * s * (1 + d)) - 1)%Z).
   assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). assert (M := bpow_mag_gt radix2 (c * s * (1 + d))). assert (N :=
     bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra)).
   rewrite Rabs_pos_eq in M, N by lra. fold e in N. replace (mag radix2 (c * s * (1 + d)) : Z) with (e + 1)%Z in M by (unfold e; lia). rewrite
@@ -181,6 +183,7 @@ Proof.
   split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c.
     rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
 Qed.
+Ltac relatively d t E x y := match goal with b0 : negligible <= ?b |- _ => destruct (relative 53 b x y eq_refl b0 eq_refl) as (d & t & ? & ? & E) end.
 Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * b
   /\ Rabs (e - (q - h)) <= 1 / 2 ^ 70 * b.
 Proof.
@@ -199,7 +202,7 @@ Proof.
   { replace f with (c * ((1 + d1) / (1 + u) * (1 + d2) * (1 + d3) - 1) + c * S * b * t1 * (1 + d2) * (1 + d3) + t2 * (1 + d3) + t3).
     - simpl bpow in *. clearbody c b f S. interval with (i_prec 120).
     - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field.
-      apply Rabs_le_between in Bu. split; lra. }
+      both_ways Bu. split; lra. }
   clearbody f.
   assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_the_scale_of, Bf; lra).
   assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
@@ -227,17 +230,16 @@ Proof.
     <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
     apply Rmult_le_compat; [apply bpow_ge_0 | lra | exact h0 | rewrite Rabs_pos_eq; rewrite Pl; by_sides]. }
   set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
-  set (r' := natural_logarithm_float64.mantissa_rest x). destruct (relative 53 b (m - p) r' eq_refl b0 eq_refl) as (d4 & t4 & D4 & T4 & E4). set (w :=
-    rounded (h * r')). destruct (relative 53 b (h * r') w eq_refl b0 eq_refl) as (d5 & t5 & D5 & T5 & E5).
+  set (r' := natural_logarithm_float64.mantissa_rest x). relatively d4 t4 E4 (m - p) r'. set (w :=
+    rounded (h * r')). relatively d5 t5 E5 (h * r') w.
   set (n := natural_logarithm_float64.undivided_near x). destruct (relative 53 b (q * S - h * (p + d)) n eq_refl b0 ltac:(rewrite <- K1, <- qS, <- A;
     reflexivity)) as (d6 & t6 & D6 & T6 & E6).
-  set (U := natural_logarithm_float64.undivided x). destruct (relative 53 b (n - w) U eq_refl b0 eq_refl) as (d7 & t7 & D7 & T7 & E7). destruct
-    (relative 53 b (I * U) e eq_refl b0 eq_refl) as (d8 & t8 & D8 & T8 & E8).
+  set (U := natural_logarithm_float64.undivided x). relatively d7 t7 E7 (n - w) U. relatively d8 t8 E8 (I * U) e.
   replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
   rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) -
     b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
   apply at_the_scale_of; [lra|].
-  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; apply Rabs_le_between in Bu; split; lra). rewrite E1. simpl bpow in *.
+  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; both_ways Bu; split; lra). rewrite E1. simpl bpow in *.
     clearbody c b s S. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
@@ -322,8 +324,7 @@ Proof.
   assert (Bh : Rabs (2 * h) = 2 * Rabs h) by (rewrite Rabs_mult, (Rabs_pos_eq 2); lra). rewrite Bh.
   split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize
     (size _ _ _ _ Bq Eh); lra|].
-  assert (B1 : Rabs (t + w) <= 134/100000 * Rabs y + negligible / 100) by by_sides. assert (E1 := sum_within t w _ (Fl _) (Fl _) B1). set (a :=
-    rounded (t + w)) in E1.
+  set (a := rounded (t + w)). added a t w (134/100000 * Rabs y + negligible / 100).
   assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides).
     assert (E2 := sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
   change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2.

@@ -60,10 +60,8 @@ Lemma fourth_quotient (a b c d e : R) : float64 a -> float64 b -> float64 c -> f
   Rabs (rounded (rounded (twelfth * rounded (rounded (d - c) + rounded (8 * rounded (a - b)))) / e) - 1 / 12 * ((d - c) * s + 8 * ((a - b) * t)) / e)
     <= 3 / 2 ^ 100 / e.
 Proof.
-  intros A B C D E. rewrite (kept (8 * rounded (a - b))) by (replace (8 * rounded (a - b)) with (2 * (2 * (2 * rounded (a - b)))) by ring;
-    repeat apply twice_float64; apply rounded_is_float64).
-  assert (F8 : float64 (8 * rounded (a - b))) by (replace (8 * rounded (a - b)) with (2 * (2 * (2 * rounded (a - b)))) by ring;
-    repeat apply twice_float64; apply rounded_is_float64).
+  intros A B C D E. assert (F8 : float64 (8 * rounded (a - b))) by (replace (8 * rounded (a - b)) with (2 * (2 * (2 * rounded (a - b)))) by ring;
+    repeat apply twice_float64; apply rounded_is_float64). rewrite (kept _ F8).
   destruct (rounded_sum (rounded (d - c)) _ (rounded_is_float64 _) F8) as (d3 & D3 & ->). destruct (difference_near a b A B) as (d1 & D1 & ->).
     destruct (difference_near d c D C) as (d2 & D2 & ->).
   set (g := 12 * twelfth - 1). assert (G : Rabs g <= / 2 ^ 53) by (unfold g, twelfth; apply Rabs_le;

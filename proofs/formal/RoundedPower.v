@@ -29,14 +29,13 @@ Proof.
     200). assert (y0 := Rabs_pos y). set (z := p * Y).
   assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply
     Rmult_le_compat_r; lra]).
-  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64). assert (Opp := fun f => generic_format_opp radix2
-    (FLT_exp (-1074) 53) f).
+  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64).
   set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite
     (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
   { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 +
     t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
-  assert (b0 : / 4096 <= b) by (apply Rabs_le_between in Eb; lra).
+  assert (b0 : / 4096 <= b) by (both_ways Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
   { intros f [-> | B]; [left; ring | right]. apply Rle_trans with (bpow radix2 (-12 + -70)); [apply bpow_le; easy|]. rewrite bpow_plus, Rabs_mult.
     apply Rmult_le_compat; try apply bpow_ge_0; [|exact B]. rewrite Rabs_pos_eq; simpl bpow; lra. }
@@ -78,15 +77,9 @@ Proof.
   set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p).
     set (gained := raised_float64.product_gained x p).
   assert (z1 : 0 < z) by lra. clearbody z Y.
-  assert (B1 : Rabs (f1 + f2) <= 6 / 2 ^ 24 * z) by by_sides. assert (E6 := sum_within f1 f2 _ (Fl _) (Fl _) B1). set (f4 := rounded (f1 + f2)) in *.
-  assert (B2 : Rabs (f4 + f3) <= 142/100000 * z) by by_sides. assert (E7 := sum_within f4 f3 _ (Fl _) (Fl _) B2). set (f5 := rounded (f4 + f3)) in *.
-  assert (B3 : Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). assert (E8 := sum_within f5 g _ (Fl _) (Fl _) B3).
-    change (rounded (f5 + g)) with rest in E8.
-  assert (B4 : Rabs (o + rest) <= 1005/1000 * z) by by_sides. assert (E9 := sum_within o rest _ (Fl _) (Fl _) B4). change (rounded (o + rest)) with t in E9.
-  assert (B5 : Rabs (t + - o) <= 144/100000 * z) by by_sides. assert (E10 := sum_within t (- o) _ (Fl _) (Opp _ (Fl _)) B5). change (rounded (t + -
-    o)) with gained in E10.
-  assert (B6 : Rabs (rest + - gained) <= 101/100 / 2 ^ 53 * z) by by_sides. assert (E11 := sum_within rest (- gained) _ (Fl _) (Opp _ (Fl _)) B6).
-    change (rounded (rest + - gained)) with e in E11.
+  set (f4 := rounded (f1 + f2)). set (f5 := rounded (f4 + f3)). added f4 f1 f2 (6 / 2 ^ 24 * z). added f5 f4 f3 (142/100000 * z).
+  assert (Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). added rest f5 g (143/100000 * z). added t o rest (1005/1000 * z).
+  added gained t (- o) (144/100000 * z). added e rest (- gained) (101/100 / 2 ^ 53 * z).
   split.
   - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5
     - (f4 + f3)) + (rest - (f5 + g)) - (gained - (t + - o)) + (e - (rest + - gained)) + (o + g - (b * w + b * q))) by ring. rewrite Og, Hw, Hq.
@@ -107,7 +100,7 @@ Proof.
   replace (t + e) with (s + (t + e - s)) in X by ring. rewrite exp_plus in X. set (v := exp s) in *. assert (V : 0 < v) by apply exp_pos. set (d := t
     + e - s) in *.
   assert (G : Rabs (exp d - 1 - d) <= 1 / 2 ^ 90).
-  { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. apply Rabs_le_between in B. interval with (i_taylor d, i_degree 4, i_prec 200). }
+  { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. both_ways B. interval with (i_taylor d, i_degree 4, i_prec 200). }
   set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring; eapply
     Rle_trans; [apply Rabs_triang | lra]).
   assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1)); lra] | lra]).

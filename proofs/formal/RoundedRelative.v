@@ -13,12 +13,10 @@ Hypothesis B : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 (* The sine's polynomial is off by at most 2^-53 of its argument: its derivative is by 2^-53. *)
 Theorem elementary_functions__sine_relative : Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
-  set (g := fun t => half_turn_polynomials.sine_near t - sin (PI * t)). assert (G : g 0 = 0) by (unfold g; rewrite (proj1 elementary_functions__zero),
-    Rmult_0_r, sin_0; ring).
-  replace (_ - _) with (g r - g 0) by (rewrite G; unfold g; ring). rewrite <- (Rminus_0_r r) at 2. evar (h : R -> R). apply (bounded_variation g h). intros t T.
-  assert (T' : - (1/4 + 1/2^30) <= t <= 1/4 + 1/2^30) by (rewrite !Rminus_0_r in T; apply Rabs_le_between; apply Rabs_le in B; lra). clear T. split.
-  - unfold g; half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
-  - unfold h. clear - T'. interval with (i_taylor t, i_degree 20, i_prec 100).
+  evar (h : R -> R). apply (at_most_times (fun t => half_turn_polynomials.sine_near t - sin (PI * t)) h _ (1/4 + 1/2^30));
+    [rewrite (proj1 elementary_functions__zero), Rmult_0_r, sin_0; ring | intros t T; split | exact B].
+  - half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
+  - unfold h. clear - T. interval with (i_taylor t, i_degree 20, i_prec 100).
 Qed.
 Lemma sine_near_relative : let s := Rabs (sin (PI * r)) in Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 18/5 * (1 / 2 ^ 53) * s
   + bpow radix2 (-1074) /\ 279/100 * Rabs r <= s.

@@ -68,6 +68,13 @@ Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by 
   Rinv_l, Rmult_1_r by lra. exact X. Qed.
 Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
 Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
+(* What is 0 at 0 is at most L times its argument where its derivative is at most L. *)
+Lemma at_most_times (g h : R -> R) (L a r : R) : g 0 = 0 -> (forall t, - a <= t <= a -> is_derive g t (h t) /\ Rabs (h t) <= L) -> - a <= r <= a ->
+  Rabs (g r) <= L * Rabs r.
+Proof.
+  intros Z D B. replace (g r) with (g r - g 0) by (rewrite Z; ring). rewrite <- (Rminus_0_r r) at 2. apply (bounded_variation g h). intros t T. apply D.
+  rewrite !Rminus_0_r in T. apply Rabs_le_between. apply Rabs_le in B. lra.
+Qed.
 (* So of any height with slopes of at most L: its samples off by at most eta, its arguments by at most alpha, and a factor in 1 +- kappa. *)
 Theorem roundoff_bound__of_any_height (h h1 : R -> R) (L a b S kappa eta alpha a' b' h_a h_b t : R) :
   (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a - b = S -> Rabs (t - 1) <= kappa ->

@@ -119,9 +119,10 @@ Lemma difference_is (x y z px py pz : R) : difference (x, y, z) (px, py, pz) = (
 Proof. unfold difference, vector_sum, scaled. f_equal; [f_equal|]; ring. Qed.
 Lemma dot_itself (x y z : R) : dot (x, y, z) (x, y, z) = x ^ 2 + y ^ 2 + z ^ 2.
 Proof. unfold dot. ring. Qed.
+Ltac coordinates := repeat match goal with a : vector |- _ => destruct a as [[? ?] ?] end.
 Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
 Proof.
-  destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z].
+  coordinates.
   unfold mu, omega, magnitude; light_direction.lines. rewrite difference_is, dot_itself. reflexivity.
 Qed.
 Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
@@ -135,7 +136,7 @@ Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_u
 Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
   blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
 Proof.
-  cbv zeta. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
+  cbv zeta. coordinates.
   unfold blinn_base, omega, magnitude; blinn.lines. rewrite difference_is, dot_itself. unfold vector_sum, scaled. rewrite dot_itself.
   destruct (Rlt_dec _ _); [|reflexivity]. rewrite Rmax_comm. f_equal. unfold dot, Rdiv. ring.
 Qed.
@@ -150,7 +151,7 @@ Qed.
 
 Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
 Proof.
-  rewrite <- mu_is_a_product. destruct P as [[px py] pz], L as [[lx ly] lz], n as [[x y] z], v as [[vx vy] vz].
+  rewrite <- mu_is_a_product. coordinates.
   unfold phong_base, mu, omega, magnitude; phong.lines; light_direction.lines. rewrite difference_is, dot_itself. unfold dot, scaled. f_equal. ring.
 Qed.
 

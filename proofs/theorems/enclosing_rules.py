@@ -14,41 +14,55 @@ def not_tiny(number: Expr) -> Basic:
 
 _in_two = *_few, Abs(x * y) <= Pow(2, 21), not_tiny(x * y)
 
+_rules = [
+    Encloses(name, RULES[f"enclosed_{name}"], given)
+    for name, given in {
+        "sum": (),
+        "product": _few,
+        "quotient": (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
+        "root": (x >= 0, x_exact >= 0),
+        "floor": _few[0],
+        "nearest": _few[0],
+        "selection": (),
+        "sine": _in_two,
+        "cosine": _in_two,
+        "angle": x**2 + y**2 >= Pow(2, -10),
+        "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
+        "logarithm": (x <= Pow(2, 1000), x_error <= Pow(2, 52) * x, x * Pow(10, 285) >= 1),
+    }.items()
+]
+
+LIMITS = (
+    "nothing overflows; of a product, sine, cosine, floor and nearest number the counts are at most $2^{60}$; "
+    "neither what a root is of nor what that stands for is negative",
+    r"the divisor of a quotient, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
+    r"of a sine and a cosine $|xy| \le 2^{21}$, of an exponential $x \le 704$ and a count of at most $2^{55}$; of "
+    "these three what is not 0 is at least $10^{-285}$",
+    r"of an angle $x^2 + y^2 \ge 2^{-10}$",
+    r"of a logarithm $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
+    "of a program all this of what its result needs: not of a side that a selection leaves out for certain",
+    r"a literal has 53 bits, from $2^{-1074}$ on; below $2^{-1022}$ a rounding counts $2^{-1007}$; a count is made "
+    r"a bound by $1048577/9444732965739290427392 = 2^{-53} + 2^{-73}$; $2^{10} = 1024$, $2^{19} = 524288$, $2^{53} = "
+    r"9007199254740992$, $2^{59} = 576460752303423488$",
+)
+
 theorem = Theorem(
     "enclosing_rules",
     "The rules of the enclosing machine",
-    r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64. By
-    the machine's rules the float64 results of a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$, floor
-    $\lfloor x \rfloor$, of the whole number nearest to $x$, of a sine $\sin\pi xy$, cosine $\cos\pi xy$, angle
-    $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$ and of a selection by $x < y$ are within
-    their counts of the exact results, if the counts before are. Each operation makes a count too small by $2^{-49}$
-    of it at most, and $2^{28}$ of them, one after the other, by $2^{-20}$.""",
-    hypotheses=(
-        "nothing overflows; of a product, sine, cosine, floor and nearest number the counts are at most $2^{60}$; "
-        "neither what a root is of nor what that stands for is negative",
-        r"the divisor of a quotient, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
-        r"of a sine and a cosine $|xy| \le 2^{21}$, of an exponential $x \le 704$ and a count of at most $2^{55}$; of "
-        "these three what is not 0 is at least $10^{-285}$",
-        r"of an angle $x^2 + y^2 \ge 2^{-10}$",
-        r"of a logarithm $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
-    ),
-    rounded=[
-        Encloses(name, RULES[f"enclosed_{name}"], given)
-        for name, given in {
-            "sum": (),
-            "product": _few,
-            "quotient": (Abs(y) <= Pow(2, 960), Abs(y) - y_error * (1 + Pow(2, -19)) * Pow(2, -53) >= Pow(2, -59)),
-            "root": (x >= 0, x_exact >= 0),
-            "floor": _few[0],
-            "nearest": _few[0],
-            "selection": (),
-            "sine": _in_two,
-            "cosine": _in_two,
-            "angle": x**2 + y**2 >= Pow(2, -10),
-            "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
-            "logarithm": (x <= Pow(2, 1000), x_error <= Pow(2, 52) * x, x * Pow(10, 285) >= 1),
-        }.items()
-    ],
+    {
+        r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
+        By the machine's rules the float64 results of a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$, floor
+        $\lfloor x \rfloor$, of the whole number nearest to $x$, of a sine $\sin\pi xy$, cosine $\cos\pi xy$, angle
+        $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$ and of a selection by $x < y$ are within
+        their counts of the exact results, if the counts before are. Each operation makes a count too small by $2^{-49}$
+        of it at most, and $2^{28}$ of them, one after the other, by less than $3\cdot2^{-22}$.""": _rules,
+        r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
+        computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
+            "enclosing_rules__whole_programs 97db3242fabe9632"
+        ),
+    },
+    hypotheses=LIMITS,
+    rounded=_rules,
     steps={
         "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
         "an angle turns": r"by $\arctan|xy' - x'y|/(xx' + yy')$, over no cut",

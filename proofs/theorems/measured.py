@@ -4,7 +4,7 @@ The measurements are in verify/measurements."""
 
 from proofs.formulas.certified import ALGEBRAIC_GRADIENT, GENERAL_GRADIENT, POWER_RATE, PROVED, SINE
 from proofs.formulas.height_fields import gradient
-from proofs.theorems.enclosing_rules import not_tiny
+from proofs.theorems.enclosing_rules import LIMITS, not_tiny
 from proofs.theorems.language import *
 
 products = Theorem(
@@ -57,14 +57,21 @@ pole = Theorem(
 pixels = Theorem(
     "pixel_accuracy",
     "A pixel against the reference",
-    """Every channel of a pixel is within the bound that its picture carries of its exact value, for every field,
-    both models and other exponents.""",
+    {
+        r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
+        is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
+            "pixel_accuracy__recorded 79add938450c0770"
+        )
+    },
     hypotheses=(
-        """$255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows' edges,
-        nearest to the pole, the seam, the creases, the terminator and grazing light""",
-        """pixels that are open, and those whose side of a crease balls leave open, as those of the column $x =
-        0$, are counted apart""",
-        "measured, since each rule of the bounds is proved, but not that a picture's program follows them",
+        *LIMITS,
+        "float64 numbers; all this of what the channel needs; a power has no rule, and whole powers are "
+        "recorded as the default scene's: of others the bounds are measured",
+        r"the scene's numbers are within their bounds; what is missed is $2^{1023}$ away",
+        "where a sine or an angle is exact the machine counts less",
+        """measured: $255^2$; 46 pixels of each kind, of other exponents 10: at random, at silhouettes and shadows'
+        edges, nearest to the pole, the seam, the creases, the terminator and grazing light; those that are open, and
+        those whose side of a crease balls leave open, as those of the column $x = 0$, are counted apart""",
     ),
     expected="measured",
 )

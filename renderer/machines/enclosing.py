@@ -13,7 +13,7 @@ chain of operations these shares add up. A pixel's longest chain has fewer than 
 that turns a count into a bound, exceeds 2⁻⁵³ by the share 2⁻²⁰ > 2²⁸ · 2⁻⁴⁹, wherever a bound is read, compared, or
 multiplied by another bound. The elementary functions read bounds, and each makes up for its own roundings by SLACK.
 Theorem enclosing_rules states this, and Coq proves it of sums, products, quotients, roots, floor, rint, selections,
-sinpi, cospi, atan2pi, exp and log as written here, not of `add_half_turns`.
+sinpi, cospi, atan2pi, exp and log as written here, not of `add_half_turns`; and so of every program of these.
 
 Underflow loses less than LEAST, as a count less than LEAST_COUNT. A bound that is NaN decides nothing.
 """
@@ -167,7 +167,7 @@ class Enclosed(Bounded):
             if _scales(literal):
                 lost = 0.0 if abs(literal.value) >= 1.0 else _least(scaled)
                 if scaled.stays_exact and not is_zero(lost):
-                    lost = inner_where(abs(product) < LEAST_NORMAL, lost, 0.0)
+                    lost = inner_where(abs(product) <= LEAST_NORMAL, lost, 0.0)  # to which it may be rounded up
                 return lost, stays_exact
         return plus(abs(product), _least(self, other)), stays_exact
 
