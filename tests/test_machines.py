@@ -30,12 +30,11 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
-from renderer.machines.forms import COLORS, flat, of_form
+from renderer.machines.forms import COLORS, flat
 from renderer.picture import stage
-from renderer.scene.scene import BUMPS
-from renderer.shader.numbers import SCENE_FORM, numbers_of
-from renderer.shader.recorded import ANY, WANTS, recorded
+from renderer.shader.recorded import WANTS, recorded
 from tests.strategies import methods, rasters, scenes
+from verify.test_bounds import of_any
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -178,11 +177,8 @@ def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
         scene = replace(scene, shininess=scene.shininess % 1e5 // 1 + 0.5)
         method = exact("general") if method.name == "exact" else method
     frame = render(scene, *size, method)
-    shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
-    chosen = of_form(SCENE_FORM, numbers)
-    chosen.way, chosen.bump = ANY.ways.index((scene.field, "general" if known else shot.way)), BUMPS.index(scene.bump)
-    chosen.model = ANY.lights.index(shot.want.lights[0])
-    x, y = shot.raster.image_points(scene)
+    chosen, lights = of_any(frame.shot, known)
+    x, y = frame.raster.image_points(scene)
     numbers = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
     drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
     code, *colors = (numbers[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))
