@@ -15,6 +15,8 @@ from PIL import ImageColor
 
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
+from book.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
+from book.webassembly import LANES, compiled_module
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, kernels
@@ -23,9 +25,7 @@ from renderer.files.srgb import tables, thresholds
 from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEBRAIC
 from renderer.machines.drawing_code import arguments
 from renderer.machines.forms import flat
-from renderer.machines.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
 from renderer.machines.points_code import inputs_of
-from renderer.machines.webassembly import LANES, compiled_module
 from renderer.picture.views import DIVERGING
 from renderer.scene.raster import Raster
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of

@@ -94,3 +94,9 @@ def base(scheme, site, server):
 
 visit = pytest.fixture(visits)
 visit_once = pytest.fixture(visits, scope="module")  # its pages stay open for all tests of a file
+
+
+@pytest.fixture(scope="module")
+def tab(visit_once):
+    """The simulator's page, when it runs."""
+    return visit_once("s4")

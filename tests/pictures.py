@@ -1,9 +1,16 @@
 """Pictures in files."""
 
+from io import BytesIO
+
 import numpy as np
 from PIL import Image
 
 from renderer.picture import views
+
+
+def pixels(png):
+    """Return the bytes of the colours of a PNG, (rows, columns, 3)."""
+    return np.asarray(Image.open(BytesIO(png)).convert("RGB"))
 
 
 def shows(path, frame):

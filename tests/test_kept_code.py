@@ -13,14 +13,19 @@ KEY, CODE = "a" * 64, b"machine code"
 NAME = f"{KEY}.o"
 
 
+def is_kept():
+    """Save the code; return whether it is loaded."""
+    save(KEY, CODE)
+    return load(KEY) == CODE
+
+
 @pytest.fixture
 def place(tmp_path, monkeypatch):
     """The folder, which is there with one file in it, of a user whose files anybody may write to, unless told."""
     mask = os.umask(0)
     monkeypatch.setenv(kept_code.VARIABLE, str(tmp_path / "new" / "code"))
     assert load(KEY) is None
-    save(KEY, CODE)
-    assert load(KEY) == CODE
+    assert is_kept()
     yield tmp_path / "new" / "code"
     os.umask(mask)
 
@@ -32,8 +37,7 @@ def test_a_file_that_is_not_whole_is_none(place):
     for spoilt in (b"", content[:40], content[:-1], content + b"\0", CODE, content[:-1] + b"x", of_another):
         (place / NAME).write_bytes(spoilt)
         assert load(KEY) is None
-    save(KEY, CODE)
-    assert load(KEY) == CODE
+    assert is_kept()
 
 
 def a_link(path):
@@ -80,10 +84,9 @@ def test_it_is_kept_in_the_users_cache_and_closed_to_others(tmp_path, monkeypatc
     monkeypatch.delenv(kept_code.VARIABLE, raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setenv("HOME", str(tmp_path))  # where macOS has it
-    save(KEY, CODE)
+    assert is_kept()
     assert tmp_path in kept_code.folder().parents
     assert kept_code.folder().stat().st_mode & 0o777 == 0o700 or os.name == "nt"
-    assert load(KEY) == CODE
     monkeypatch.setenv(kept_code.VARIABLE, "off")
     save(KEY, CODE)
     assert (kept_code.folder(), load(KEY)) == (None, None)

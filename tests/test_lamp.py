@@ -20,11 +20,6 @@ SIDE = 64
 LAMP = "Simulator.running.act.state().lamp"
 
 
-@pytest.fixture(scope="module")
-def tab(visit_once):
-    return visit_once("s4")
-
-
 @pytest.mark.parametrize("ball", [1, 0])
 @pytest.mark.parametrize("lamp", [[5, 5, 10], [-4, 3, 2.5], [0, 0, 30], [3, -0.5, 0.1], [-2.1, 0.5, 0.5], [-2, 2, 3]])
 def test_its_light_and_shadows_are_the_renderers(tab, lamp, ball):

@@ -46,10 +46,9 @@ CERTIFIED = """async state => {
 
 
 @pytest.fixture(scope="module")
-def tab(visit_once):
-    page = visit_once("s4")
-    page.evaluate(READY)
-    return page
+def tab(tab):
+    tab.evaluate(READY)
+    return tab
 
 
 def read(row):

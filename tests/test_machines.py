@@ -30,12 +30,11 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
-from renderer.machines.forms import COLORS, flat, of_form
+from renderer.machines.forms import COLORS, flat
 from renderer.picture import stage
-from renderer.scene.scene import BUMPS
-from renderer.shader.numbers import SCENE_FORM, numbers_of
-from renderer.shader.recorded import ANY, WANTS, recorded
+from renderer.shader.recorded import WANTS, recorded
 from tests.strategies import methods, rasters, scenes
+from verify.test_bounds import of_any
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -63,6 +62,9 @@ def drawn_by(drawer, smallest_band=stage.SMALLEST_BAND):
         yield
 
 
+numpy_draws = partial(drawn_by, numpy_rows.drawer)
+
+
 def held(frame):
     """Return {name: array} of what a frame holds, the counts among it."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
@@ -81,7 +83,7 @@ def test_whatever_the_scene_the_bits_are_the_same(scene, size, method, lanes, da
     left, top = (data.draw(st.integers(0, side - 1)) for side in size)
     width, height = data.draw(st.integers(1, size[0] - left)), data.draw(st.integers(1, size[1] - top))
     draw, part = partial(render, scene, *size, method), np.s_[top : top + height, left : left + width]
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         ours = draw((left, top, width, height))
     with drawn_by(partial(native.drawer, lanes=lanes), 1):
         assert differing(held(ours), held(draw(ours.raster.crop, threads=3))) == []
@@ -123,7 +125,7 @@ def test_slopes_change_no_bit_and_are_the_same(name):
     (scene, method), names = SCENES[name], ("beta", "kd")
     draw = partial(render, scene, *SIZE, method)
     plain, together = draw(bounds=True), draw(derivatives=names, bounds=True)
-    with drawn_by(numpy_rows.drawer):
+    with numpy_draws():
         ours = draw(derivatives=names)
     assert differing(held(ours), held(plain)) == differing(held(together), held(plain)) == []
     assert (together.bounds == plain.bounds).all()
@@ -175,11 +177,8 @@ def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
         scene = replace(scene, shininess=scene.shininess % 1e5 // 1 + 0.5)
         method = exact("general") if method.name == "exact" else method
     frame = render(scene, *size, method)
-    shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
-    chosen = of_form(SCENE_FORM, numbers)
-    chosen.way, chosen.bump = ANY.ways.index((scene.field, "general" if known else shot.way)), BUMPS.index(scene.bump)
-    chosen.model = ANY.lights.index(shot.want.lights[0])
-    x, y = shot.raster.image_points(scene)
+    chosen, lights = of_any(frame.shot, known)
+    x, y = frame.raster.image_points(scene)
     numbers = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
     drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
     code, *colors = (numbers[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))

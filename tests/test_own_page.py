@@ -7,9 +7,8 @@ import pytest
 from playwright.sync_api import expect
 
 from renderer import HeightField, Scene, central, render
-from renderer.machines import numpy_rows
 from tests.tabs import go
-from tests.test_machines import drawn_by
+from tests.test_machines import numpy_draws
 from tests.test_own_field import AS_WRITTEN, KU, KV
 from tests.test_simulator_numbers import paint, painted
 
@@ -28,41 +27,28 @@ REFUSAL = """h => {
     try { module.own_of({ ...states.start(), field: "own", h: states.read("h", h) }); return null; }
     catch (error) { return error.message; }
 }"""
+EXAMPLES = "[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)"
 SIDE = 48
 
 
-@pytest.fixture(scope="module")
-def tab(visit_once):
-    return visit_once("s4")
-
-
-def pictures(tab, text, ku=KU, kv=KV):
-    """Return (the numeric and the symbolic picture that the page draws, (2, SIDE, SIDE, 3), whether it says a seam)."""
-    planes, has_seam = tab.evaluate(PICTURES, [text, ku, kv, SIDE])
-    return np.moveaxis(np.array(planes).reshape(2, 3, SIDE, SIDE), 1, -1), has_seam
-
-
-def off(text, page, has_seam, ku=KU, kv=KV):
+def off(tab, text):
     """Return by how much the page's pictures are off the renderer's, beyond the exact one's bound and off creases."""
-    scene = Scene(field=HeightField("own", text, seam=has_seam), ku=ku, kv=kv)
-    with drawn_by(numpy_rows.drawer):
+    planes, has_seam = tab.evaluate(PICTURES, [text, KU, KV, SIDE])
+    scene = Scene(field=HeightField("own", text, seam=has_seam), ku=KU, kv=KV)
+    with numpy_draws():
         frames = render(scene, SIDE, SIDE, central(1e-3)), render(scene, SIDE, SIDE, bounds=True)
     certain = ~frames[1].open & ~frames[1].kink & ~frames[0].straddling
     assert certain.mean() > 0.5
-    beyond = [np.abs(picture - frame.rgb) for picture, frame in zip(page, frames, strict=True)]
+    shown = (np.transpose(colours).reshape(SIDE, SIDE, 3) for colours in planes)
+    beyond = [np.abs(picture - frame.rgb) for picture, frame in zip(shown, frames, strict=True)]
     beyond[1] -= frames[1].bounds
     return [part[certain].max() for part in beyond]
 
 
-def examples(tab):
-    return tab.evaluate("[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)")
-
-
 def test_a_typed_field_is_the_renderers(tab):
     """The page's examples and formulas as people write them: to 1e-12 beside the bound, by a difference to 1e-9."""
-    texts = examples(tab) + [text for text in AS_WRITTEN if " if " not in text]
-    worst = {text: off(text, *pictures(tab, text)) for text in texts}
-    for text, (numeric, symbolic) in worst.items():
+    for text in (*tab.evaluate(EXAMPLES), *READ, *(text for text in AS_WRITTEN if " if " not in text)):
+        numeric, symbolic = off(tab, text)
         assert symbolic <= 1e-12 and numeric <= 1e-9, (text, numeric, symbolic)
 
 
@@ -78,12 +64,6 @@ def test_both_sides_refuse(tab, text):
     with pytest.raises(ValueError):
         HeightField("own", text)
     assert "h(u, v)" in tab.evaluate(REFUSAL, text)
-
-
-@pytest.mark.parametrize("text", READ)
-def test_both_sides_read(tab, text):
-    page, has_seam = pictures(tab, text)
-    assert max(off(text, page, has_seam)) <= 1e-9
 
 
 def test_it_is_typed_and_an_error_loses_nothing(tab):

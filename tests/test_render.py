@@ -115,9 +115,10 @@ def test_a_mean_of_samples_keeps_their_bounds(count, crop, method, by, drawer, m
         again = drawn(17, 13, crop=crop, samples=count, threads=1)
     blocks = high, count, wide, count
     assert (frame.open >= fine.open.reshape(blocks).any(axis=(1, 3))).all()
-    pairs = [(each.rgb, each.bounds) for each in (frame, fine, again)]
-    pairs += [(each.derivatives[name], each.derivative_bounds[name]) for name in by for each in (frame, fine, again)]
-    for one, other, same_bits in zip(*[iter(pairs)] * 3, strict=True):
+    pairs = (
+        [(f.rgb, f.bounds), *((f.derivatives[n], f.derivative_bounds[n]) for n in by)] for f in (frame, fine, again)
+    )
+    for one, other, same_bits in zip(*pairs, strict=True):
         assert all(map(np.array_equal, one, same_bits))
         means = [np.vectorize(Fraction)(each.reshape(*blocks, 3)).sum(axis=(1, 3)) / count**2 for each in other]
         mean, bound = map(np.vectorize(Fraction), one)

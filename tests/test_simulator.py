@@ -5,13 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 from playwright.sync_api import expect
 
 from proofs.formulas.step_bounds import TERMS
 from renderer import Scene, central, exact, render
 from renderer.files import record
 from renderer.picture import views
+from tests.pictures import pixels
 from tests.tabs import PHONE, becomes, go, says, settled, slide, state
 from tests.test_checker import FORBIDDEN
 
@@ -358,10 +358,10 @@ def test_pictures_and_curve_are_saved_and_the_line_copied(tab, tmp_path):
         tab.wait_for_function("text => navigator.clipboard.readText().then(copied => copied === text)", arg=text)
 
     for name, method in (("numeric", central(1e-3)), ("symbolic", exact())):
-        (path := tmp_path / "saved.png").write_bytes(saved(f"[data-save={name}]"))
+        (path := tmp_path / "saved.png").write_bytes(png := saved(f"[data-save={name}]"))
         frame = render(Scene(), 256, 256, method)
         assert record.read(path)[0] == frame.shot
-        assert np.array_equal(np.asarray(Image.open(path).convert("RGB")), views.image_view(frame))
+        assert np.array_equal(pixels(png), views.image_view(frame))
     assert saved("[data-save=difference]").startswith(b"\x89PNG\r\n\x1a\n")
     assert b'xmlns="http://www.w3.org/2000/svg"' in saved("[data-svg]")
     tab.click("[data-copy]")

@@ -1,7 +1,6 @@
 """The simulator's numbers: every bit against the renderer, the hovered pixel against the line that is copied."""
 
 import base64
-import io
 import json
 import math
 import random
@@ -11,16 +10,14 @@ from itertools import chain
 
 import numpy as np
 import pytest
-from matplotlib import colormaps
 from numpy.testing import assert_allclose, assert_array_equal
-from PIL import Image
 
 from book.simulator_module import BY
 from renderer import Scene, central, render
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a
 from renderer.picture.views import (
-    DIVERGING,
+    derivative_view,
     difference_linear,
     difference_logarithmic,
     image_view,
@@ -29,6 +26,7 @@ from renderer.picture.views import (
 )
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.scene import DEFAULT_LIGHTS
+from tests.pictures import pixels
 from tests.tabs import go, number, readout, says
 
 OFTEN = {
@@ -58,11 +56,6 @@ PIXELS = """wanted => wanted.map(given => {
 })"""
 
 
-@pytest.fixture(scope="module")
-def tab(visit_once):
-    return visit_once("s4")
-
-
 def random_state(rng):
     """Return a state of the page, cursor included; some off sphere A, zoomed."""
     state = {name: rng.choice(values) for name, values in OFTEN.items()}
@@ -73,9 +66,8 @@ def random_state(rng):
 
 def painted(tab, name):
     """Return the bytes of a canvas, (size, size, 3)."""
-    script = "name => Simulator.running.pictures.canvas(name).toDataURL()"
-    image = Image.open(io.BytesIO(base64.b64decode(tab.evaluate(script, name).split(",")[1])))
-    return np.asarray(image.convert("RGB"))
+    script = "name => Simulator.running.pictures.canvas(name).toDataURL().split(',')[1]"
+    return pixels(base64.b64decode(tab.evaluate(script, name)))
 
 
 def paint(tab, wanted):
@@ -147,13 +139,11 @@ def test_a_slope_of_the_picture_is_the_renderers(tab, view, changes):
 @pytest.mark.parametrize("size", [256, 512])
 def test_slopes_are_painted_on_one_scale(tab, size):
     """By the page, and by workers in bands: as far as all but one pixel in 200 of the page's go."""
-    frames = [render(Scene(), side, side, derivatives=(BY["by_lamp"],)) for side in (256, size)]
-    slopes = [slope for frame in frames for slope in frame.derivatives.values()]
-    coarse, slope = (np.take_along_axis(each, np.abs(each).argmax(2)[..., None], 2)[..., 0] for each in slopes)
-    end = np.sort(np.abs(coarse), axis=None)[int(0.995 * coarse.size)]
-    levels = np.clip(np.floor(128 + 128 * slope / end), 0, 255).astype(int)
+    name = BY["by_lamp"]
+    coarse, slope = (render(Scene(), side, side, derivatives=(name,)).derivatives[name] for side in (256, size))
+    end = np.sort(np.abs(coarse).max(axis=2), axis=None)[int(0.995 * 256**2)]
     paint(tab, f"#sim?field=ridges&eps=0.01&scale=log&model=blinn&size={size}&view=by_lamp")
-    assert_array_equal(painted(tab, "symbolic"), colormaps[DIVERGING](levels, bytes=True)[..., :3])
+    assert_array_equal(painted(tab, "symbolic"), derivative_view(np.clip(slope, -end, end)))
     says(tab, ".sim-legend", re.compile(f"≥ {end:.2e}".replace("e-0", "e−")))
 
 

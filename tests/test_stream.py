@@ -33,9 +33,9 @@ def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch)
 
 def test_a_streamed_slope_and_a_mean_of_samples_are_those_of_render(tmp_path, monkeypatch):
     monkeypatch.setattr(stream, "BAND_PIXELS", 300)
-    path = tmp_path / "a.npy"
-    stream.stream(Scene(), 37, 53, path, derivatives=["beta"], samples=2)
-    assert (np.load(path) == render(Scene(), 37, 53, derivatives=["beta"], samples=2).derivatives["beta"]).all()
+    path, drawn = tmp_path / "a.npy", {"width": 37, "height": 53, "derivatives": ["beta"], "samples": 2}
+    stream.stream(Scene(), path=path, **drawn)
+    assert (np.load(path) == render(Scene(), **drawn).derivatives["beta"]).all()
 
 
 def test_what_is_larger_than_the_disk_is_refused_at_once(tmp_path):

@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import reduce
 from itertools import repeat
 from operator import and_, mul, or_, truediv
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -40,7 +39,7 @@ where = enclosing.where
 @pytest.fixture
 def by_rows(monkeypatch):
     """Let NumPy draw, so that nothing is compiled: its bounds are LLVM's to the last bit (tests/test_machines.py)."""
-    monkeypatch.setattr(stage, "machine", lambda: SimpleNamespace(drawer=numpy_rows.drawer))
+    monkeypatch.setattr(stage, "machine", lambda: numpy_rows)
 
 
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
@@ -215,6 +214,15 @@ def bounded(lines, inputs):
     return numbers, knowns
 
 
+def of_any(shot, known_powers):
+    """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
+    numbers, lights = numbers_of(shot)
+    chosen = of_form(SCENE_FORM, map(np.asarray, numbers))
+    chosen.way = ANY.ways.index((shot.scene.field, "general" if known_powers else shot.way))
+    chosen.bump, chosen.model = BUMPS.index(shot.scene.bump), ANY.lights.index(shot.want.lights[0])
+    return chosen, lights
+
+
 WAYS = exact("general"), central(1e-3)
 MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for method in WAYS]
 """Scenes without the highlight, whose power has no rule."""
@@ -225,11 +233,8 @@ MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for met
 def test_the_rules_allow_what_a_pixel_needs(scene, method):
     """By the recorded program. The picture's bounds are no less, but for a last bit: none of its variables is exact."""
     frame, recording = render(scene, 24, 24, method, bounds=True), recorded()
-    shot, (numbers, lights) = frame.shot, numbers_of(frame.shot)
-    job, chosen = input_bounds(shot, 24), of_form(SCENE_FORM, map(np.asarray, numbers))
-    known_powers = scene == Scene()
-    chosen.way = ANY.ways.index((scene.field, "general" if known_powers else shot.way))
-    chosen.bump, chosen.model = BUMPS.index(scene.bump), ANY.lights.index(shot.want.lights[0])
+    shot, known_powers = frame.shot, scene == Scene()
+    job, (chosen, lights) = input_bounds(shot, 24), of_any(shot, known_powers)
     x, y = shot.raster.image_points(scene)
     points = Enclosed(x, job["x_bound"], True), Enclosed(y[:, None], job["y_bound"][:, None], True)
     chosen = enclosed_numbers(chosen, of_form(SCENE_FORM, job["scene_bounds"]), shot.want.shader.rounded)

@@ -10,9 +10,9 @@ from typing import Any
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
 
+from book.painting_code import PAINTERS, emit_painter
 from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
-from renderer.machines.painting_code import PAINTERS, emit_painter
 from renderer.machines.points_code import emit_points
 
 LANES = 2
@@ -29,7 +29,7 @@ def compiled_module(
 
     wants: {name: want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
     {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
-    (`renderer.machines.painting_code`). The module imports `env.__linear_memory`.
+    (`book.painting_code`). The module imports `env.__linear_memory`.
     """
     module = ir.Module()
     module.triple = TRIPLE
