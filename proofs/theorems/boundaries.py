@@ -51,7 +51,7 @@ theorem = Theorem(
             *_unmoved.values(),
             _surface,
             *_by_difference.values(),
-            coq("bump_moves_no_boundary__program 64669a0a2d04add3"),
+            coq("bump_moves_no_boundary__program 75532b6bd884e6fc"),
         )
     },
     hypotheses=_recorded,
@@ -87,7 +87,7 @@ slopes_theorem = Theorem(
         of $\beta$, $k_u$, $k_v$, $h_u$, $h_v$, $k_a$, $k_d$, $k_s$, $p$, the albedos, the tint, the ambient light and
         the lights' colours: the edges of chambers stay where they are, at speed 0.""": (
             *_shaded.values(),
-            coq("edges_add_nothing__program aa8525c0e5d0bd54"),
+            coq("edges_add_nothing__program c4e50caac752b99c"),
         )
     },
     hypotheses=(_recorded, "a crease is no edge of a chamber: $k_u$ and $k_v$ move it, and the colour jumps there"),

@@ -58,7 +58,7 @@ theorem = Theorem(
         of it at most, and $2^{28}$ of them, one after the other, by less than $3\cdot2^{-22}$.""": _rules,
         r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
         computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
-            "enclosing_rules__whole_programs 97db3242fabe9632"
+            "enclosing_rules__whole_programs 3712e6ed4dc758d8"
         ),
     },
     hypotheses=LIMITS,

@@ -60,7 +60,7 @@ pixels = Theorem(
     {
         r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
         is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
-            "pixel_accuracy__recorded 79add938450c0770"
+            "pixel_accuracy__recorded ecbfcc5a1c13e65c"
         )
     },
     hypotheses=(
