@@ -73,7 +73,7 @@ pixels = Theorem(
         edges, nearest to the pole, the seam, the creases, the terminator and grazing light; those that are open, and
         those whose side of a crease balls leave open, as those of the column $x = 0$, are counted apart""",
     ),
-    expected="measured",
+    expected="proved",
 )
 
 
