@@ -47,7 +47,7 @@ def test_a_bump_of_ones_own_is_the_figures(tmp_path, monkeypatch):
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     readme = (ROOT / "README.md").read_text("utf-8")
-    lines = readme.split("## A picture in four lines\n\n")[1].split("\n\nA frame")[0]
+    lines = readme.split("four lines:\n\n")[1].split("\n\nA frame")[0]
     assert len(lines.split("\n")) == 5  # the import, and a blank line
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
