@@ -26,7 +26,7 @@ contrast = Theorem(
     r"""In the default scene at $256^2$ and $\varepsilon = 10^{-3}$ the mean error where the kink flag is set is
     four orders of magnitude, within $0.5$, above that elsewhere on A, not one.""",
     hypotheses="""the pictures of exact arithmetic, by the bounds that both are drawn with, which are taken to hold
-    (measured: pixel_accuracy); the flags as they are drawn""",
+    (pixel_accuracy); the flags as they are drawn""",
     expected="certified",
 )
 
