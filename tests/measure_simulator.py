@@ -4,7 +4,8 @@
     python -m tests.measure_simulator --size 256 512     only these rasters
 
 A step of ε: milliseconds from the slider's event to the last of its pictures in a canvas. A drag: ε moves for five
-seconds, at every frame of the screen; what counts is the time between frames that show a new picture. The simulator of
+seconds, at every frame of the screen; what counts is the time between frames that show a new picture, also of an own
+field of five terms. The simulator of
 `--against`, a commit whose scripts are all committed, takes turns with today's, and the ratio of their steps is kept.
 Times belong to the machine that they were taken on; no test asserts them. Needs the built book, of the code that is to
 be measured. Writes verify/benchmark/results/simulator.json: commit it.
@@ -17,6 +18,7 @@ import tarfile
 import tempfile
 from pathlib import Path
 from statistics import median
+from urllib.parse import quote
 
 from tqdm import tqdm
 
@@ -31,6 +33,9 @@ PRINTED_IN_JAVASCRIPT = "2be60f7"  # a commit whose simulator was printed in Jav
 ROUNDS = 3
 VIEWPORT = {"width": 1280, "height": 1000}
 TARGETS = {256: 25, 512: 42, 1024: 100}  # milliseconds between pictures, of a drag
+FIVE_TERMS = "sin(16*pi*u)*v + " + " + ".join(
+    f"sin(pi*({a}*u + {b}*v))/9" for a, b in ((6, 5), (8, 9), (12, 7), (14, 3))
+)
 # A slider moves, as by hand; two frames later the next step, so that each picture is seen.
 STEPS = """async (count) => {
     const { frames } = Simulator.running, slider = document.querySelector('#sim-eps'), found = [];
@@ -104,6 +109,11 @@ def measure(size, against):
         label = {"browser": f"Chromium {browser.version}", "before": against}
         for side in size:
             numbers |= measured(browser, pages, side)
+        with opened(
+            browser, f"{pages['now']}#sim?size=512&field=own&h={quote(FIVE_TERMS)}", until=RUNNING, viewport=VIEWPORT
+        ) as tab:
+            tab.wait_for_timeout(4000)
+            numbers["drag_own_512_ms"] = median(tab.evaluate(DRAG, 5))
     return {"label": label, "numbers": numbers}
 
 

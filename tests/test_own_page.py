@@ -102,4 +102,4 @@ def test_a_saved_picture_tells_of_field_lamp_and_method(tab):
     ]
     scene = Scene.from_record(symbolic["scene"])
     assert scene.field == HeightField("own", "u*v", seam=True) and scene.lights[0].position == (3.0, 4.0, 9.0)
-    assert "seam=True" in tab.locator(".sim-python code").text_content()
+    expect(tab.locator(".sim-python code")).to_contain_text("seam=True")

@@ -1,5 +1,6 @@
 """The interface of `render`: shapes, types, threads, stages, frames that serve again, what is refused."""
 
+import gc
 import math
 import re
 from dataclasses import replace
@@ -64,6 +65,7 @@ def test_a_stage_and_a_frame_serve_again(drawer, scene, size, data):
 
 
 def test_memory_waits_for_the_next_picture_up_to_a_size_and_is_given_back():
+    gc.collect()  # frames of other tests
     memory.give_back()
     places = [render(DEFAULT, 64, 48, derivatives=["beta", "kd"]).planes.ctypes.data for _ in range(2)]
     assert places[0] == places[1] and len(memory._spare) == 2
