@@ -57,8 +57,9 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // simulator/formula.js
 /**
- * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, out?: Float64Array }} FormulaNode
- *   an operation, its parts, and its number if it has one; out: what it is at some points
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart, out?: Float64Array }}
+ *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text; out: what it is at some points
+ * @typedef {{ word: string, at: number, digits?: string, name?: string, sign?: string, whole?: FormulaPart }} FormulaPart
  * @typedef {ReturnType<typeof own_field>} OwnField
  */
 
