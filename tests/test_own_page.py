@@ -124,3 +124,27 @@ def test_a_saved_picture_tells_of_field_lamp_and_method(tab):
     scene = Scene.from_record(symbolic["scene"])
     assert scene.field == HeightField("own", "u*v", seam=True) and scene.lights[0].position == (3.0, 4.0, 9.0)
     expect(tab.locator(".sim-python code")).to_contain_text("seam=True")
+
+
+@pytest.mark.parametrize("field, text", [("own", "sin(8*pi*u)*sin(5*pi*v)"), ("sine", ""), ("ridges", "")])
+def test_the_second_picture_wears_the_surfaces_bump(tab, field, text):
+    """As the renderer's, and its slope by β; record and copied line say so."""
+    go(tab, f"#sim?field={field}&h={quote(text or 'u')}&against=surface&size=128&view=by_beta")
+    colours, slopes, pixel = tab.evaluate("""() => {
+        const { act, states, module } = Simulator.running, state = act.state();
+        const method = module.methods_of(state).symbolic;
+        const stage = module.make_stage(state, states.crop(state));
+        return [module.render(state, method, stage), module.picture_slopes(state, stage, method)]
+            .map(planes => planes.map(plane => [...plane]))
+            .concat([module.pixel(state, method, states.crop(state))]);
+    }""")
+    record = tab.evaluate("Simulator.running.states.record(Simulator.running.act.state(), false)")
+    scene = Scene.from_record(record["scene"])
+    with numpy_draws():
+        frame = render(scene, 128, 128, derivatives=["beta"])
+        there = render(scene, 128, 128).rgb[pixel["row"], pixel["column"]]
+    assert scene.bump == "surface" and np.abs(there - pixel["rgb"]).max() <= 1e-12
+    for planes, true in ((colours, frame.rgb), (slopes, frame.derivatives["beta"])):
+        off = np.abs(np.transpose(planes).reshape(true.shape) - true)[~frame.kink]
+        assert off.max() <= 1e-11 * abs(true).max()
+    expect(tab.locator(".sim-python code")).to_contain_text('{"bump": "surface"}')

@@ -305,7 +305,7 @@ function formula_of(text, { ku, kv }) {
     inside += Number(is_choice);
     const list = part.name === "Piecewise" ? read_pieces() : read_arguments([read(part.name === "where")]);
     inside -= Number(is_choice);
-    if (is_choice) chosen(part.name === "where" ? 2 : list.length);
+    if (is_choice && !xyz.length) chosen(part.name === "where" ? 2 : list.length);
     made_at = part;
     if (part.name === "Piecewise") return list.reduceRight((other, piece) => node("choice", ...piece.args, other));
     if (["max", "Max", "min", "Min"].includes(part.name)) return list.reduce((a, b) => node(lower, a, b));
@@ -318,12 +318,12 @@ function formula_of(text, { ku, kv }) {
   }
   /** What a text makes of x, y and z; its parts stand for one of the reader's. @param {string} text @param {FormulaNode[]} list @param {FormulaPart} whole */
   function read_other(text, list, whole) {
-    const kept = { parts, next, xyz, choices, inside };
+    const kept = { parts, next, xyz };
     parts = parts_of(text).map((part) => ({ ...part, whole: whole.whole ?? whole }));
-    next = choices = inside = 0;
+    next = 0;
     xyz = list;
     const made = read();
-    ({ parts, next, xyz, choices, inside } = kept);
+    ({ parts, next, xyz } = kept);
     return made;
   }
   /** Each value with its condition, as a node, and the last value. @returns {FormulaNode[]} */
@@ -397,17 +397,13 @@ function own_field({ h = "", ku, kv }, kernel_over) {
   const SEAM = 1e-9;
   const LARGEST = 2 ** 1000;
   const ADVICE = "keep what it divides by off 0, and what it takes a root or log of above, as in sqrt(x**2 + 1e-4)";
-  const { abs, sign, max, min, floor } = Math;
-  /** @type {Record<string, (a: number, b: number) => number>} */
-  const CHOICES = { abs, sign, max, min, floor };
-  /** What an operation makes of numbers. @type {Record<string, (a: number, b: number) => number>} */
+  const { abs, sign, max, min, floor, exp, log } = Math;
+  /** What an operation makes of numbers, the second its own where it has one part. @type {Record<string, (a: number, b: number) => number>} */
   const AT = {
-    ...CHOICES,
+    ...{ abs, sign, max, min, floor, exp, log },
     sum: (a, b) => a + b,
     product: (a, b) => a * b,
     power: (a, n) => a ** n,
-    exp: Math.exp,
-    log: Math.log,
     atan2pi: (a) => Math.atan(a) / Math.PI,
     sinpi: (a) => Math.sin(Math.PI * a),
     cospi: (a) => Math.cos(Math.PI * a)
@@ -416,16 +412,16 @@ function own_field({ h = "", ku, kv }, kernel_over) {
 
   /** @param {FormulaNode[]} wanted all that they need, each after its parts */
   function in_order(wanted) {
-    /** @type {Map<number, FormulaNode>} */
-    const needed = new Map();
+    /** @type {Set<FormulaNode>} */
+    const needed = new Set();
     /** @param {FormulaNode} of */
     function visit(of) {
-      if (needed.has(of.id)) return;
-      needed.set(of.id, of);
+      if (needed.has(of)) return;
       of.args.forEach(visit);
+      needed.add(of);
     }
     wanted.forEach(visit);
-    return [...needed.values()].sort((a, b) => a.id - b.id);
+    return [...needed];
   }
 
   /** Compute a node of so many points into its own array. @param {FormulaNode} of @param {number} count @param {Record<string, Float64Array>} at */
@@ -446,13 +442,12 @@ function own_field({ h = "", ku, kv }, kernel_over) {
     else if (op === "pi") out.fill(Math.PI);
     else if (op === "sum") for (let i = 0; i < count; i++) out[i] = a[i] + b[i];
     else if (op === "product") for (let i = 0; i < count; i++) out[i] = a[i] * b[i];
-    else if (op in CHOICES) for (let i = 0; i < count; i++) out[i] = CHOICES[op](a[i], b?.[i]);
     else if (op === "below") for (let i = 0; i < count; i++) out[i] = Number(a[i] < 0 || (value && a[i] === 0));
     else if (op === "choice") for (let i = 0; i < count; i++) out[i] = a[i] ? b[i] : c[i];
     else if (value === 2) for (let i = 0; i < count; i++) out[i] = a[i] * a[i];
     else if (value === -1) for (let i = 0; i < count; i++) out[i] = 1 / a[i];
     else if (Math.abs(value) === 0.5) for (let i = 0; i < count; i++) out[i] = Math.sqrt(value < 0 ? 1 / a[i] : a[i]);
-    else for (let i = 0; i < count; i++) out[i] = a[i] ** value;
+    else for (let i = 0, at = AT[op]; i < count; i++) out[i] = at(a[i], b ? b[i] : value);
   }
 
   /** Return a function of points, u and v, that computes nodes there. @param {FormulaNode[]} wanted */
@@ -497,11 +492,10 @@ function own_field({ h = "", ku, kv }, kernel_over) {
   }
 
   [height, ...gradient].forEach(range);
-  const own = { height: over([height]), gradient: over(gradient), switches: over(switches), has_seam: false };
-  const shares = Array.from({ length: GRID }, (_, n) => n / (GRID - 1));
-  const u = Float64Array.from({ length: 2 * GRID }, (_, n) => Number(n >= GRID));
-  const v = Float64Array.from([...shares, ...shares]);
-  const [here] = own.height(u, v);
-  own.has_seam = shares.some((_, n) => Math.abs(here[n] - here[GRID + n]) > SEAM);
-  return own;
+  const height_over = over([height]);
+  const u = float64s(2 * GRID, (n) => Number(n >= GRID));
+  const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
+  const [here] = height_over(u, v);
+  const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
+  return { height: height_over, gradient: over(gradient), switches: over(switches), has_seam };
 }
