@@ -8,13 +8,12 @@ Symbols are real and nothing more, `real("x y")`: a sign is a hypothesis in `giv
 
 Relations arrive as they are written: SymPy evaluates nothing here. Substitute by `xreplace`, or by `Program.at`, and
 write `Derivative`, never `diff`: a rule of `proofs/engine/derivative.py` takes it, or says why there is none. A
-function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, counts for nothing:
-make one side a line of a program.
+function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, is refused: make one
+side a line of a program.
 
 Words are claims: a statement may be {text: the claims that say it}, or what Coq proves from a file by hand,
-`coq("name digest")`: read its text, which a run prints with the digest, beside the words. A text that has none, but
-says why as a text, is listed on the page of findings. Steps are {what: why}. One claim, relation or point may
-stand where several may, and so may lists of them in lists.
+`coq("name digest")`: read its text, which a run prints with the digest, beside the words. Steps are {what: why}. One
+claim, relation or point may stand where several may, and so may lists of them in lists.
 
 Mutants are near misses, at least two; each has the name of a claim, changes one field of it, and has to be refused, and
 to have a counterexample that is exact or enclosed in balls. Give `at=` the point that sampling is unlikely to hit: a
