@@ -24,8 +24,8 @@ as its mutants.
 A certificate that is not found names the polynomial and what is left of it. Show a lemma first (`shows` is in order),
 hint the `squares` of an inequality, or find out from the samples that the claim is false. A stale one belongs to
 formulas that have changed: search anew, and read the diff. Of hypotheses a point is searched for at which they hold.
-"the point is not a counterexample" or a case "for 1 = 0" says that none was found: they contradict each other, or the
-search needs coordinates, `example={eye: 5, radius: 3}`.
+"the point is not a counterexample" or a case "for 1 = 0" says that none was found: most likely they contradict
+each other.
 
 A lemma from the literature is `cited=CitedLemma(relation, source, given)`, and the grade says so. `given` are the
 source's conditions; the claim has to prove them, samples test the lemma under these alone, and Coq has to prove the

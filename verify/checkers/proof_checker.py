@@ -38,7 +38,7 @@ from verify.checkers.counterexamples import FAILURES, counterexample, flint
 from verify.checkers.grades import Examination
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
-HINTS = ("name", "squares", "ranges", "cited", "example")  # of a claim: what its search and its samples use
+HINTS = ("name", "squares", "ranges", "cited")  # of a claim: what its search and its samples use
 ANGLE_DIGITS = 1000  # twice the longest number: to the kernel sin(3.14159…) may be 0, if nothing else tells
 
 

@@ -48,7 +48,6 @@ SYMBOLS = [
             {"lines": Program("p", (x, HIDDEN), {y: x})},
             {"cited": CitedLemma(x <= 10, "Dekker1971", ABOVE)},
             {"ranges": {HIDDEN: (0, 1)}},
-            {"example": {HIDDEN: 1}},
             {"shows": equation(Symbol("q", extended_real=True), 0)},
         )
     ),
