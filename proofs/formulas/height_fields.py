@@ -5,6 +5,7 @@ the scene's and the command line's choices and the book's tables follow from it.
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
+from typing import Any
 
 from mpmath import iv, mpmathify, workdps
 from sympy import (
@@ -114,9 +115,13 @@ class HeightField:
                     "let u stand in sines and cosines of 2*pi*u, 4*pi*u and so on, or give seam=True"
                 )
 
-    def largest(self) -> list[float]:
-        """Return upper bounds of |h|, |∂h/∂u| and |∂h/∂v|; raises ValueError where they are not shown to be finite."""
-        return [float(abs(enclosure(formula, CHART)).b) for formula in (self.expression, *self.gradient())]
+    def largest(self, ku: Any = CHART[k_u], kv: Any = CHART[k_v]) -> list[float]:
+        """Return upper bounds of |h|, |∂h/∂u| and |∂h/∂v|, at wave numbers or in intervals of them.
+
+        Raises ValueError where they are not shown to be finite.
+        """
+        box = CHART | {k_u: iv.mpf(ku), k_v: iv.mpf(kv)}
+        return [float(abs(enclosure(formula, box)).b) for formula in (self.expression, *self.gradient())]
 
     def __str__(self):
         return self.name
