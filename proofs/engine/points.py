@@ -68,8 +68,7 @@ def find_point(statement: dict) -> dict[str, str] | None:
 
 def _attempt(names, facts, rng, pool):
     """Return values of all names: solved for where an equation allows it, the others at random."""
-    values: dict = {}
-    new: dict = {}
+    values, new = {}, {}
     numbers = {name: kernel.variable(name) for name in names}
     while True:
         numbers |= {name: kernel.multiply(value) for name, value in new.items()}
