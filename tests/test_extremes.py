@@ -23,7 +23,7 @@ CASES = re.compile(NUMBER + r"(?:²| (?:random |sampled |chart )*(?:points|place
 EVERY = re.compile(r"\bevery (?:pixel|point)\b")
 SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
 THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
-CERTAIN = ("proved", "certified", "argued")
+CERTAIN = ("proved", "certified")
 OF_A_THEOREM = {
     "dark_difference": f"${SIZE}^2$",
     "pole_accuracy": f"of {POINTS} points",
