@@ -2,7 +2,7 @@
 
 import math
 import textwrap
-from itertools import product
+from itertools import chain, islice, product, repeat, zip_longest
 from types import SimpleNamespace
 from typing import Any
 
@@ -102,25 +102,24 @@ def recorded_source() -> str:
         parts.append(f"Definition from_{first} : list (operation * list N) := [{part}].")
     parts.append(f"Definition lines := concat {_list(f'from_{first}' for first in firsts)}.")
     parts.append("Definition pixel := map (fun line => (fst line, map N.to_nat (snd line))) lines.")
-    parts.append("Open Scope Z_scope.")
-    scene, points = _numbers_of_points(inputs)
-    kind = "list ((Z * Z) * (Z * Z))"
-    parts += [f"Definition scene : {kind} := {scene}.", f"Definition points : list ({kind}) := {_list(points)}."]
+    (scene, points), kind = _numbers_of_points(inputs), "list ((Z * Z) * (Z * Z))"
+    parts += [
+        "Open Scope Z_scope.",
+        f"Definition scene : {kind} := {scene}.",
+        f"Definition points : list ({kind}) := {points}.",
+    ]
     fill = textwrap.TextWrapper(120, break_on_hyphens=False).fill
     return HEADER + "\n".join(map(fill, parts)) + "\nEnd recorded_pixel.\n"
 
 
 def _numbers_of_points(inputs):
     """Return the default scene's numbers, and each point's, with their counts."""
-    bounds, table = input_bounds(SHOT, SHOT.raster.width), np.zeros((2, inputs - 2))
-    for row, given in zip(table, (numbers_of(SHOT), [bounds["scene_bounds"]]), strict=True):
-        numbers = np.concatenate([*map(np.ravel, given)])
-        row[2 : 2 + len(numbers)] = np.clip(numbers, -FAR, FAR)  # after the stored slopes, of which there are none
-    x, y = (
-        [*zip(*each, strict=True)]
-        for each in zip(SHOT.raster.image_points(SHOT.scene), (bounds["x_bound"], bounds["y_bound"]), strict=True)
-    )
-    return _counted(table.T), [_counted((x[column], y[row])) for column, row in zip(COLUMNS, ROWS, strict=True)]
+    of, (x, y) = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
+    numbers = np.clip(np.concatenate([*map(np.ravel, numbers_of(SHOT))]), -FAR, FAR)
+    pairs = zip_longest([0.0, 0.0, *numbers], [0.0, 0.0, *of["scene_bounds"]], fillvalue=0.0)
+    scene = islice(chain(pairs, repeat((0.0, 0.0))), inputs - 2)
+    at = [[x[COLUMNS], of["x_bound"][COLUMNS]], [y[ROWS], of["y_bound"][ROWS]]]
+    return _counted(scene), _list(map(_counted, np.transpose(at, (2, 0, 1))))
 
 
 def _counted(numbers):
