@@ -289,11 +289,6 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
     assert escapes(operation) > 0
 
 
-def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
-    monkeypatch.setattr(enclosing, "where", one_sided)
-    assert any(wrong(frame, 0, 0) for frame in on_creases())
-
-
 def test_b_is_as_accurate_as_its_condition():
     """It is as small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
     crop = 30, 20, 1, 1
