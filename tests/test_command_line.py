@@ -184,6 +184,14 @@ REFUSED = {
         "--field-expression -u*v": "field-expression = -u*v is not allowed: it is 0 at u = 0 and -0.143 at u = 1, "
         "{v: 1/7, k_u: 2, k_v: 1}, without --field-seam",
         "--field-seam": "field-seam = True is not allowed: given with --field-expression",
+        "--field-parameter a=1": "field-parameter = [('a', 1.0)] is not allowed: given with --field-expression",
+        "--field-parameter a=b": "argument --field-parameter: 'a=b' is not allowed: NAME=NUMBER",
+        "--field-expression a --field-parameter a=1 --field-parameter a=2": "field-parameter = "
+        "[('a', 1.0), ('a', 2.0)] is not allowed: each name once",
+        "--field-expression v --field-parameter name=1": "field-parameter = {'name': 1.0} is not allowed: others than",
+        "--field-expression v --field-parameter v=1": "field-parameter = 'v' is not allowed: a name of small letters",
+        "--field-expression v --field-parameter self=inf": "self = inf is not allowed: a finite number",
+        "--again a.png --field-parameter a=1": "again = 'a.png' is not allowed: no --field-parameter beside it",
     },
     "views": {
         "--gradient exact": "gradient = 'exact' is not allowed: one of 'forward', 'central', 'central4'",

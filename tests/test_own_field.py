@@ -340,3 +340,10 @@ def test_the_command_line_takes_a_formula(tmp_path, capsys):
     assert shows(target, render(Scene(field=HeightField("torn_at_u_0", u * v, seam=True)), 8, 8))
     assert main(["sweep", "--field-expression", DUNES, "--size", "24", "--no-facts", "--eps", "1e-3"]) == 0
     assert re.search(r"own_\w{6}, blinn, 24 x 24", capsys.readouterr().out)
+    target, again = tmp_path / "a.png", tmp_path / "again.npz"
+    hills = ["--field-expression", "a*self*sin(8*pi*u)", "--field-parameter", "a=0.3", "--field-parameter", "self=2"]
+    assert main(["image", "--size", "8", *hills, "--out", str(target)]) == 0
+    assert main(["image", "--again", str(target), "--by", "a", "--out", str(again)]) == 0
+    field = HeightField("hills", hills[1], **{"a": 0.3, "self": 2})
+    slope = render(Scene(field=field), 8, 8, derivatives=("a",)).derivatives["a"]
+    assert (np.load(again)["derivative_a"] == slope).all() and slope.any()

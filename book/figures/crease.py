@@ -6,8 +6,8 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SHORT, SOLID, colour_of, curve, label_line_end, plot
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
-from renderer.picture.facts import crease_contrast
 from verify.accuracy import orders
+from verify.accuracy.canvas import crease_contrast
 from verify.accuracy.orders import SLOPES, fitted_slope, predicted, quadrature
 
 CREASE, ROW = 0.125, 0.47

@@ -59,9 +59,15 @@ def numbers(kind: Callable[[str], Any], lengths: Collection[int], form: str, met
     return value(read, form, metavar)
 
 
+def _parameter(text):
+    name, number = text.split("=")
+    return name, float(number)
+
+
 NAME, WHOLE, NUMBER = value(str, "", "NAME"), value(int, "a whole number", "N"), value(float, "a number", "X")
 TRIPLE = numbers(float, (3,), "X,Y,Z", "X,Y,Z")
 LIGHT = numbers(float, (3, 6), "X,Y,Z or X,Y,Z,R,G,B", "X,Y,Z[,R,G,B]")
+PARAMETER = value(_parameter, "NAME=NUMBER", "NAME=X")
 KINDS: dict[Any, Option] = {str: NAME, float: NUMBER, tuple: TRIPLE, bool: {"action": "store_false"}}
 RASTER = {
     "--size": WHOLE | {"default": "256", "help": "width and height (default: %(default)s)"},
@@ -127,6 +133,8 @@ def add_scene(parser: argparse.ArgumentParser, lists: bool) -> None:
         if field.name == "field":
             text = "a field of your own instead, of u, v, k_u and k_v, such as 'abs(sin(pi*k_u*u))'"
             either.add_argument("--field-expression", metavar="FORMULA", help=text)
+            text = "a number of the formula's, by which a picture has slopes too; may be given again"
+            group.add_argument("--field-parameter", action="append", help=text, **PARAMETER)
             group.add_argument("--field-seam", action="store_true", help="let it differ at u = 0 and u = 1")
 
 
@@ -135,17 +143,22 @@ def scene_of(options: Namespace) -> Scene:
     values = {field.name: getattr(options, field.name) for field in fields(Scene) if field.name in options}
     if "lights" in values:
         values["lights"] = [Light(light[:3], light[3:] or (1.0, 1.0, 1.0)) for light in values["lights"]]
-    scene, seam = Scene.from_file(options.scene) if "scene" in options else Scene(), "field_seam" in options
+    scene = Scene.from_file(options.scene) if "scene" in options else Scene()
+    seam, parameters = getattr(options, "field_seam", False), getattr(options, "field_parameter", [])
     if "field_expression" not in options:
-        if seam:
-            raise not_allowed("field-seam", True, "given with --field-expression")
+        for name, given in (("seam", seam), ("parameter", parameters)):
+            if given:
+                raise not_allowed(f"field-{name}", given, "given with --field-expression")
         return replace(scene, **values)
-    text = options.field_expression
-    name = f"own_{hashlib.sha256(text.encode()).hexdigest()[:6]}"
+    record = {"expression": options.field_expression, "seam": seam, "parameters": dict(parameters)}
+    if len(record["parameters"]) < len(parameters):
+        raise not_allowed("field-parameter", parameters, "each name once")
+    name = f"own_{hashlib.sha256(options.field_expression.encode()).hexdigest()[:6]}"
     try:
-        return replace(scene, **values, field=field_from_record({"name": name, "expression": text, "seam": seam}))
+        return replace(scene, **values, field=field_from_record({"name": name} | record))
     except ValueError as error:  # in the words of Python, and by a name that nobody gave
         told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
+        told = re.sub("^(field.)?parameters?", "field-parameter", told)
         raise ValueError(re.sub("^(expression|field = --field-expression)", "field-expression", told)) from None
 
 

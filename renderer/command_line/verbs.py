@@ -36,6 +36,7 @@ from renderer.threads import checked_threads
 from renderer.whole_files import checked_target, named
 
 PIPE = "-"
+OF_FIELD = "field_expression", "field_parameter", "field_seam"
 OF_RASTER = ("size", "width", "height", "crop", "samples", "gradient", "eps")  # of a picture's record, beside its scene
 
 
@@ -84,8 +85,7 @@ def draw_image(options: Namespace) -> None:
 
 def _drawn_again(options):
     """Return the Shot of a picture's file; say where another version or machine drew it."""
-    of_scene = {"scene", "field_expression", "field_seam", *(field.name for field in fields(Scene))}
-    beside = vars(options).keys() & of_scene
+    beside = vars(options).keys() & {"scene", *OF_FIELD, *(field.name for field in fields(Scene))}
     beside |= {n for n in OF_RASTER if str(getattr(options, n)) != str(OF_IMAGE[f"--{n}"].get("default"))}
     if beside:
         raise not_allowed("again", options.again, f"no --{min(beside).replace('_', '-')} beside it")
@@ -162,7 +162,8 @@ EXAMPLES = {
     "image": """examples:
   %(prog)s --out bump.png
   %(prog)s --again bump.png --out again.png
-  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta 0.1 --out golf.png""",
+  %(prog)s --field-expression "max(0, sin(8*pi*u)*sin(4*pi*v) - 1/2)" --beta 0.1 --out golf.png
+  %(prog)s --field-expression "a*sin(8*pi*u)" --field-parameter a=0.3 --by a --out slope.png""",
     "views": """example:
   %(prog)s --field sine --eps 1e-2 --out views""",
     "sweep": """examples:

@@ -6,9 +6,10 @@ A PNG's rows are deflated by bands, side by side, each from nothing: the bytes d
 import shutil
 import struct
 from collections.abc import Iterable
+from io import BytesIO
 from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
+from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
@@ -25,7 +26,7 @@ TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
 PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
-BAND = 2**19  # bytes that are filtered and deflated at a time
+BAND = 2**19  # bytes that are filtered and deflated, or stored, at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
 LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
@@ -125,14 +126,40 @@ def write_png(path: str | Path, image: np.ndarray, text: str = "") -> None:
     write_whole(Path(path), *_parts(image, text))
 
 
+def _npy_header(kind, shape):
+    """Return the bytes with which an array's numbers, row by row, are a .npy."""
+    header = BytesIO()
+    np.lib.format.write_array_header_1_0(header, {"descr": kind, "fortran_order": False, "shape": shape})
+    return header.getvalue()
+
+
+def _store(zipped, info, array):
+    """Write an array into a zip by bands: what `ZipFile.open` writes is copied whole, and its sum takes long."""
+    file, header, rows = zipped.fp, _npy_header(array.dtype.str, array.shape), max(1, BAND // (array[:1].nbytes or 1))
+    info.file_size = info.compress_size = len(header) + array.nbytes
+    info.CRC, info.header_offset, info.external_attr = 0, file.tell(), 0o600 << 16
+    file.write(info.FileHeader())
+    for part in (header, *(array[start : start + rows] for start in range(0, len(array), rows))):
+        data = part if part is header else np.ascontiguousarray(part).data
+        file.write(data)
+        info.CRC = zlib.crc32(data, info.CRC)
+    zipped.start_dir = file.tell()
+    file.seek(info.header_offset)
+    file.write(info.FileHeader())
+    file.seek(zipped.start_dir)
+    zipped.filelist.append(info)
+
+
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
-    """Write arrays by their names, and texts that say anything as `NAME.json`; the file appears whole or not at all."""
-    with whole_file(path) as name, open(name, "w+b") as file:  # to a name that ends in .NPZ NumPy would add another
-        np.savez(file, **arrays)  # packed, they would take a hundred times as long as a picture takes to draw
-        with ZipFile(file, "a") as zipped:
-            for member in filter(texts.get, texts):
-                with zipped.open(f"{member}.json", "w") as told:
-                    told.write(texts[member].encode("ascii"))
+    """Write arrays by their names, and texts that say anything as `NAME.json`; the file appears whole or not at all.
+
+    They are stored: packed, they would take a hundred times as long as a picture takes to draw.
+    """
+    with whole_file(path) as name, ZipFile(name, "w") as zipped:
+        for member, array in arrays.items():
+            _store(zipped, ZipInfo(f"{member}.npy"), np.asarray(array))
+        for member in filter(texts.get, texts):
+            zipped.writestr(f"{member}.json", texts[member])
 
 
 def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarray]) -> None:
@@ -146,8 +173,7 @@ def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarr
         if size > free:
             raise OSError(f"the picture takes {size / 1e9:.3g} GB, and the disk has {free / 1e9:.3g} GB left")
         with open(name, "wb") as file:
-            header = {"descr": "<f8", "fortran_order": False, "shape": (rows, columns, 3)}
-            np.lib.format.write_array_header_1_0(file, header)
+            file.write(_npy_header("<f8", (rows, columns, 3)))
             for part in parts:
                 file.write(np.ascontiguousarray(part, "<f8").data)
 

@@ -45,7 +45,7 @@ class HeightField(height_fields.HeightField):
     form: Any = field(default=None, init=False, repr=False)
     parameters: tuple[tuple[str, float], ...] = field(default=(), init=False, repr=False)
 
-    def __init__(self, name: str, expression: Any, seam: bool = False, **parameters: float):
+    def __init__(self, /, name: str, expression: Any, seam: bool = False, **parameters: float):
         put(self, name=name, expression=expression, seam=seam, form=expression)
         names = NAMES | {each: _symbol(each) for each in parameters}
         put(self, parameters=tuple((each, check_number(each, number)) for each, number in parameters.items()))

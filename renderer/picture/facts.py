@@ -6,9 +6,7 @@ from itertools import product
 import numpy as np
 
 from renderer.kernels import FIELDS
-from renderer.picture.differences import difference_on_a
 from renderer.picture.drawing import render
-from renderer.picture.frame import Frame
 from renderer.scene.methods import central, exact
 from renderer.scene.scene import Scene
 from renderer.shader.gradients import gradient_at
@@ -59,9 +57,3 @@ def facts(scene: Scene, width: int, height: int) -> list[tuple[str, str]]:
         ("ridges on the crease u = 1/8: exact (h_u, h_v)", f"({h_u:g}, {h_v:g})"),
         (f"pixels of A with sin(phi) < {SMALL_SINE:g} (least {least:.2g})", str(near)),
     ]
-
-
-def crease_contrast(frame: Frame, reference: Frame) -> tuple[float, ...]:
-    """Return (mean |difference| where the kink flag is set, elsewhere on A)."""
-    delta, kink = np.abs(difference_on_a(frame, reference)), reference.kink[reference.stage.on_a]
-    return float(delta[kink].mean()), float(delta[~kink].mean())

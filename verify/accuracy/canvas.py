@@ -11,7 +11,6 @@ from flint import arb
 from renderer import Frame, Scene, central, exact, pixel, render
 from renderer.operations import UNIT
 from renderer.picture.differences import difference_on_a
-from renderer.picture.facts import crease_contrast
 
 SIZE = 256
 CREASE_STEP, DARK_STEPS = 1e-3, (1e-8, 1e-9, 1e-10)
@@ -24,6 +23,12 @@ def pictures(step: float, bounds: bool = False) -> tuple[Frame, Frame]:
     """Return the difference's picture and the exact one."""
     drawn = render(Scene(), SIZE, SIZE, bounds=bounds)
     return render(Scene(), SIZE, SIZE, central(step), bounds=bounds, stage=drawn.stage), drawn
+
+
+def crease_contrast(frame: Frame, reference: Frame) -> tuple[float, ...]:
+    """Return (mean |difference| where the kink flag is set, elsewhere on A)."""
+    delta, kink = np.abs(difference_on_a(frame, reference)), reference.kink[reference.stage.on_a]
+    return float(delta[kink].mean()), float(delta[~kink].mean())
 
 
 def contrast(orders: int) -> Pieces:
