@@ -161,29 +161,29 @@ Proof.
   intros [A S] [B T]. split; [intros <-; exact (filterlim_locally_unique _ _ _ A B) | intros N M].
   assert (two : 0 < 2 /\ 2 <> 1) by (split; lra). destruct two as [P U]. exact (filterlim_locally_unique _ _ _ (S N 2 P U) (T M 2 P U)).
 Qed.
-Ltac differentiates_powers := try (intro; auto_derive; trivial; ring); try (auto_derive; trivial; ring); try lra.
+Ltac polynomials := try (intro; auto_derive; trivial; ring); try (auto_derive; trivial; ring); try lra.
 Lemma two_laws (error : R -> R) (p q C D : R) : falls_like error p C -> falls_like error q D -> (p = q /\ C <> D) \/ (p <> q /\ C <> 0 /\ D <> 0) ->
   False.
 Proof. intros A B. destruct (one_law _ _ _ _ _ A B). tauto. Qed.
 Theorem difference_slopes__central__false : ~ central_falls 2 (1/3) /\ ~ central_falls 1 (1/6).
 Proof.
-  assert (T := difference_slopes__central (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) 0 6 ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers)).
+  assert (T := difference_slopes__central (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) 0 6 ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)).
   split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) 0 6
-    ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers)) T); lra.
+    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)) T); lra.
 Qed.
 Theorem difference_slopes__forward__false : ~ forward_falls 1 1 /\ ~ forward_falls 2 (1/2).
 Proof.
-  assert (T := difference_slopes__forward (fun w => w ^ 2) (fun w => 2 * w) 1 0 2 ltac:(differentiates_powers) ltac:(differentiates_powers) (or_introl eq_refl)).
+  assert (T := difference_slopes__forward (fun w => w ^ 2) (fun w => 2 * w) 1 0 2 ltac:(polynomials) ltac:(polynomials) (or_introl eq_refl)).
   split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 2) (fun w => 2 * w) 1 0 2
-    ltac:(differentiates_powers) ltac:(differentiates_powers) (or_introl eq_refl)) T); lra.
+    ltac:(polynomials) ltac:(polynomials) (or_introl eq_refl)) T); lra.
 Qed.
 Theorem difference_slopes__fourth__false : ~ fourth_falls 4 (1/30) /\ ~ fourth_falls 3 (-1/30).
 Proof.
   assert (T := difference_slopes__fourth (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0 120
-    ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers)).
+    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)).
   split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0
     120
-    ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers) ltac:(differentiates_powers)) T); lra.
+    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)) T); lra.
 Qed.
 (* Where the second derivative is not 0 at the pole the order is not 2; where it is 0, not 1. *)
 Theorem difference_slopes__clamped__false : ~ clamped_falls False 2 of_third /\ ~ clamped_falls True 1 of_third.
@@ -191,7 +191,7 @@ Proof.
   assert (N : forall r h2 h3, r = 0 -> of_second r h2 h3 = h2 / 2 /\ of_third r h2 h3 = h3 / 6) by (unfold of_second, of_third; intros; subst; lra).
   assert (D : forall c, (forall w, is_derive (fun w => c * w ^ 2 + w ^ 3) w (2 * c * w + 3 * w ^ 2)) /\
     (forall w, is_derive (fun w => 2 * c * w + 3 * w ^ 2) w (2 * c + 6 * w)) /\ is_derive (fun w => 2 * c + 6 * w) 0 6).
-  { intro c. split; [|split]; differentiates_powers. }
+  { intro c. split; [|split]; polynomials. }
   destruct difference_slopes__clamped as [F T]. split; intro H.
   - destruct (D 1) as (D1 & D2 & D3). refine (two_laws _ _ _ _ _ (H _ _ _ 0 6 D1 D2 D3 _ _) (F _ _ _ 0 6 D1 D2 D3 _ _) _); [lra | tauto | lra |
     tauto|].
