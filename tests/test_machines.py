@@ -32,8 +32,8 @@ from renderer import (
 from renderer.machines import native, numpy_rows
 from renderer.machines.forms import COLORS, flat
 from renderer.picture import stage
-from renderer.shader.recorded import WANTS, recorded
 from tests.strategies import methods, rasters, scenes
+from verify.coq.recorded_pixel import WANTS, recorded
 from verify.test_bounds import of_any
 
 LANES = [2, 4, 8, 16]
