@@ -96,6 +96,7 @@ def slopes_of(method: str) -> Callable:
 OVER_POINTS = (
     *(kernels.image_extent, kernels.image_x, kernels.image_y, crease_point),
     *(kernels.point_on_a, kernels.bumped_normal, kernels.slope, kernels.light_cosine, kernels.chart_radians),
+    kernels.surface_slopes,
     *(kernels.normal_of_b, kernels.normal_of_floor, slope_bound, *BOUNDS.values()),
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),

@@ -17,7 +17,7 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {[number, number, number]} Vector
  * @typedef {{ width: number, height: number, left: number, top: number, wide: number, high: number }} Raster
  *   a part of a picture of width × height pixels
- * @typedef {{ name: string, eps?: number, way?: number }} Method how the gradient is taken: exactly, or by a difference of step eps
+ * @typedef {{ name: string, eps?: number, way?: number, bump?: string }} Method how the gradient is taken: exactly, or by a difference of step eps
  * @typedef {{ field: string, h?: string, ku: number, kv: number, beta: number, model: string, ball: number,
  *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
  *   the first light is
@@ -57,8 +57,9 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // simulator/formula.js
 /**
- * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, out?: Float64Array }} FormulaNode
- *   an operation, its parts, and its number if it has one; out: what it is at some points
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart, out?: Float64Array }}
+ *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text; out: what it is at some points
+ * @typedef {{ word: string, at: number, digits?: string, name?: string, sign?: string, whole?: FormulaPart }} FormulaPart
  * @typedef {ReturnType<typeof own_field>} OwnField
  */
 

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 from renderer import HeightField, Scene, central, render
 from tests.tabs import go
 from tests.test_machines import numpy_draws
-from tests.test_own_field import AS_WRITTEN, KU, KV
+from tests.test_own_field import AS_WRITTEN, HOSTILE, KU, KV, LONG
 from tests.test_simulator_numbers import paint, painted
 
 # Both pictures of a state with a formula, and whether it has a seam.
@@ -25,7 +25,7 @@ PICTURES = """([h, ku, kv, size]) => {
 REFUSAL = """h => {
     const { states, module } = Simulator.running;
     try { module.own_of({ ...states.start(), field: "own", h: states.read("h", h) }); return null; }
-    catch (error) { return error.message; }
+    catch (error) { return [error.message, error.text.slice(error.at, error.at + error.length)]; }
 }"""
 EXAMPLES = "[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)"
 SIDE = 48
@@ -47,23 +47,44 @@ def off(tab, text):
 
 def test_a_typed_field_is_the_renderers(tab):
     """The page's examples and formulas as people write them: to 1e-12 beside the bound, by a difference to 1e-9."""
-    for text in (*tab.evaluate(EXAMPLES), *READ, *(text for text in AS_WRITTEN if " if " not in text)):
+    for text in (*tab.evaluate(EXAMPLES), *READ, *AS_WRITTEN):
         numeric, symbolic = off(tab, text)
         assert symbolic <= 1e-12 and numeric <= 1e-9, (text, numeric, symbolic)
 
 
 REFUSED = (
-    *("sinh(u)", "u +", "(u", "u)", "u**v", "u**65", "u**99.5", "x", "1/0", "log(v-2)", "sqrt(u-1)", "u if v else u"),
-    *("max(u)", "sinpi(u, v)", "Piecewise((u, v))", "u v", "a.b", "'u'", "", "sinpi", "(" * 50 + "u" + ")" * 50),
+    *("sinh(u)", "u +", "(u", "u)", "u**v", "u**99.5", "x", "log(v-2)", "sqrt(u-1)", "u if v else u", "u if u < v"),
+    *("max()", "sinpi(u, v)", "u v", "a.b", "'u'", "sinpi", "(u < v)*v", "(u < v) & v", "u < v & v < 1", "not u < v"),
+    *(
+        "1/cospi(u)",
+        "sqrt((u - 0.51)^2 + (v - 0.503)^2)",
+        "exp(999*u)",
+        "1e99*u",
+        "(u**40)**2",
+        "Piecewise((1, u < v))",
+    ),
+    *("sin(8*pi*u)^32 + sin(8*pi*v)^32", "abs(v - " * 6 + "u" + ")" * 6, "smoothstep(v, v, u)", "where(u, v, 1)"),
 )
-READ = ("u*(1-u)", "+v", "-v**2", "2**-1*v", "1e-3*v", "Piecewise((v, v < 1/2), (1 - v, True))", "Abs(v - 2)", "pi*v/4")
+MARKED = {
+    **{"2u": "u", "1 + |u|": "|", "sin^2(u)": "sin", "sin(u)cos(v)": "cos", "sin(uv)": "uv", "8(u)": "(", "u = v": "="},
+    **{"1 + log(v - 2)": "log", "v + tan(pi*u)": "tan", "u < v ? 1 : 2": "u", "v + u^65": "^", "√v": "√", "1,5*u": ","},
+}  # fmt: skip
+"""{what is refused: the part of it that the page marks}"""
+READ = (
+    *("u*(1-u)", "+v", "-v**2", "2**-1*v", "1E-3*v", "Piecewise((v, v < 1/2), (1 - v, True))", "Abs(v - 2)", "π*v/4"),
+    *("v if u < 1/2 and v < 1/2 or v > 0.8 else 1 - v", "where((u < 1/2) & (v <= 1/2) | (u > 0.7), v, 1 - v)", "v²·u"),
+    *("fract(8*u)", "step(0.5, v)*u", "smoothstep(0.2, 0.8, v)", "clamp(3*v, 0.5, 1.5)", "mix(u, v, sin(8*pi*u))"),
+    *("min(v, max(0.2, min(0.8, u)))", "pow(v, 2.5)", "ln(1+v)", "log(2+u, 2)", "sqrt((v - 1/2)^2)", "atan2pi(v,1+u)"),
+    *("1/cos(pi*u/4)", "1 if u < 1/3 else v if u < 2/3 else v^2", "sqrt(2 - u*u)", "max(u, v, 1/2)", "sin(u,)^3"),
+)  # fmt: skip
 
 
-@pytest.mark.parametrize("text", REFUSED)
+@pytest.mark.parametrize("text", (*REFUSED, *MARKED, *HOSTILE[:-1], *LONG), ids=lambda text: text[:30])
 def test_both_sides_refuse(tab, text):
     with pytest.raises(ValueError):
-        HeightField("own", text)
-    assert "h(u, v)" in tab.evaluate(REFUSAL, text)
+        HeightField("own", text, seam=True)
+    told, marked = tab.evaluate(REFUSAL, text)
+    assert "h(u, v)" in told and marked == MARKED.get(text, marked)
 
 
 def test_it_is_typed_and_an_error_loses_nothing(tab):
@@ -103,3 +124,27 @@ def test_a_saved_picture_tells_of_field_lamp_and_method(tab):
     scene = Scene.from_record(symbolic["scene"])
     assert scene.field == HeightField("own", "u*v", seam=True) and scene.lights[0].position == (3.0, 4.0, 9.0)
     expect(tab.locator(".sim-python code")).to_contain_text("seam=True")
+
+
+@pytest.mark.parametrize("field, text", [("own", "sin(8*pi*u)*sin(5*pi*v)"), ("sine", ""), ("ridges", "")])
+def test_the_second_picture_wears_the_surfaces_bump(tab, field, text):
+    """As the renderer's, and its slope by β; record and copied line say so."""
+    go(tab, f"#sim?field={field}&h={quote(text or 'u')}&against=surface&size=128&view=by_beta")
+    colours, slopes, pixel = tab.evaluate("""() => {
+        const { act, states, module } = Simulator.running, state = act.state();
+        const method = module.methods_of(state).symbolic;
+        const stage = module.make_stage(state, states.crop(state));
+        return [module.render(state, method, stage), module.picture_slopes(state, stage, method)]
+            .map(planes => planes.map(plane => [...plane]))
+            .concat([module.pixel(state, method, states.crop(state))]);
+    }""")
+    record = tab.evaluate("Simulator.running.states.record(Simulator.running.act.state(), false)")
+    scene = Scene.from_record(record["scene"])
+    with numpy_draws():
+        frame = render(scene, 128, 128, derivatives=["beta"])
+        there = render(scene, 128, 128).rgb[pixel["row"], pixel["column"]]
+    assert scene.bump == "surface" and np.abs(there - pixel["rgb"]).max() <= 1e-12
+    for planes, true in ((colours, frame.rgb), (slopes, frame.derivatives["beta"])):
+        off = np.abs(np.transpose(planes).reshape(true.shape) - true)[~frame.kink]
+        assert off.max() <= 1e-11 * abs(true).max()
+    expect(tab.locator(".sim-python code")).to_contain_text('{"bump": "surface"}')

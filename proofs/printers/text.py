@@ -55,7 +55,9 @@ _CHOICES = {name: made for name, made in _CALLED.items() if name not in _PLAIN} 
 _CHOICES |= {"Abs": Abs, "Max": Max, "Min": Min}  # as SymPy prints them
 _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge}
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/%^()<>=&|]*")
-_NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)(e[+-]?\d\d?)?")
+_NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)([eE][+-]?\d\d?)?")
+_SIGNS = str.maketrans({"π": "pi", "−": "-", "·": "*", "×": "*", "²": "**2", "³": "**3"})  # as people type them
+_HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)"
 _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
 
@@ -63,7 +65,11 @@ class _Reader:
     """A reader of one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable]):
-        self.text, self.names, self.calls = text, {**names, "pi": pi, "E": S.Exp1}, {**_PLAIN, **calls}
+        self.text, self.names, self.calls = (
+            text.translate(_SIGNS),
+            {**names, "pi": pi, "E": S.Exp1},
+            {**_PLAIN, **calls},
+        )
         self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:
@@ -76,12 +82,13 @@ class _Reader:
             raise self.refused(f"a text of at most {LONGEST} letters, and it has {len(self.text)}")
         allowed = _LETTERS.match(self.text).end()  # type: ignore[union-attr]
         if allowed < len(self.text):
-            raise self.refused(f"no formula has the letter {self.text[allowed]!r}")
+            raise self.refused(f"no formula has the letter {self.text[allowed]!r}: {_HINT}")
         try:
             self.text = re.sub(r"\b(np|numpy|math|sp|sympy)\.", "", self.text).replace("^", "**")
             tree = ast.parse(self.text, mode="eval")
         except _BROKEN as error:
-            raise self.refused(f"it is no formula ({getattr(error, 'msg', type(error).__name__)})") from None
+            place = f" from {self.text[error.offset - 1 :][:20]!r} on" if getattr(error, "offset", 0) else ""
+            raise self.refused(f"it is no formula{place}: {_HINT}") from None
         return self.read(tree.body, 0)
 
     def text_of(self, node: ast.expr) -> str:
@@ -99,7 +106,7 @@ class _Reader:
                 raise
             raise self.refused(f"{self.text_of(node)[:60]} is not defined") from None
         if next(one for one in (Expr, Tuple, Boolean) if isinstance(value, one)) is not kind:
-            raise self.refused(f"{self.text_of(node)[:60]!r} is not of the kind that belongs there")
+            raise self.refused(f"{self.text_of(node)[:60]!r} is not of the kind that belongs there: {_HINT}")
         return self._bounded(value, node)
 
     def _of(self, node, depth):
@@ -136,11 +143,14 @@ class _Reader:
             case ast.BinOp(one, ast.BitAnd() | ast.BitOr() as connective, other):
                 sides = self.read(one, depth, Boolean), self.read(other, depth, Boolean)
                 return And(*sides) if isinstance(connective, ast.BitAnd) else Or(*sides)
+            case ast.BoolOp(connective, parts):
+                sides = [self.read(part, depth, Boolean) for part in parts]
+                return And(*sides) if isinstance(connective, ast.And) else Or(*sides)
             case ast.Compare(left, [relation], [right]) if type(relation) in _COMPARISONS:
                 return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
         known = [*self.names.items(), *self.calls.items(), *_CHOICES.items()]
         allowed = ", ".join({thing: name for name, thing in known}.values())  # of several names the last
-        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / % ** ^, {allowed}")
+        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / % ** ^, {allowed}; {_HINT}")
 
     @contextmanager
     def choice(self, parts: int) -> Iterator[None]:

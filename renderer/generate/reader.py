@@ -41,6 +41,15 @@ def _turns(angle):
     return Add(*(term / pi for term in Add.make_args(angle)))
 
 
+def _clip(x, low, high):
+    return Max(low, Min(high, x))
+
+
+def _smoothstep(low, high, x):
+    share = _clip((x - low) / (high - low), 0, 1)
+    return share**2 * (3 - 2 * share)
+
+
 SPELLED = {
     sin: lambda angle: sinpi(_turns(angle)),
     cos: lambda angle: cospi(_turns(angle)),
@@ -56,7 +65,9 @@ SPELLED = {
 """{function of SymPy: the same by those that have kernels}"""
 _CALLS = {made.__name__: spelled for made, spelled in SPELLED.items()}
 _CALLS |= {"pow": SPELLED[Pow], "ceil": SPELLED[ceiling], "arctan": SPELLED[atan], "mod": text.remainder}
-_CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": lambda x, low, high: Max(low, Min(high, x))}
+_CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": _clip, "clamp": _clip, "fract": SPELLED[frac]}
+_CALLS |= {"ln": log, "mix": lambda a, b, share: a + (b - a) * share}
+_CALLS |= {"step": lambda edge, x: SPELLED[Heaviside](x - edge), "smoothstep": _smoothstep}
 NAMES = {"ku": k_u, "kv": k_v} | OF_FIELDS
 
 parse_expression = partial(text.parse_expression, names=NAMES, calls=_CALLS)

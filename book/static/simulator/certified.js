@@ -89,7 +89,7 @@ function simulator_certified(root, states, parts, show_bounds) {
   /** Ask for a state's bounds, if they are viewed and not asked for yet; those of another state are gone. @param {State} state */
   function ask(state) {
     const key =
-      state.view === "bounds" && state.field !== "own"
+      state.view === "bounds" && state.field !== "own" && state.against !== "surface"
         ? states.fragment({ ...state, column: 0, row: 0, axis: "u" })
         : "";
     if (key === asked) return;

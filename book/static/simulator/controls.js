@@ -38,8 +38,10 @@ function simulator_controls(root, states, act) {
       act.set({ [holder.name]: value });
     } catch (error) {
       say(holder, error_text(error));
-      const { at, length } = /** @type {{ at?: number, length?: number }} */ (error);
-      if (at !== undefined && input === document.activeElement) input.setSelectionRange(at, at + (length ?? 1));
+      const { at, length, text } = /** @type {{ at?: number, length: number, text: string }} */ (error);
+      if (at === undefined || input !== document.activeElement) return;
+      input.value = text; // in the letters that were read
+      input.setSelectionRange(at, at + length);
     }
   }
 

@@ -1,5 +1,5 @@
-// The reader's own h(u, v): a text read as `--field-expression` reads it, but for `x if c else y` and conditions that are
-// joined; its slopes by the rules of differentiation, and both run over points of the chart.
+// The reader's own h(u, v): a text read as `--field-expression` reads it (proofs/printers/text.py); its slopes by the rules of
+// differentiation, and both run over points of the chart.
 "use strict";
 
 /**
@@ -8,18 +8,32 @@
  * @param {{ ku: number, kv: number }} wave_numbers
  */
 function formula_of(text, { ku, kv }) {
+  const LONGEST = 2000;
   const DEEPEST = 40;
+  const MOST_CHOICES = 40;
   const LARGEST_POWER = 64;
-  const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/%^(),])|(\S))/giy;
+  const MOST_BITS = 256; // of a number
+  const [MOST_OPERATIONS, OF_A_FUNCTION] = [1000, 10];
+  const FUNCTIONS = ["sinpi", "cospi", "exp", "log", "abs", "sign", "floor", "atan2pi"]; // of one number
+  const HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)";
+  const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/%^(),&|])|(\S))/giy;
+  const CHOICES = ["abs", "sign", "max", "min", "piecewise", "where"]; // in small letters
   /** @type {Map<string, FormulaNode>} */
   const nodes = new Map();
+  /** @type {FormulaPart | undefined} */
+  let made_at; // the part of the text by which nodes are made
 
   /** @param {string} op @param {...(FormulaNode | number)} parts @returns {FormulaNode} */
   function node(op, ...parts) {
     const key = [op, ...parts.map((part) => (typeof part === "number" ? part : `#${part.id}`))].join(" ");
     const args = parts.filter((part) => typeof part !== "number");
     const [value = NaN] = parts.filter((part) => typeof part === "number");
-    if (!nodes.has(key)) nodes.set(key, { id: nodes.size, op, args, value });
+    const in_parts = args.reduce((sum, part) => sum + part.operations, 0);
+    const is_whole = op === "power" && value % 1 === 0; // which is printed as a product
+    const operations = is_whole
+      ? Math.abs(value) * (1 + in_parts)
+      : in_parts + (FUNCTIONS.includes(op) ? OF_A_FUNCTION : 1);
+    if (!nodes.has(key)) nodes.set(key, { id: nodes.size, op, args, value, operations, part: made_at });
     return /** @type {FormulaNode} */ (nodes.get(key));
   }
   /** @param {number} value */
@@ -39,12 +53,19 @@ function formula_of(text, { ku, kv }) {
     if (is(a, 0) || is(b, 0)) return ZERO;
     if (is(a, 1)) return b;
     if (is(b, 1)) return a;
+    const [[a_base, a_power], [b_base, b_power]] = [a, b].map(as_power);
+    if (a_base === b_base) return power(a_base, a_power + b_power);
     return a.op === "number" && b.op === "number" ? number(a.value * b.value) : node("product", a, b);
   }
-  /** @param {FormulaNode} a @param {number} n */
+  /** @param {FormulaNode} a @returns {[FormulaNode, number]} */
+  const as_power = (a) => (a.op === "power" ? [a.args[0], a.value] : [a, 1]);
+  /** @param {FormulaNode} a @param {number} n @returns {FormulaNode} */
   function power(a, n) {
     if (n === 0) return ONE;
     if (n === 1) return a;
+    if (!(Math.abs(n) <= LARGEST_POWER)) throw refused(`a power is at most ${LARGEST_POWER}`, made_at);
+    if (a.op === "power" && n % 1 === 0) return power(a.args[0], a.value * n);
+    if (a.op === "power" && a.value === 2 && n === 0.5) return abs(a.args[0]);
     return a.op === "number" ? number(a.value ** n) : node("power", a, n);
   }
   /** @param {FormulaNode} a @param {FormulaNode} b */
@@ -69,48 +90,59 @@ function formula_of(text, { ku, kv }) {
 
   /** @param {string} op @returns {(a: FormulaNode) => FormulaNode} */
   const of_one = (op) => (a) => node(op, a);
-  const [sinpi, cospi, exp, log, abs, sign, floor] = ["sinpi", "cospi", "exp", "log", "abs", "sign", "floor"].map(
-    of_one
-  );
+  const [sinpi, cospi, exp, log, abs, sign, floor, atan2pi] = FUNCTIONS.map(of_one);
+  /** @type {Set<FormulaNode>} */
+  const conditions = new Set(); // nodes that are 1 where something holds, else 0
+  /** @param {FormulaNode} a */
+  function condition(a) {
+    conditions.add(a);
+    return a;
+  }
+  /** Whether a node is below 0, or at 0. @param {FormulaNode} a @param {number} or_at_0 */
+  const below = (a, or_at_0) => condition(node("below", a, or_at_0));
+  /** @param {FormulaNode} a @param {FormulaNode} b */
+  const and = (a, b) => condition(node("product", a, b));
+  /** @param {FormulaNode} a @param {FormulaNode} b */
+  const or = (a, b) => condition(node("sum", a, node("sum", b, product(number(-1), node("product", a, b)))));
   /** @param {FormulaNode} a @param {FormulaNode} b */
   const quotient = (a, b) => product(a, power(b, -1));
   /** @param {FormulaNode} a @param {FormulaNode} b */
   const mod = (a, b) => difference(a, product(b, floor(quotient(a, b))));
-  /** @param {FormulaNode} a */
-  const atan = (a) => product(PI, node("atan2pi", a));
-  /** @param {FormulaNode} a */
-  const ceiling = (a) => product(number(-1), floor(product(number(-1), a)));
   /** @param {FormulaNode} a @param {FormulaNode} b */
   const pow = (a, b) => (b.op === "number" ? power(a, b.value) : exp(product(b, log(a))));
   /** Their arguments are as many as are written here. @type {Record<string, (...args: FormulaNode[]) => FormulaNode>} */
   const CALLS = {
-    ...{
-      sinpi,
-      cospi,
-      exp,
-      log,
-      abs,
-      Abs: abs,
-      sign,
-      floor,
-      mod,
-      Mod: mod,
-      atan,
-      arctan: atan,
-      ceiling,
-      ceil: ceiling,
-      pow,
-      Pow: pow
-    },
+    ...{ sinpi, cospi, exp, log, abs, sign, floor, pow },
+    where: (test, a, b) => node("choice", test, a, b),
     sin: (a) => sinpi(half_turns(a)),
     cos: (a) => cospi(half_turns(a)),
-    tan: (a) => quotient(sinpi(half_turns(a)), cospi(half_turns(a))),
-    tanh: (a) => difference(ONE, quotient(number(2), sum(exp(product(number(2), a)), ONE))),
     sqrt: (a) => power(a, 0.5),
-    frac: (a) => mod(a, ONE),
-    round: (a) => floor(sum(a, number(0.5))),
-    Heaviside: (a) => product(number(0.5), sum(ONE, sign(a))),
-    clip: (a, low, high) => node("max", low, node("min", high, a))
+    atan: (a) => product(PI, atan2pi(a))
+  };
+  /** The same by those, of x, y and z; with how many these are. @type {Record<string, string>} */
+  const BY_TEXT = {
+    "Abs 1": "abs(x)",
+    "ln 1": "log(x)",
+    "arctan 1": "atan(x)",
+    "tan 1": "sin(x)/cos(x)",
+    "tanh 1": "1 - 2/(exp(2*x) + 1)",
+    "frac 1": "x % 1",
+    "fract 1": "x % 1",
+    "ceil 1": "-floor(-x)",
+    "ceiling 1": "-floor(-x)",
+    "round 1": "floor(x + 1/2)",
+    "Heaviside 1": "(1 + sign(x))/2",
+    "Heaviside 2": "(1 + sign(x))/2",
+    "step 2": "(1 + sign(y - x))/2",
+    "mod 2": "x % y",
+    "Mod 2": "x % y",
+    "Pow 2": "pow(x, y)",
+    "log 2": "log(x)/log(y)",
+    "atan2pi 2": "atan(x*exp(-log(y)))/pi",
+    "clip 3": "max(y, min(z, x))",
+    "clamp 3": "max(y, min(z, x))",
+    "mix 3": "x + (y - x)*z",
+    "smoothstep 3": "clip((z - x)/(y - x), 0, 1)**2*(3 - 2*clip((z - x)/(y - x), 0, 1))"
   };
   /** @type {Record<string, FormulaNode>} */
   const NAMES = {
@@ -121,24 +153,42 @@ function formula_of(text, { ku, kv }) {
     ku: number(ku),
     kv: number(kv),
     pi: PI,
-    E: number(Math.E)
+    E: number(Math.E),
+    True: below(number(-1), 0)
   };
-  const known = [...Object.keys({ ...NAMES, ...CALLS }), "max, min, where, Piecewise"].join(", ");
+  const by_text = Object.keys(BY_TEXT).map((key) => key.split(" ")[0]);
+  const known = [...new Set([...Object.keys({ ...NAMES, ...CALLS }), ...by_text, "max", "min", "Piecewise"])];
 
-  const parts = Array.from(text.matchAll(PART), (found) => {
-    const [whole, digits, name, sign, other] = found;
-    const word = whole.trim();
-    return { word, digits, name, sign: sign ?? other, at: found.index + whole.length - word.length };
-  });
-  /** @type {Partial<typeof parts[number]> & { word: string, at: number }} */
+  /** @param {string} text */
+  const parts_of = (text) =>
+    Array.from(text.matchAll(PART), (found) => {
+      const [whole, digits, name, sign, other] = found;
+      const word = whole.trim();
+      return { word, digits, name, sign: sign ?? other, at: found.index + whole.length - word.length };
+    });
+  let parts = parts_of(text);
+  /** @type {FormulaNode[]} */
+  let xyz = [];
+  /** @type {FormulaPart} */
   const END = { word: "the end", at: text.length };
   let next = 0;
   let depth = 0;
+  let choices = 0;
+  let inside = 0; // of how many choices
   const here = () => parts[next] ?? END;
 
-  /** @param {string} why @param {{ word: string, at: number }} [part] */
-  const refused = (why, { word, at } = here()) =>
-    Object.assign(new Error(`h(u, v) is not read from ${word.slice(0, 20)} on: ${why}`), { at, length: word.length });
+  /** @param {string} why @param {FormulaPart} [part] */
+  function refused(why, part = here()) {
+    const { word, at } = part.whole ?? part;
+    return Object.assign(new Error(`h(u, v) is not read from ${word.slice(0, 20)} on: ${why}`), {
+      at,
+      length: word.length,
+      text
+    });
+  }
+
+  /** @param {FormulaPart} part */
+  const unknown = (part) => refused(`known are ${known.join(", ")}; ${HINT}`, part);
 
   /** @param {...string} signs */
   function taken(...signs) {
@@ -152,100 +202,143 @@ function formula_of(text, { ku, kv }) {
     if (!taken(sign)) throw refused(`here is a ${sign} missing`);
   }
 
+  /** Return a node if it is a condition where one belongs, else a value. @param {FormulaNode} a @returns {FormulaNode} */
+  function of_kind(a, is_condition = false, part = here()) {
+    if (conditions.has(a) === is_condition) return a;
+    throw refused("of a condition write the values, as in where(u < v, 1, 2)", part);
+  }
+  /** What each sign makes of two nodes, those that bind least first. @type {Record<string, (a: FormulaNode, b: FormulaNode) => FormulaNode>[]} */
+  const LEVELS = [
+    { or },
+    { and },
+    {
+      "<": (a, b) => below(difference(a, b), 0),
+      "<=": (a, b) => below(difference(a, b), 1),
+      ">": (a, b) => below(difference(b, a), 0),
+      ">=": (a, b) => below(difference(b, a), 1)
+    },
+    { "|": or },
+    { "&": and },
+    { "+": sum, "-": difference },
+    { "*": product, "/": quotient, "%": mod }
+  ];
   /** @returns {FormulaNode} */
-  function read_sum() {
-    if (++depth > DEEPEST) throw refused(`at most ${DEEPEST} brackets lie in each other`);
-    let a = read_product();
-    for (let sign = taken("+", "-"); sign; sign = taken("+", "-")) {
-      const b = read_product();
-      a = sign === "+" ? sum(a, b) : difference(a, b);
+  function read_level(level = 0) {
+    if (level === LEVELS.length) return read_signed();
+    let a = read_level(level + 1);
+    for (let part = here(); Object.hasOwn(LEVELS[level], part.word); part = here()) {
+      next++;
+      const join = LEVELS[level][part.word];
+      const is_condition = [and, or].includes(join);
+      of_kind(a, is_condition, part);
+      const b = of_kind(read_level(level + 1), is_condition, part);
+      made_at = part;
+      a = join(a, b);
     }
-    depth--;
     return a;
   }
-  function read_product() {
-    let a = read_signed();
-    for (let sign = taken("*", "/", "%"); sign; sign = taken("*", "/", "%"))
-      a = (sign === "*" ? product : sign === "/" ? quotient : mod)(a, read_signed());
-    return a;
+  /** Read a value, a condition, or either. @param {boolean | null} is_condition @returns {FormulaNode} */
+  function read(is_condition = false) {
+    const begin = here();
+    const a = read_level();
+    if (here().word !== "if") return is_condition === null ? a : of_kind(a, is_condition, begin);
+    next++;
+    inside++;
+    const condition = read(true);
+    if (here().word !== "else") throw refused("write a if u < v else b");
+    next++;
+    const other = read();
+    inside--;
+    chosen(2);
+    return node("choice", condition, of_kind(a, false, begin), other);
   }
   /** @returns {FormulaNode} */
   function read_signed() {
-    if (taken("-")) return product(number(-1), read_signed());
-    return taken("+") ? read_signed() : read_power();
+    if (++depth > DEEPEST) throw refused("too many brackets lie in each other");
+    const sign = taken("-", "+");
+    const a = sign ? of_kind(read_signed()) : read_power();
+    depth--;
+    return sign === "-" ? product(number(-1), a) : a;
   }
   function read_power() {
     const base = read_one();
-    const at = here();
+    const part = here();
     if (!taken("**", "^")) return base;
-    const exponent = read_signed();
-    if (exponent.op === "number" && !(Math.abs(exponent.value) <= LARGEST_POWER))
-      throw refused(`a power is at most ${LARGEST_POWER}`, at);
-    return pow(base, exponent);
+    const exponent = of_kind(read_signed());
+    made_at = part;
+    return pow(of_kind(base, false, part), exponent);
   }
   /** @returns {FormulaNode[]} */
-  function read_arguments() {
-    const list = [read_sum()];
-    while (taken(",")) list.push(read_sum());
+  function read_arguments(list = [read()]) {
+    while (taken(",") && here().word !== ")") list.push(read());
     expect(")");
     return list;
+  }
+  /** Count a choice of so many parts, as text.py does. @param {number} parts */
+  function chosen(parts) {
+    choices += Math.max(1, parts * (parts - 1)) * 2 ** inside;
+    if (choices > MOST_CHOICES) throw refused("there are too many choices, some inside others");
   }
   /** @returns {FormulaNode} */
   function read_one() {
     const part = here();
     if (part.digits !== undefined) {
+      const value = Number(part.digits);
+      if (value && Math.abs(Math.log2(value)) > MOST_BITS) throw refused("a number is from 2**-256 to 2**256");
       next++;
-      return number(Number(part.digits));
+      return number(value);
     }
     if (taken("(")) {
-      const a = read_sum();
+      const a = read(null);
       expect(")");
       return a;
     }
-    if (part.name === undefined) throw refused(`here is a number, a name or a bracket missing`);
+    if (part.name === undefined) throw refused(`here is a number, a name or a bracket missing: ${HINT}`);
     next++;
-    const is_called = taken("(") !== "";
-    if (!is_called && Object.hasOwn(NAMES, part.name)) return NAMES[part.name];
-    if (is_called && part.name === "Piecewise") return read_pieces();
-    if (is_called && part.name === "where") return read_where();
-    const list = is_called ? read_arguments() : [];
-    if (Object.hasOwn(CALLS, part.name) && list.length === CALLS[part.name].length) return CALLS[part.name](...list);
+    if (!taken("(")) {
+      const value = Object.hasOwn(NAMES, part.name) ? NAMES[part.name] : xyz["xyz".indexOf(part.name)];
+      if (value) return value;
+      throw unknown(part);
+    }
     const lower = part.name.toLowerCase();
-    if (["max", "min"].includes(lower) && list.length > 1) return list.reduce((a, b) => node(lower, a, b));
-    throw refused(`known are ${known}`, part);
+    const is_choice = CHOICES.includes(lower);
+    inside += Number(is_choice);
+    const list = part.name === "Piecewise" ? read_pieces() : read_arguments([read(part.name === "where")]);
+    inside -= Number(is_choice);
+    if (is_choice && !xyz.length) chosen(part.name === "where" ? 2 : list.length);
+    made_at = part;
+    if (part.name === "Piecewise") return list.reduceRight((other, piece) => node("choice", ...piece.args, other));
+    if (["max", "Max", "min", "Min"].includes(part.name)) return list.reduce((a, b) => node(lower, a, b));
+    const { length } = list;
+    const text = BY_TEXT[`${part.name} ${length}`];
+    if (text) return read_other(text, list, part);
+    if (!known.includes(part.name)) throw unknown(part);
+    if (CALLS[part.name]?.length !== length) throw refused(`it takes no ${length} values`, part);
+    return CALLS[part.name](...list);
   }
-  /** Read a comparison; return what is chosen by it of two. @returns {(a: FormulaNode, b: FormulaNode) => FormulaNode} */
-  function read_condition() {
-    const left = read_sum();
-    const relation = taken("<", "<=", ">", ">=");
-    if (!relation) throw refused("a condition is one of <, <=, >, >=");
-    const right = read_sum();
-    const gap = relation[0] === "<" ? difference(left, right) : difference(right, left); // below 0 where it holds
-    return (a, b) => node("choice", gap, a, b, relation.length - 1);
+  /** What a text makes of x, y and z; its parts stand for one of the reader's. @param {string} text @param {FormulaNode[]} list @param {FormulaPart} whole */
+  function read_other(text, list, whole) {
+    const kept = { parts, next, xyz };
+    parts = parts_of(text).map((part) => ({ ...part, whole: whole.whole ?? whole }));
+    next = 0;
+    xyz = list;
+    const made = read();
+    ({ parts, next, xyz } = kept);
+    return made;
   }
-  // Both after their bracket: where(x < y, a, b), and Piecewise((a, x < y), (b, x >= z), (c, True)).
-  function read_where() {
-    const choose = read_condition();
-    expect(",");
-    const list = read_arguments();
-    if (list.length !== 2) throw refused("where takes a condition and two values");
-    return choose(list[0], list[1]);
-  }
-  /** @returns {FormulaNode} */
+  /** Each value with its condition, as a node, and the last value. @returns {FormulaNode[]} */
   function read_pieces() {
     expect("(");
-    const a = read_sum();
+    const value = read();
     expect(",");
-    if (here().name === "True") {
-      next++;
-      expect(")");
-      expect(")");
-      return a;
-    }
-    const choose = read_condition();
+    const test = read(true);
     expect(")");
-    expect(",");
-    return choose(a, read_pieces());
+    if (test === NAMES.True) {
+      expect(")");
+      return [value];
+    }
+    if (!taken(",")) throw refused("the last piece is for all else: (1, True)");
+    return [node("piece", test, value), ...read_pieces()];
   }
 
   /** @type {Map<string, FormulaNode>} */
@@ -262,6 +355,7 @@ function formula_of(text, { ku, kv }) {
     const { op, args, value } = of;
     const [a, b] = args;
     const [a_by, b_by, c_by] = args.map((part) => slope(part, by));
+    made_at = of.part;
     if (op === by) return ONE;
     if (op === "sum") return sum(a_by, b_by);
     if (op === "product") return sum(product(a_by, b), product(a, b_by));
@@ -272,22 +366,24 @@ function formula_of(text, { ku, kv }) {
     if (op === "log") return quotient(a_by, a);
     if (op === "atan2pi") return quotient(a_by, product(PI, sum(ONE, power(a, 2))));
     if (op === "abs") return product(node("sign", a), a_by);
-    if (op === "choice") return node("choice", a, b_by, c_by, value);
+    if (op === "choice") return node("choice", a, b_by, c_by);
     if (op !== "max" && op !== "min") return ZERO;
     const steep = product(node("sign", difference(a, b)), difference(a_by, b_by));
     return product(number(0.5), sum(sum(a_by, b_by), op === "max" ? steep : product(number(-1), steep)));
   }
 
-  const height = read_sum();
-  if (here() !== END) throw refused("here the formula could end");
+  if (text.length > LONGEST) throw refused(`at most ${LONGEST} letters`, END);
+  const height = read();
+  if (here() !== END) throw refused(`here the formula could end: ${HINT}`);
+  if (2 * height.operations > MOST_OPERATIONS) throw refused("there are too many operations, slopes included");
   /** @type {FormulaNode[]} */
   const switches = []; // where one of these is 0 there may be a crease
   for (const { op, args } of [...nodes.values()]) {
-    if (["abs", "sign", "choice"].includes(op)) switches.push(args[0]);
+    if (["abs", "sign", "below"].includes(op)) switches.push(args[0]);
     if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
-  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches };
+  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches, refused };
 }
 
 /**
@@ -299,23 +395,33 @@ function own_field({ h = "", ku, kv }, kernel_over) {
   const CHUNK = 512;
   const GRID = 65;
   const SEAM = 1e-9;
-  const { abs, sign, max, min, floor } = Math;
-  /** @type {Record<string, (a: number, b: number) => number>} */
-  const CHOICES = { abs, sign, max, min, floor };
-  const { height, gradient, switches } = formula_of(h, { ku, kv });
+  const LARGEST = 2 ** 1000;
+  const ADVICE = "keep what it divides by off 0, and what it takes a root or log of above, as in sqrt(x**2 + 1e-4)";
+  const { abs, sign, max, min, floor, exp, log } = Math;
+  /** What an operation makes of numbers, the second its own where it has one part. @type {Record<string, (a: number, b: number) => number>} */
+  const AT = {
+    ...{ abs, sign, max, min, floor, exp, log },
+    sum: (a, b) => a + b,
+    product: (a, b) => a * b,
+    power: (a, n) => a ** n,
+    atan2pi: (a) => Math.atan(a) / Math.PI,
+    sinpi: (a) => Math.sin(Math.PI * a),
+    cospi: (a) => Math.cos(Math.PI * a)
+  };
+  const { height, gradient, switches, refused } = formula_of(h, { ku, kv });
 
   /** @param {FormulaNode[]} wanted all that they need, each after its parts */
   function in_order(wanted) {
-    /** @type {Map<number, FormulaNode>} */
-    const needed = new Map();
+    /** @type {Set<FormulaNode>} */
+    const needed = new Set();
     /** @param {FormulaNode} of */
     function visit(of) {
-      if (needed.has(of.id)) return;
-      needed.set(of.id, of);
+      if (needed.has(of)) return;
       of.args.forEach(visit);
+      needed.add(of);
     }
     wanted.forEach(visit);
-    return [...needed.values()].sort((a, b) => a.id - b.id);
+    return [...needed];
   }
 
   /** Compute a node of so many points into its own array. @param {FormulaNode} of @param {number} count @param {Record<string, Float64Array>} at */
@@ -336,12 +442,12 @@ function own_field({ h = "", ku, kv }, kernel_over) {
     else if (op === "pi") out.fill(Math.PI);
     else if (op === "sum") for (let i = 0; i < count; i++) out[i] = a[i] + b[i];
     else if (op === "product") for (let i = 0; i < count; i++) out[i] = a[i] * b[i];
-    else if (op in CHOICES) for (let i = 0; i < count; i++) out[i] = CHOICES[op](a[i], b?.[i]);
-    else if (op === "choice") for (let i = 0; i < count; i++) out[i] = a[i] < 0 || (value && a[i] === 0) ? b[i] : c[i];
+    else if (op === "below") for (let i = 0; i < count; i++) out[i] = Number(a[i] < 0 || (value && a[i] === 0));
+    else if (op === "choice") for (let i = 0; i < count; i++) out[i] = a[i] ? b[i] : c[i];
     else if (value === 2) for (let i = 0; i < count; i++) out[i] = a[i] * a[i];
     else if (value === -1) for (let i = 0; i < count; i++) out[i] = 1 / a[i];
     else if (Math.abs(value) === 0.5) for (let i = 0; i < count; i++) out[i] = Math.sqrt(value < 0 ? 1 / a[i] : a[i]);
-    else for (let i = 0; i < count; i++) out[i] = a[i] ** value;
+    else for (let i = 0, at = AT[op]; i < count; i++) out[i] = at(a[i], b ? b[i] : value);
   }
 
   /** Return a function of points, u and v, that computes nodes there. @param {FormulaNode[]} wanted */
@@ -361,15 +467,35 @@ function own_field({ h = "", ku, kv }, kernel_over) {
     };
   }
 
-  const own = { height: over([height]), gradient: over(gradient), switches: over(switches), has_seam: false };
-  const shares = Array.from({ length: GRID }, (_, n) => n / (GRID - 1));
-  const u = Float64Array.from(shares.flatMap((share) => shares.map(() => share)));
-  const v = Float64Array.from(shares.flatMap(() => shares));
-  const [here] = own.height(u, v);
-  for (const plane of [here, ...own.gradient(u, v)]) {
-    const bad = plane.findIndex((number) => !Number.isFinite(number));
-    if (bad >= 0) throw new Error(`h(u, v) or a slope of it is not finite at u = ${u[bad]}, v = ${v[bad]}`);
+  /** @type {Map<FormulaNode, number[]>} */
+  const ranges = new Map();
+  /** Between what numbers a node lies on the chart; throw where it is not shown to be finite. @param {FormulaNode} of @returns {number[]} */
+  function range(of) {
+    const known = ranges.get(of) ?? ends_of(of);
+    ranges.set(of, known);
+    if (known.every((end) => Math.abs(end) < LARGEST)) return known;
+    throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, of.part);
   }
-  own.has_seam = shares.some((_, n) => Math.abs(here[n] - here[here.length - GRID + n]) > SEAM);
-  return own;
+  /** @param {FormulaNode} of */
+  function ends_of({ op, args, value }) {
+    const [a, b] = args.map(range).slice(op === "choice" ? 1 : 0);
+    if (op === "number") return [value, value];
+    if (op === "pi") return [Math.PI, Math.PI];
+    if (op === "u" || op === "v" || op === "below") return [0, 1];
+    if (op === "sign") return [-1, 1];
+    const [low, high] = a;
+    const ends = op === "choice" ? [...a, ...b] : a.flatMap((x) => (b ?? [value]).map((y) => AT[op](x, y)));
+    if ((op === "abs" || op === "power") && low < 0 && high > 0) ends.push(AT[op](0, value));
+    for (const [sign, at] of Object.entries({ sinpi: [0.5, -0.5], cospi: [0, 1] }[op] ?? []))
+      if (at + 2 * Math.ceil((low - at) / 2) <= high) ends.push(sign === "0" ? 1 : -1);
+    return ends.some(Number.isNaN) ? [NaN] : [min(...ends), max(...ends)];
+  }
+
+  [height, ...gradient].forEach(range);
+  const height_over = over([height]);
+  const u = float64s(2 * GRID, (n) => Number(n >= GRID));
+  const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
+  const [here] = height_over(u, v);
+  const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
+  return { height: height_over, gradient: over(gradient), switches: over(switches), has_seam };
 }

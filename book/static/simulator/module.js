@@ -29,6 +29,7 @@ async function simulator_module(data, ...programs) {
   const ANGLES = ["cos_theta", "sin_theta", "cos_phi", "sin_phi"];
   const CHART = ["u", "v"];
   const EXACT = { name: "exact" };
+  const SURFACE_BUMP = { ...EXACT, bump: "surface", way: 0 }; // by slopes that are stored
   /** Of a difference of pictures: how many steps away each is, and its weight. @type {Record<string, number[][]>} */
   const STEPS = {
     central: [
@@ -167,7 +168,8 @@ async function simulator_module(data, ...programs) {
   /** How each picture of a state takes its gradient. @param {State} state @returns {Record<string, Method>} */
   const methods_of = ({ method, eps, against, against_eps }) => ({
     numeric: { name: method, eps },
-    symbolic: against === EXACT.name ? EXACT : { name: against, eps: against_eps }
+    symbolic:
+      against === EXACT.name ? EXACT : against === "surface" ? SURFACE_BUMP : { name: against, eps: against_eps }
   });
 
   let made_of = "";
@@ -420,15 +422,21 @@ async function simulator_module(data, ...programs) {
   function draw_a(state, method, stage, name, rows) {
     const own = own_of(state);
     const planes = target(stage, name);
-    if (own && !rows?.first_row) {
-      const slopes = own_slopes(own, method, ...points_of_a(stage));
+    const is_stored = own || method.bump;
+    if (is_stored && !rows?.first_row) {
+      const of_h = own ? own_slopes(own, method, ...points_of_a(stage)) : gradients(state, stage);
+      const slopes = tilts(method, stage, of_h);
       for (const [n, plane] of SLOPES.entries()) {
         const into = plane_at(stage, planes[plane]);
         for (let i = 0; i < stage.count; i++) into[stage.at[i]] = slopes[n][i];
       }
     }
-    draw(own ? "draw_own" : "draw_a", state, method, stage, { ...planes, ...rows });
+    draw(is_stored ? "draw_own" : "draw_a", state, method, stage, { ...planes, ...rows });
   }
+
+  /** The slopes by which a bump tilts the normal: the chart's, or the surface's own. @param {Method} method @param {Stage} stage @param {Float64Array[]} slopes */
+  const tilts = ({ bump }, stage, slopes) =>
+    bump ? kernel_over("surface_slopes", angles_of(stage)[3], radius, ...slopes) : slopes;
 
   /** @param {Method} method @param {Float64Array} u @param {Float64Array} v */
   function points_taken({ name, eps = 0 }, u, v) {
@@ -557,7 +565,7 @@ async function simulator_module(data, ...programs) {
 
   /**
    * The slope of every colour of a picture by the number that is viewed: exactly, or by a difference of whole pictures.
-   * Three planes; null by k_u of the reader's own field.
+   * Three planes; null by k_u of the reader's own field, or of the surface's bump.
    * @param {State} state
    * @param {Stage} stage
    * @param {Method} method
@@ -565,8 +573,8 @@ async function simulator_module(data, ...programs) {
   function picture_slopes(state, stage, method) {
     const by_ku = state.view === "by_ku";
     if (method.name !== EXACT.name) return difference_of_pictures(state, stage, method);
-    if (by_ku && state.field === "own") return null;
-    draw_a({ ...state, beta: 1 }, EXACT, stage, "gradient");
+    if (by_ku && (state.field === "own" || method.bump)) return null;
+    draw_a({ ...state, beta: 1 }, method, stage, "gradient");
     const views = Object.keys(data.by);
     const planes = views.flatMap((view, n) =>
       COLORS.map((color) => [`${color}_slope_${n}`, place(stage, view === state.view ? "slope" : "unseen", color)])
@@ -618,7 +626,7 @@ async function simulator_module(data, ...programs) {
    * @param {Method} method
    */
   function gradients(state, stage, method = EXACT) {
-    draw_a({ ...state, beta: 1 }, method, stage, "gradient");
+    draw_a({ ...state, beta: 1 }, { ...method, bump: undefined }, stage, "gradient");
     return slopes_of(stage, "gradient");
   }
 
@@ -702,14 +710,16 @@ async function simulator_module(data, ...programs) {
     const points = points_of_a(stage);
     const [u, v] = points.map(first_of);
     const angles = angles_of(stage).map(first_of);
-    const gradient = gradients(state, stage, method).map(first_of);
+    const slopes = gradients(state, stage, method);
+    const tilt = tilts(method, stage, slopes).map(first_of);
+    const gradient = slopes.map(first_of);
     const [theta, phi] = kernel("chart_radians", u, v);
     const [h] = height(state, ...points);
     const [kink] = kinks(state, angles_of(stage)[3], ...points);
     const [straddling] = method.eps ? straddles(state, method, ...points) : [0];
     return {
       point: kernel("point_on_a", ...angles, radius),
-      normal: kernel("bumped_normal", ...angles, ...gradient, beta),
+      normal: kernel("bumped_normal", ...angles, ...tilt, beta),
       gradient,
       u,
       v,

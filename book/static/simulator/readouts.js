@@ -45,6 +45,8 @@ function simulator_readouts(root, data, module) {
   /** @param {State} state */
   function remark(state) {
     const { view, field } = state;
+    if (state.against === "surface" && ["by_ku", "bounds"].includes(view))
+      return "Beside the surface’s bump the page has no such view: the picture stands for it.";
     if (view === "by_ku" && field === "own")
       return "The page has no exact slope by k_u of your own h: the picture stands for it.";
     if (view === "by_lamp" && !state.lights[0]) return "The first light is off: no colour moves with it.";
@@ -61,10 +63,10 @@ function simulator_readouts(root, data, module) {
 
   /** @param {State} state */
   function captions(state) {
-    const { method, eps, against, scale, zoom, view } = state;
+    const { method, eps, scale, zoom, view } = state;
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
-    root.classList.toggle("sim-both-step", against !== "exact");
+    root.classList.toggle("sim-both-step", "eps" in module.methods_of(state).symbolic);
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
     name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");

@@ -270,6 +270,9 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
   const lights_of = ({ lights, lamp }) =>
     scene.lights.map(({ position, color }, n) => ({ position: n ? position : lamp, color: lights[n] ? color : null }));
 
+  /** Whether a gradient of this name is taken by a step; else exactly, for the chapter's bump or the surface's. @param {string} name */
+  const is_stepped = (name) => !["exact", "surface"].includes(name);
+
   /**
    * One line that prints the renderer's own record of the pixel under the cursor, by the difference and exactly.
    * @param {State} state
@@ -287,15 +290,17 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
     const given = [`field=${field}`, `ku=${ku}`, `kv=${kv}`, `beta=${beta}`, `model="${model}"`];
     if (!state.ball) given.push("ball=False");
     if (!all) given.push(`lights=(${lights_of(state).map(light).join(", ")})`);
-    const [other, by] =
-      against === "exact" ? ["", ""] : [against === method ? "" : `${against}, `, `, ${against}(${state.against_eps})`];
+    const [other, by] = is_stepped(against)
+      ? [against === method ? "" : `${against}, `, `, ${against}(${state.against_eps})`]
+      : ["", ""];
+    const second = against === "surface" ? 'Scene(**vars(s) | {"bump": "surface"})' : "s";
     const is_off = state.view === "by_lamp" && !state.lights[0];
-    const slope = against === "exact" && !is_off && numbers[state.view];
+    const slope = !by && !is_off && numbers[state.view];
     const slopes = slope ? `, derivatives=("${slope}",)` : "";
-    const at = `s, ${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
+    const at = `${side(state)}, ${side(state)}, ${state.column}, ${state.row}`;
     return (
       `from renderer import ${is_own ? "HeightField, " : ""}${all ? "" : "Light, "}Scene, ${method}, ${other}pixel; s = Scene(${given.join(", ")}); ` +
-      `print(pixel(${at}, ${method}(${state.eps})), pixel(${at}${by}${slopes}), sep="\\n")`
+      `print(pixel(s, ${at}, ${method}(${state.eps})), pixel(${second}, ${at}${by}${slopes}), sep="\\n")`
     );
   }
 
@@ -311,8 +316,18 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
       width: side(state),
       height: side(state),
       crop: [left, top, size, size],
-      gradient: { ...record.gradient, ...(name === "exact" ? {} : { name, eps: step }) },
-      scene: { ...record.scene, field, ku, kv, beta, model, lights, ball: Boolean(state.ball) }
+      gradient: { ...record.gradient, ...(is_stepped(name) ? { name, eps: step } : {}) },
+      scene: {
+        ...record.scene,
+        field,
+        ku,
+        kv,
+        beta,
+        model,
+        lights,
+        ball: Boolean(state.ball),
+        bump: name === "surface" ? name : "chart"
+      }
     };
   }
 
@@ -331,7 +346,6 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
     fragment,
     from_fragment,
     python,
-    FURTHEST,
-    MARK
+    FURTHEST
   };
 }
