@@ -29,13 +29,13 @@ SHARED = ("simulator/compiled.js", "simulator/module.js", "ideas/compiled.js", "
 SIZE, COLUMN, ROW = 256, 104, 92  # the picture, and the pixel whose values stand on paper
 A, ON_A = "_on_a", ("cos_theta", "sin_phi", "u_closed", "v", "h_u", "h_v")  # names of what A alone has
 LINES = (
-    ("1. Where: the pixel's point, and the surface there", "", None),
+    ("1. Where: the point, and the surface there", "", None),
     ("the point of the picture", "x y", None),
     ("the distance from the axis", "rho_raw", ()),
     ("negative if A is missed", "discriminant_a", ()),
     ("where the ray meets A", "t_a", ()),
     ("where it meets B", "t_b", ()),
-    ("seen: 1 A, 2 B, 3 floor", "surface", None),
+    ("what is seen: 1 A, 2 B, 3 floor", "surface", None),
     ("the angles of the point", "cos_theta", ("rho_inverse",)),
     ("", "sin_phi", ("hit_scale",)),
     ("the chart, in half-turns", "u_closed", ()),
@@ -51,10 +51,10 @@ LINES = (
     ("towards the first light", "towards_x_0 towards_y_0 towards_z_0", ("to_light_x_0", "light_scale_0")),
     ("the cosine of the diffuse light", "mu_0", ()),
     ("the cosine of the highlight", "specular_base_0", ()),
-    ("hidden by a body: 1, or not: 0", "occluded_0", None),
+    ("is the light hidden? 1: yes", "occluded_0", None),
     ("red, with the first light", "lit_red_0", ("diffuse_0", "shine_0", "specular_0")),
-    ("the second light's cosine", "mu_1", ()),
-    ("hidden by a body: 1, or not: 0", "occluded_1", None),
+    ("the cosine of the second light", "mu_1", ()),
+    ("is the light hidden? 1: yes", "occluded_1", None),
     ("red, green, blue, clipped", "rgb_red rgb_green rgb_blue", None),
 )
 """Words about lines, their names, and the names written out in the formula of the first (None: it has none).

@@ -89,7 +89,7 @@ def test_steps_are_unfolded_under_their_titles_and_the_simulator_stands_still(pa
     assert paper.evaluate("document.querySelectorAll('details:not([open])').length") == 0
     titles = texts_of(paper, ".theorem .part")
     assert titles and [text[-50:] for text in texts if text.endswith(tuple(titles))] == []
-    assert paper.evaluate("document.querySelectorAll('button, input, canvas, .simulator, .only-dark').length") == 0
+    assert texts_of(paper, "button, input, canvas, .coq, .simulator, .only-dark") == []
 
 
 def test_what_only_a_run_says_is_not_in_the_file_and_nothing_moves():

@@ -35,7 +35,7 @@ def test_where_no_file_names_a_project_this_one_is_read_and_nothing_is_written(t
     (tmp_path / FILE).write_text("[tool.other]")
     outside = project_of(tmp_path)
     assert outside == PROJECT._replace(writable=False) and project_of(EXAMPLE / "pages").root == EXAMPLE
-    entries = [{"id": id, "grade": "cited", "expected": "cited", "uses": []} for id in all_theorems()]
+    entries = [{"id": id, "grade": "proved", "expected": "proved", "uses": []} for id in all_theorems()]
     monkeypatch.setattr(conftest, "EVIDENCE", entries)
     for command in ("proofs.engine.certificate", "renderer.generate", "book"):
         _, refusal = python("-m", command, status=1, cwd=tmp_path, env={"PYTHONPATH": str(ROOT)})

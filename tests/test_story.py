@@ -73,6 +73,14 @@ def test_pictures_are_near_their_words(read):
         assert max(ways) <= WAY_AT_MOST and (name == "s1" or ways[0] <= 120), (name, ways)
 
 
+def test_a_caption_holds_where_pictures_stand_below_one_another(read):
+    """As they do on a phone, those that are cut into panels."""
+    texts = [
+        text.get_text() for article, _ in read.values() for text in article.select("figure:has(.panel) .caption-text")
+    ]
+    assert len(texts) > 5 and [text for text in texts if re.search("on the (left|right)|left to right", text)] == []
+
+
 def test_each_section_opens_with_its_bet_and_closes_with_one_line_to_remember(read):
     for name, (article, _) in read.items():
         assert "bet" in article.select_one("section > p.lead").get_text().lower(), name

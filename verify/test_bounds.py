@@ -26,7 +26,7 @@ from renderer.scene.raster import Raster
 from renderer.scene.scene import BUMPS
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import SCENE_FORM, Shot, numbers_of
-from renderer.shader.recorded import ANY, WANTS, recorded
+from renderer.shader.recorded import ANY, COLUMNS, ROWS, WANTS, recorded
 from renderer.shader.rounded_inputs import input_bounds
 from verify.accuracy.pixels import BITS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
@@ -65,6 +65,12 @@ def test_the_default_scene(scene):
     pixels = [errors(frame, *place) for place in random.integers(0, 256, (200, 2)).tolist()]
     share = np.median([share for off, bounds, _ in pixels for share in bounds[off > 0] / off[off > 0]])
     assert share <= (300 if scene == Scene() else 1000)
+
+
+def test_the_ten_pixels_of_coq_are_in_ten_chambers_and_within_their_bound():
+    frame = render(Scene(), 256, 256, bounds=True)
+    assert len({*frame.chambers[ROWS, COLUMNS]}) == 10
+    assert frame.bounds[ROWS, COLUMNS].max() <= 21e-14
 
 
 def on_creases():
@@ -281,11 +287,6 @@ def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
     """A rounding left out, a selection of one side, a mask taken for decided, constants quartered, no second order."""
     monkeypatch.setattr(broken, name, value)
     assert escapes(operation) > 0
-
-
-def test_a_picture_of_false_bounds_is_noticed(monkeypatch, by_rows):
-    monkeypatch.setattr(enclosing, "where", one_sided)
-    assert any(wrong(frame, 0, 0) for frame in on_creases())
 
 
 def test_b_is_as_accurate_as_its_condition():

@@ -222,15 +222,6 @@ def test_a_representable_step_moves_no_argument_within_a_binade(field):
         assert errors_and_terms(field, (*at, step))[1][:, 1].any()
 
 
-@np.errstate(all="ignore")
-def test_a_hump_of_ridges_that_ends_inside_the_step_has_no_smooth_bound():
-    """At v = 0.0045 the first one does, at v = 1/256, beside the sample at the pole. At v = 0 it begins."""
-    at, smooth = (0.798, np.array([0.0, 0.0045]), 512.0, 256.0, 9e-4), truncation_bound(9e-4, 256.0)
-    (_, errors), (_, terms) = errors_and_terms(HEIGHT_FIELDS["ridges"], at)
-    assert (4 * smooth < errors).all()
-    assert [TERMS[number] for number in terms.argmax(axis=0)] == ["one-sided", "straddling"]
-
-
 def test_the_bounds_are_sharp():
     """Reach the bound, up to the next term of its series, by a small step where the slope is steepest."""
     for k in (1.0, 8.0, 64.0):

@@ -5,6 +5,7 @@ the hypotheses hold. Coq is not asked which branch of |x|, max or a case is take
 """
 
 import re
+from functools import cache
 
 import mpmath
 import pytest
@@ -103,9 +104,13 @@ def meaning(theorem, claim, text):
     is_met |= {f"~ ({text})": (c, False) for text, (c, _) in is_met.items()}
     needs = [(*meant[last], conditions) for conditions, last in asked_of_coq(theorem, text) if last in meant]
 
+    @cache
+    def code(*sides):
+        return Code(sides, lines)
+
     def value(values, *sides):
         try:
-            first, *others = Code(sides, lines)(values)
+            first, *others = code(*sides)(values)
             return first - sum(others)
         except Undefined:
             return mpmath.nan
@@ -122,11 +127,16 @@ def meaning(theorem, claim, text):
     return printed
 
 
+@cache
+def certificates(id):
+    return parsed(text_of(FOLDER / f"{id}.json"), id)
+
+
 def left_out(name, text):
     """Return what the kernel asks of a claim at some point, and its printed form does not."""
     theorem, claim = CLAIMS[name]
     printed_at, sampler, missing = meaning(theorem, claim, text), Sampler(claim, "obligations"), []
-    (entry,) = (e for e in parsed(text_of(FOLDER / f"{theorem.id}.json"), theorem.id) if e["claim"] == claim.name)
+    (entry,) = (each for each in certificates(theorem.id) if each["claim"] == claim.name)
     fixed = {symbol: Code([value])({})[0] for symbol, value in theorem.refuted_at or ()}
     for case in (e["statement"] for e in entry["statements"] if not is_empty(e["statement"])):
         points = 0

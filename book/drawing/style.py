@@ -121,14 +121,14 @@ def label_curve(ax: Axes, x: Any, y: np.ndarray, at: float, text: str, role: str
     label_line_end(ax, x[index], y[index], text, role, side)
 
 
-def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, text: str = "", decades: float = 0.7) -> None:
+def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, decades: float = 0.7) -> None:
     """A small triangle with its right angle below a line of the given slope, on log-log axes.
 
-    (x0, y0) is the triangle's left corner, `decades` its width; `text` stands by the rise: without one, |slope|.
+    (x0, y0) is the triangle's left corner, `decades` its width; |slope| stands by the rise.
     """
     x1, y1 = x0 * 10.0**decades, y0 * 10.0 ** (slope * decades)
     curve(ax, [x0, x1, x1, x0], [y0, y0, y1, y0], "muted", linewidth=0.8, solid_joinstyle="miter")
-    text = text or f"{abs(slope):g}".replace("0.5", "½")
+    text = f"{abs(slope):g}".replace("0.5", "½")
     label(ax, (x1, (y0 * y1) ** 0.5), text, "muted", (4, 0), va="center")
     down, va = (-3, "top") if slope > 0 else (3, "bottom")
     label(ax, ((x0 * x1) ** 0.5, y0), "1", "muted", (0, down), ha="center", va=va)
@@ -176,10 +176,10 @@ def pixel_picture(fig: Figure, left: float, top: float, picture: np.ndarray) -> 
     return ax
 
 
-def pixel_text(fig: Figure, left: float, top: float, text: str, role: str = "ink", va: str = "baseline") -> None:
+def pixel_text(fig: Figure, left: float, top: float, text: str, role: str = "ink") -> None:
     """Write text whose baseline begins so many CSS pixels from the figure's upper left corner."""
     x, y, *_ = _box(fig, left, top, 0, 0)
-    fig.text(x, y, text, va=va, color=colour_of(role))
+    fig.text(x, y, text, color=colour_of(role))
 
 
 def panels(

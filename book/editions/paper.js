@@ -1,11 +1,11 @@
 // Make the one file ready for paper: every page that is printed, one after the other, with nothing folded away, cut off or
-// too wide, and no link that leads nowhere.
+// too wide, and no link that leads nowhere. What machines read, listings, certificates and Coq's text, is in the site.
 "use strict";
 
 /** Put pages on paper: those with the names, or without any all but listings and the reference. @param {string[]} names */
 async function put_on_paper(names) {
   const active =
-    "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim, .simulator";
+    "a.headerlink, script, noscript, link, button, input, select, textarea, canvas, dialog, img.only-dark, .claim, .coq, .simulator";
   document.documentElement.dataset.theme = "light";
   const pages = Chapter.pages.filter(({ dataset: { page = "" } }) =>
     names.length ? names.includes(page) : !/^(source\/|api-)/.test(page)

@@ -11,8 +11,6 @@
 :::
 :::{grades}           the legend of the badges, with the number of theorems that have each; `:asked:` adds who was asked
 :::
-:::{argued-clauses}   the words that no claim says, each with its reason
-:::
 :::{check-all}        a button that checks every certificate in the reader's browser
 :::
 """
@@ -104,13 +102,6 @@ def grades_legend(here: SphinxDirective) -> Nodes:
 @directive("check-all")
 def check_all_here(here: SphinxDirective) -> Nodes:
     return [check_all(Here(here.env).proofs)]
-
-
-@directive("argued-clauses")
-def argued_clauses(here: SphinxDirective) -> Nodes:
-    book = Here(here.env)
-    clauses = [(id, clause) for id in book.proofs.places for clause in book.proofs.theorems[id].argued]
-    return [filled("argued_clauses", book=book, clauses=clauses)]
 
 
 @directive("dependencies")

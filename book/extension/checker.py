@@ -13,7 +13,6 @@ SCRIPTS = ("kernel", "worker", "card", "start")
 WITHOUT = {
     "measured": "No certificate to check here: this was measured, and the command below measures it again.",
     "certified": "No certificate to check here: this was enclosed in balls, and the command below encloses it again.",
-    "cited": "No certificate to check here: this is taken from the literature.",
 }
 
 

@@ -18,7 +18,7 @@ from verify.coq import formal
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")
 LEMMAS_PAGE = PROJECT.page.get("lemmas")
 LEGEND = (PROJECT.page.get("legend", "index"), "badges")  # the page and the id of what says what badges mean
-WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified", "cited": "Cited"}  # before a statement
+WORDS = {"refuted": "Refuted", "measured": "Measured", "certified": "Certified"}  # before a statement
 THEOREMS = PROJECT.folder(PROJECT.theorems)
 GRADES = {  # shape, letter and meaning of each, in the order of the page of findings
     "formal": (
@@ -27,8 +27,6 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
         "Coq, a proof assistant, accepted a statement for each of its words, here or on a day that the card names",
     ),
     "proved": ("●", "P", "a kernel, this book's checker, accepted a certificate; samples agree, false variants fail"),
-    "definition": ("≡", "D", "both sides are the same once translated: nothing was left to prove"),
-    "argued": ("◐", "A", "as proved, but for words that no claim says, or as what it uses is argued"),
     "certified": ("◆", "C", "enclosed between two ends, by numbers that carry their own error"),
     "measured": ("▲", "M", "sampled, with the worst case given"),
     "refuted": ("✕", "R", "false: the kernel accepted an exact counterexample"),
@@ -39,7 +37,7 @@ GRADES = {  # shape, letter and meaning of each, in the order of the page of fin
 
 def kind(grade: str) -> str:
     """Return the grade without its conditions, as one word: "proved given cited" is a kind of proved."""
-    return grade.removeprefix("by ").split()[0]
+    return grade.split()[0]
 
 
 def placements(book: Path, ids: Iterable[str]) -> dict[str, str]:
@@ -76,7 +74,7 @@ class Proofs:
         aside = self.places[id] == LEMMAS_PAGE
         counted = [other for other, page in self.places.items() if (page == LEMMAS_PAGE) == aside]
         word = "Lemma" if aside else "Theorem"
-        if kind(self.entries[id]["shown"]) not in ("formal", "proved", "argued"):
+        if kind(self.entries[id]["shown"]) not in ("formal", "proved"):
             word = "Claim"
         return f"{word} {'A.' if aside else ''}{counted.index(id) + 1}"
 

@@ -27,10 +27,13 @@ def crease() -> Drawing:
     for side, text, name in ((offsets < 0, "", "left"), (offsets > 0, "exact", "right")):
         curve(ax, offsets[side], exact_slope[side], "symbolic", text, label=f"exact, {name}", linewidth=2.2)
     curve(ax, 0, 0, "symbolic", marker="o", markersize=5)
-    for eps, dash, text, side in ((0.02, SOLID, "ε = 0.02", 1), (0.01, DASHED, "0.01", 1), (0.004, SHORT, "0.004", -1)):
-        slope, corner = _slope(offsets, central(eps)), np.searchsorted(offsets, side * eps)
+    for eps, dash, text, at, side in (
+        (0.02, SOLID, "ε = 0.02", 0.014, "right"), (0.01, DASHED, "0.01", 0.01, "above"),
+        (0.004, SHORT, "0.004", -0.004, "below"),
+    ):  # fmt: skip
+        slope, index = _slope(offsets, central(eps)), np.searchsorted(offsets, at)
         curve(ax, offsets, slope, "numeric", label=text, linewidth=1.3, linestyle=dash)
-        label_line_end(ax, offsets[corner], slope[corner], text, "numeric", "above" if side > 0 else "below")
+        label_line_end(ax, at, slope[index], text, "numeric", side)
     ax.axhline(0, color=colour_of("grid"), linewidth=0.8, zorder=0)
     ax.set(ylim=(-11, 11), xlabel="distance δ from the crease, in $u$", ylabel="$h_u$")
     on_kink, off_kink = crease_contrast(numeric(eps=1e-3), symbolic())

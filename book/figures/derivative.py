@@ -62,7 +62,7 @@ def derivative_u_curve() -> Drawing:
     errors, medians = apart.max(axis=(1, 2)), np.median(apart, axis=(1, 2))
     bound = np.full_like(steps, frame.derivative_bounds["beta"].max())
     fig, ax = plot(height=3.9)
-    curve(ax, steps, errors, "numeric", "largest", "right", 1e-10)
+    curve(ax, steps, errors, "numeric", "largest", "right", 1e-7)
     curve(ax, steps, medians, "difference", "median", "left", 1e-10)
     curve(ax, steps, bound, "bound", label="exact slope")
     label_curve(ax, steps, bound, 1e-3, "largest bound of\nthe exact slope", "bound", "below")

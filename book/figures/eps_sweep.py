@@ -40,7 +40,7 @@ def eps_sweep() -> Drawing:
     steps, shown = STEPS[:SHOWN], {field: _values(_curves(field)["rms"])[:SHOWN] for field in FIELD_NAMES}
     fig, ax = plot(height=4.2)
     for field, text, side, at, dash in (
-        ("sine", "sine and rings", "right", 3e-5, DASHED), ("ridges", "ridges", "above", 1e-4, SOLID),
+        ("sine", "sine and rings", "right", 1e-5, DASHED), ("ridges", "ridges", "above", 1e-4, SOLID),
         ("rings", "", "", None, DOTTED),
     ):  # fmt: skip
         curve(ax, steps, shown[field], "difference", text, side, at, label=field, linestyle=dash, linewidth=1.6)

@@ -133,12 +133,12 @@ def two_slope_lines() -> Drawing:
     curve(middle, across, stairs, "ink", label="stairs", linewidth=1.3)
     for ax, x, y, role, steepness, words, reach in (
         (left, point, here, "symbolic", slope, "the slope", 0.02),
-        (left, point, (before + after) / 2, "numeric", numeric, "the difference", 0.04),
+        (left, point, (before + after) / 2, "numeric", numeric, "the difference", -0.04),  # its left end is named
         (middle, 0, 0, "symbolic", slope, "", 2),
         (middle, 0, ((low + high) / 2 - here) / SMALL, "numeric", small, "", 1),
     ):
         ends = np.array([-reach, reach])
-        curve(ax, x + ends, y + steepness * ends, role, words, linewidth=2)
+        curve(ax, x + ends, y + steepness * ends, role, words, "right" if reach > 0 else "left", linewidth=2)
     dots(left, [point - eps, point + eps], [before, after], "numeric", 6)
     dots(middle, [-1, 1], sampled, "numeric", 6)
     dots(left, [point], [here], "symbolic", 7)

@@ -47,7 +47,6 @@ writes it.
 
 import argparse
 import sys
-from fractions import Fraction
 
 from proofs.check import canonical, contradiction, digest, reasons
 from proofs.engine.claim import AnyClaim
@@ -70,17 +69,16 @@ def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list
     >>> statement["steps"][0]["of"], kernel.check(statement, certificate)
     ({'x y': '-2', 'x^2': '1', 'y^2': '1'}, None)
     """
-    example = {str(s).replace(" ", ""): Fraction(str(value)) for s, value in claim.example}
-    return [_proved(s, claim.squares, effort, example) for s in statements(claim, theorems)]
+    return [_proved(s, claim.squares, effort) for s in statements(claim, theorems)]
 
 
-def _proved(statement, squares, effort, example):
+def _proved(statement, squares, effort):
     certificate = search(statement, squares, effort)
     if statement["kind"] == "separation":
         return statement, certificate, None
     if statement["kind"] == "derivation":
         statement, certificate = without_unused(statement, certificate)
-    point = find_point(statement, example)
+    point = find_point(statement)
     if point is None:  # a case that cannot occur, then, and no claim has such cases alone
         statement, previous = contradiction(statement), None
         while statement != previous:

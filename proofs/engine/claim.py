@@ -69,7 +69,7 @@ SEVERAL = {
 class Parts:
     """The base of claims, theorems and their parts: each field of SEVERAL is a tuple once it is made."""
 
-    borrowed = cited = squares = example = ()  # for claims without them
+    borrowed = cited = squares = ()  # for claims without them
 
     def __post_init__(self):
         put(self, **{name: flat(value) for name, value in vars(self).items() if name in SEVERAL})
@@ -110,8 +110,7 @@ class Claim(Parts):
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
     squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
     used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
-    ranges: {symbol, or several: (low, high)} for sampling. example: {symbol: rational} of a point where `given` holds,
-    as far as the search for one needs to be told. Once made it has both as pairs.
+    ranges: {symbol, or several: (low, high)} for sampling; once made, pairs.
 
     >>> from proofs.theorems.language import Claim, at_least, real
     >>> x, y = real("x y")
@@ -130,7 +129,6 @@ class Claim(Parts):
     borrowed: Any = ()
     ranges: Any = ()
     cited: Some = ()
-    example: Any = ()
 
     def __post_init__(self):
         super().__post_init__()
@@ -141,13 +139,12 @@ class Claim(Parts):
             ranges=tuple(
                 (s, tuple(map(number, ends))) for several, ends in dict(self.ranges).items() for s in flat(several)
             ),
-            example=point(self.example),
         )
 
     def everywhere(self) -> list[Basic]:
-        """Return the claim's other expressions: every line of its program, ranges, coordinates."""
+        """Return the claim's other expressions: every line of its program, what has a range."""
         lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
-        return [*flat(lines), *(symbol for symbol, *_ in (*self.ranges, *self.example))]
+        return [*flat(lines), *dict(self.ranges)]
 
     def names(self) -> tuple[set[Symbol], Program | None]:
         """Return the defined names that the claim needs, and the program kept to them (None without one)."""
@@ -193,7 +190,6 @@ class Induction(Parts):
     shows: Some
     states: tuple[tuple[Symbol, Basic, Basic], ...] = ()
     given: Some = ()
-    ranges: Any = ()
 
     def of(self, number: int) -> Claim:
         """Return the claim for one number: of the states that its lines reach from the start."""
@@ -205,7 +201,7 @@ class Induction(Parts):
             lines += [{states[symbol]: sympify(following).xreplace(now) for symbol, _, following in self.states}]
         now = states | {self.n: Integer(number)}
         shows = [equation(*(side.xreplace(now) for side in shown.args)) for shown in self.shows]
-        return Claim(self.name, shows, self.given, chain("states", *lines) if any(lines) else None, ranges=self.ranges)
+        return Claim(self.name, shows, self.given, chain("states", *lines) if any(lines) else None)
 
 
 @dataclass(frozen=True)

@@ -45,8 +45,7 @@ def induction(claim: Induction) -> dict:
     if claim.n not in (Symbol(claim.n.name, integer=True), Symbol(claim.n.name, real=True)):
         raise Untranslatable(f"{claim.name}: of n it is known that it is whole, and nothing else")
     few(len(expressions))
-    symbols = {*symbols_of(expressions), *flat([*dict(claim.ranges)])}
-    plain([*(symbols - {claim.n}), Symbol(claim.n.name, real=True)])
+    plain([*(symbols_of(expressions) - {claim.n}), Symbol(claim.n.name, real=True)])
     if not all(isinstance(r, Eq) for r in claim.shows):
         raise Untranslatable(f"{claim.name}: an induction shows equations")
     states = {s for s, *_ in claim.states}

@@ -51,28 +51,24 @@ def is_circle(step: dict) -> bool:
     return step["is"] == "=" and len(squares) == 2 and len(step["of"]) == 3
 
 
-def find_point(statement: dict, example: dict[str, Fraction]) -> dict[str, str] | None:
-    """Return a point at which the hypotheses of a derivation or an induction hold, {name: rational}, or None.
-
-    example: coordinates of it that are known.
-    """
+def find_point(statement: dict) -> dict[str, str] | None:
+    """Return a point at which the hypotheses of a derivation or an induction hold, {name: rational}, or None."""
     refutation, rng = consistency(statement), random.Random(0)
     *facts, _ = kernel.derive(refutation, lambda *_: None)
     new = [step["new"] for step in refutation["steps"] if step["step"] in ("root", "inverse")]
     names = [*refutation["variables"], *new]
-    fixed = {name: value for name, value in example.items() if name in names}
     for _ in range(TRIES * USUAL // max(USUAL, len(names) * len(facts))):
         with suppress(NotRational):
-            values = _attempt(names, facts, fixed, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
+            values = _attempt(names, facts, rng, rng.sample(SIMPLE, rng.randint(1, len(SIMPLE))))
             point = {name: str(value) for name, value in sorted(values.items())}
             if kernel.check(refutation, {"point": point}) is None:
                 return point
     return None
 
 
-def _attempt(names, facts, fixed, rng, pool):
-    """Return values of all names: some as fixed, or solved for where an equation allows it, the others at random."""
-    values, new = dict(fixed), dict(fixed)
+def _attempt(names, facts, rng, pool):
+    """Return values of all names: solved for where an equation allows it, the others at random."""
+    values, new = {}, {}
     numbers = {name: kernel.variable(name) for name in names}
     while True:
         numbers |= {name: kernel.multiply(value) for name, value in new.items()}

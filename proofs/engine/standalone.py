@@ -73,7 +73,6 @@ def standalone_script(theorem_id: str) -> str:
         raise ValueError(f"{theorem_id} is {theorem.expected}: it has no certificate")
     borrowed = [f"{id}/{name}" for claim in theorem.claims for id, name in claim.borrowed]
     cited = [lemma.source for claim in theorem.claims for lemma in claim.cited]
-    cited += [theorem.source] if theorem.source else []
     return SCRIPT.format(
         header=_header(theorem),
         kernel=inspect.getsource(kernel).strip(),
@@ -92,7 +91,6 @@ def _header(theorem):
     parts = [
         f"{theorem.title} ({theorem.id}), {claim}.",
         theorem.words,
-        *(f"Argued, and not checked here: {clause.text} ({clause.argued})." for clause in theorem.argued),
         *(f"Given: {hypothesis}." for hypothesis in theorem.hypotheses),
         *(f"Given, from {lemma.source}: {lemma.text}." for lemma in lemmas),
         *([f"It uses, each with a script of its own: {', '.join(theorem.uses)}."] if theorem.uses else []),

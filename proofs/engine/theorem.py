@@ -13,8 +13,8 @@ from proofs.engine.claim import AnyClaim, Claim, Parts, point
 from proofs.engine.program import Some, flat, put
 from proofs.engine.project import PROJECT
 
-GRADES = ("failed", "cited", "measured", "certified", "argued", "by definition", "proved", "refuted")
-WITHOUT_CLAIMS = ("cited", "measured", "certified")
+WITHOUT_CLAIMS = ("measured", "certified")
+GRADES = ("failed", *WITHOUT_CLAIMS, "proved", "refuted")
 
 Point = tuple[tuple[Symbol, object], ...]
 
@@ -52,14 +52,10 @@ def coq(*pinned: str) -> tuple[Pinned, ...]:
 
 @dataclass(frozen=True)
 class Clause(Parts):
-    """A part of a statement, as the reader sees it, and what says it: claims, or what is Pinned.
-
-    One without is argued in the steps and decided by nothing; `argued` says why.
-    """
+    """A part of a statement, as the reader sees it, and what says it: claims, or what is Pinned."""
 
     text: str
     claims: Some = ()
-    argued: str = ""
 
 
 @dataclass(frozen=True)
@@ -121,17 +117,15 @@ class Theorem(Parts):
     """A statement with everything that its evidence is made of.
 
     id: identifier. title, statement (TeX between dollars where it is mathematics), hypotheses: for the reader. The
-    statement may be {text: what says it, or as a text why it is argued}, or Clauses; where one is argued, so is the
-    theorem. short: the same in fewer words, for a page where the statement is folded, said by some of what says that.
+    statement may be {text: what says it}, or Clauses. short: the same in fewer words, for a page where the statement is
+    folded, said by some of what says that.
     claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
     theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
     steps use are added. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
     is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
-    verify/measurements, or `cited`; source: the bibliography's key of what is cited, or of the analysis that a
-    proved theorem takes among its hypotheses (then it is proved, given that source). rounded: what Coq alone proves, of
-    float64's own operations.
+    verify/measurements. rounded: what Coq alone proves, of float64's own operations.
 
     >>> from proofs.theorems.language import Claim, Theorem, equation, real, variant
     >>> x = real("x")
@@ -160,7 +154,6 @@ class Theorem(Parts):
     uses: Some = ()
     refuted_at: Any = None
     expected: str = ""
-    source: str = ""
     rounded: Some = ()
     short: Any = ()
 
@@ -173,7 +166,7 @@ class Theorem(Parts):
             elsewhere = flat(self.rounded)
             claims = [c for c in dict.fromkeys(self._named) if not isinstance(c, Pinned) and c not in elsewhere]
             put(self, claims=tuple(claims))
-        shown = "argued" if self.argued else "proved"
+        shown = "proved"
         if self.refuted_at is not None:
             put(self, refuted_at=point(self.refuted_at))
             shown = "refuted"
@@ -183,8 +176,6 @@ class Theorem(Parts):
         checked = bool(self.claims) or not (self.pinned or self.rounded or self.expected in WITHOUT_CLAIMS)
         if checked and len(self.mutants) < 2:
             raise ValueError(f"{self.id}: needs at least two mutants")
-        if self.expected == "cited" and not self.source:
-            raise ValueError(f"{self.id}: what is cited needs a source")
         names = [claim.name for claim in (*self.claims, *self.rounded)]
         if len(set(names)) < len(names) or (checked and not self.claims):
             raise ValueError(f"{self.id}: claims need different names")
@@ -192,8 +183,8 @@ class Theorem(Parts):
             raise ValueError(f"{self.id}: pins what is another theorem's: {', '.join(others)}")
         if unknown := {c.claim for c in self.side_conditions}.difference(names):
             raise ValueError(f"{self.id}: side conditions of unknown claims {sorted(unknown)}")
-        if any(not clause.argued for clause in self.argued):
-            raise ValueError(f"{self.id}: a clause without a claim needs a reason")
+        if (self.claims or self.pinned) and not all(clause.claims for clause in self.clauses):
+            raise ValueError(f"{self.id}: a clause without a claim")
         if any(not clause.claims or {*clause.claims}.difference(self._named) for clause in self.short):
             raise ValueError(f"{self.id}: a short text needs claims, some of the statement's")
         if (self.expected == "refuted") != (self.refuted_at is not None and len(self.claims) == 1):
@@ -226,11 +217,6 @@ class Theorem(Parts):
         """The theorems of Coq's that clauses name."""
         return tuple(dict.fromkeys(claim for claim in self._named if isinstance(claim, Pinned)))
 
-    @property
-    def argued(self) -> tuple[Clause, ...]:
-        """The clauses that nothing says."""
-        return tuple(clause for clause in self.clauses if (self.claims or self.pinned) and not clause.claims)
-
     def claim(self, name: str) -> AnyClaim:
         """Return the claim of that name."""
         return next(claim for claim in self.claims if claim.name == name)
@@ -242,13 +228,12 @@ def _line(text):
 
 
 def _clauses(statement):
-    """Return Clauses of {text: its claims, or as a text why it has none}; or a text or Clauses as they are."""
+    """Return Clauses of {text: its claims}; or a text or Clauses as they are."""
     if isinstance(statement, str):
         return _line(statement)
     if not isinstance(statement, Mapping):
         return statement
-    parts = [(_line(text), by) for text, by in statement.items()]
-    return tuple(Clause(text, argued=_line(by)) if isinstance(by, str) else Clause(text, by) for text, by in parts)
+    return tuple(Clause(_line(text), by) for text, by in statement.items())
 
 
 def _steps(taken):

@@ -5,6 +5,7 @@ From Formal Require Import Float Programs RecordedPixel Rounding EnclosingRules 
 Open Scope R_scope.
 Import ListNotations.
 
+(* What is no number is not equal to itself; of real numbers that asks nothing. *)
 Fixpoint test_of (c : recorded_pixel.condition) : test :=
   match c with
   | recorded_pixel.Lt i j => Less i j
@@ -12,6 +13,7 @@ Fixpoint test_of (c : recorded_pixel.condition) : test :=
   | recorded_pixel.Eq i j => Same i j
   | recorded_pixel.Ne i j => Not (Same i j)
   | recorded_pixel.Invert c => Not (test_of c)
+  | recorded_pixel.And c (recorded_pixel.Eq i j) => if (i =? j)%nat then test_of c else Both (test_of c) (Same i j)
   | recorded_pixel.And c d => Both (test_of c) (test_of d)
   | recorded_pixel.Or c d => Not (Both (Not (test_of c)) (Not (test_of d)))
   end.

@@ -175,7 +175,8 @@ Proof.
   split; [cbn; lra | split; [each_input; apply exactly_known; [exact one_is_float64 | apply generic_format_0]|]].
   run_shown. rewrite exactly_apart. destruct Rlt_dec; [|lra]. split; [repeat split; apply exactly_apart|]. rewrite Rabs_R0. lra.
 Qed.
-(* Counts that an open selection adds nothing to, and those of products that one factor's count is left to, bound no programs. *)
+(* Counts that an open selection adds nothing to, those of products that one factor's count is left to, and those by which a constant may be another
+  than what it stands for, bound no programs. *)
 Definition without_open (o : operation) (given : list (kind * (R * R))) : R :=
   match o, given with
   | Choose c, (_, (_, e)) :: (_, (_, d)) :: compared => if holds c (map fst (map snd compared)) then e else d
@@ -183,7 +184,10 @@ Definition without_open (o : operation) (given : list (kind * (R * R))) : R :=
   end.
 Definition without_factor (o : operation) (given : list (kind * (R * R))) : R := match o, given with Product, [(_, (_, e)); _] => e | _, _ =>
   counted_roundings o given end.
-Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open /\ ~ bounds_programs without_factor.
+Definition without_constant (o : operation) (given : list (kind * (R * R))) : R := match o with Constant _ _ _ => 0 | _ => counted_roundings o given
+    end.
+Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open /\ ~ bounds_programs without_factor /\ ~ bounds_programs
+    without_constant.
 Proof.
   assert (B : 2 ^ 53 = bpow radix2 53) by (simpl; lra). assert (F : float64 (2 ^ 53)) by (rewrite B; apply generic_format_bpow; easy). assert (F0 :
     float64 0) by apply generic_format_0.
@@ -191,7 +195,7 @@ Proof.
     split;
     cbn
     -[pow]; [exact V | exact F | lra | lra]).
-  split; intro H.
+  repeat split; intro H.
   - specialize (H ((Choose (Less 0 1), [0; 1; 2; 1]%nat) :: nil) ((True, (ordinary, (0, 0))) :: (True, (ordinary, (1, 0))) :: (True, (ordinary, (1, 2
       ^ 53)))
       :: nil) ((True, 0) :: (True, 1) :: (True, 0) :: nil) 3%nat ltac:(cbn; lra)).
@@ -209,4 +213,10 @@ Proof.
       revert H. run_shown.
     unfold enclosed_product_float64.product. rewrite Rmult_0_l, rounded_0, Rmult_1_l, Rminus_0_l, Rabs_Ropp, Rabs_pos_eq by lra. intro H. destruct (H
       ltac:(repeat constructor; lra)) as [_ G]. in_units.
+  - destruct (H ((Constant 1 (2 ^ 53) 0, nil) :: nil) nil nil 0%nat ltac:(cbn; lra) ltac:(constructor)) as [_ G]. revert G. run_shown. intro G. clear
+      H.
+    destruct G as [_ G]; [split; [constructor|]; split; [exact one_is_float64 | split; [exact F | split; cbn [fst snd]; [lra | rewrite Rminus_0_r,
+    Rabs_R1;
+      lra]]]|].
+    rewrite Rminus_0_r, Rabs_R1 in G. lra.
 Qed.

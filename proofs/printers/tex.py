@@ -54,12 +54,10 @@ class ClaimPrinter(LatexPrinter):
         """Return a term in TeX; a dot stands before a number in a product."""
         return DIGIT.sub(r"\1 \\cdot ", self.doprint(term))
 
-    def rows(
-        self, claim: AnyClaim | Rounded | Encloses, by_definition: tuple[str, ...] = (), refuted: bool = False
-    ) -> list[Row]:
+    def rows(self, claim: AnyClaim | Rounded | Encloses, refuted: bool = False) -> list[Row]:
         """Return a claim's rows: lines and states, hypotheses, cited lemmas, and conclusions.
 
-        by_definition: conclusions, as text, that hold by definition. refuted: a counterexample denies the conclusion.
+        refuted: a counterexample denies the conclusion.
         """
         shown, tex = "false" if refuted else "shows", self.tex
         if isinstance(claim, Separation):
@@ -73,7 +71,7 @@ class ClaimPrinter(LatexPrinter):
                 bounds = [(s, MOST) for s in program.outputs]
             within = [Row(shown, rf"\lvert \mathrm{{fl}}({tex(s)}) - {tex(s)} \rvert \leq {tex(e)}") for s, e in bounds]
             return [Row("in float64", self.name(program.name)), *lines, *given, *within]
-        last = [Row("by definition" if str(each) in by_definition else shown, tex(each)) for each in claim.shows]
+        last = [Row(shown, tex(each)) for each in claim.shows]
         return [*(self._lines(claim) if isinstance(claim, Claim) else self._states(claim)), *given, *last]
 
     def _lines(self, claim: Claim) -> Iterator[Row]:

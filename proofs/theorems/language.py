@@ -8,13 +8,12 @@ Symbols are real and nothing more, `real("x y")`: a sign is a hypothesis in `giv
 
 Relations arrive as they are written: SymPy evaluates nothing here. Substitute by `xreplace`, or by `Program.at`, and
 write `Derivative`, never `diff`: a rule of `proofs/engine/derivative.py` takes it, or says why there is none. A
-function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, counts for nothing:
-make one side a line of a program.
+function that makes formulas is `evaluated`. A relation that reads 0 = 0 in the end, or is given, is refused: make one
+side a line of a program.
 
 Words are claims: a statement may be {text: the claims that say it}, or what Coq proves from a file by hand,
-`coq("name digest")`: read its text, which a run prints with the digest, beside the words. A text that has none, but
-says why as a text, is listed on the page of findings. Steps are {what: why}. One claim, relation or point may
-stand where several may, and so may lists of them in lists.
+`coq("name digest")`: read its text, which a run prints with the digest, beside the words. Steps are {what: why}. One
+claim, relation or point may stand where several may, and so may lists of them in lists.
 
 Mutants are near misses, at least two; each has the name of a claim, changes one field of it, and has to be refused, and
 to have a counterexample that is exact or enclosed in balls. Give `at=` the point that sampling is unlikely to hit: a
@@ -25,8 +24,8 @@ as its mutants.
 A certificate that is not found names the polynomial and what is left of it. Show a lemma first (`shows` is in order),
 hint the `squares` of an inequality, or find out from the samples that the claim is false. A stale one belongs to
 formulas that have changed: search anew, and read the diff. Of hypotheses a point is searched for at which they hold.
-"the point is not a counterexample" or a case "for 1 = 0" says that none was found: they contradict each other, or the
-search needs coordinates, `example={eye: 5, radius: 3}`.
+"the point is not a counterexample" or a case "for 1 = 0" says that none was found: most likely they contradict
+each other.
 
 A lemma from the literature is `cited=CitedLemma(relation, source, given)`, and the grade says so. `given` are the
 source's conditions; the claim has to prove them, samples test the lemma under these alone, and Coq has to prove the

@@ -1,18 +1,22 @@
 """The program of a pixel for Coq, recorded from the shader: `python -m renderer.generate` prints it as data."""
 
+import math
 import textwrap
-from itertools import product
+from itertools import chain, islice, product, repeat, zip_longest
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.machines.forms import of_form
+from renderer.machines.forms import COLORS, of_form
 from renderer.machines.recording import Recorder
+from renderer.operations import UNIT
 from renderer.scene.methods import DIFFERENCES
+from renderer.scene.raster import Raster
 from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want, numbers_of
+from renderer.shader.rounded_inputs import input_bounds
 from renderer.shader.shader import SLOPES, Group
 
 HEADER = """(* Printed from renderer/shader by `python -m renderer.generate`. Do not edit: change the shader.
@@ -39,7 +43,11 @@ ANY = Want(
     integer_power=False,
     bumps=BUMPS,
 )
-DEFAULT = Shot(Scene()).want
+SHOT = Shot(Scene(), raster=Raster(256, 256))
+FAR = 2.0**1023  # stands for infinity
+COLUMNS, ROWS = [111, 202, 133, 152, 44, 218, 238, 59, 28, 222], [125, 37, 220, 83, 188, 82, 148, 216, 182, 169]
+"""Ten pixels of it, each in a chamber of its own."""
+DEFAULT = SHOT.want
 WANTS = (ANY, ANY._replace(horizon=True), DEFAULT)
 KNOWN = {name: getattr(SCENE_FORM, name) for name in ("power", "power_u", "power_v")}
 """The powers of the default scene, by squaring."""
@@ -81,15 +89,46 @@ def recorded_source() -> str:
             lines.append(f"({_operation(kind, text)}, {_list(places)})")
     named |= {name: [*dict.fromkeys(places)] for name, places in recorder.outputs.items()}
     parts = [f"Definition {name} : list nat := {_list(places)}." for name, places in named.items()]
-    parts += [f"Definition inputs : nat := {len(recorder.lines) - len(lines)}.", "Open Scope N_scope."]
+    inputs, drawing = len(recorder.lines) - len(lines), len(WANTS) * len(Scene().lights) + WANTS.index(DEFAULT)
+    drawn = _list(recorder.outputs[name][drawing] for name in COLORS)
+    parts += [
+        f"Definition drawn : list nat := {drawn}.",
+        f"Definition inputs : nat := {inputs}.",
+        "Open Scope N_scope.",
+    ]
     firsts = range(0, len(lines), PART)
     for first in firsts:
         part = "; ".join(lines[first : first + PART])
         parts.append(f"Definition from_{first} : list (operation * list N) := [{part}].")
     parts.append(f"Definition lines := concat {_list(f'from_{first}' for first in firsts)}.")
     parts.append("Definition pixel := map (fun line => (fst line, map N.to_nat (snd line))) lines.")
+    (scene, points), kind = _numbers_of_points(inputs), "list ((Z * Z) * (Z * Z))"
+    parts += [
+        "Open Scope Z_scope.",
+        f"Definition scene : {kind} := {scene}.",
+        f"Definition points : list ({kind}) := {points}.",
+    ]
     fill = textwrap.TextWrapper(120, break_on_hyphens=False).fill
     return HEADER + "\n".join(map(fill, parts)) + "\nEnd recorded_pixel.\n"
+
+
+def _numbers_of_points(inputs):
+    """Return the default scene's numbers, and each point's, with their counts."""
+    of, (x, y) = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
+    numbers = np.clip(np.concatenate([*map(np.ravel, numbers_of(SHOT))]), -FAR, FAR)
+    pairs = zip_longest([0.0, 0.0, *numbers], [0.0, 0.0, *of["scene_bounds"]], fillvalue=0.0)
+    scene = islice(chain(pairs, repeat((0.0, 0.0))), inputs - 2)
+    at = [[x[COLUMNS], of["x_bound"][COLUMNS]], [y[ROWS], of["y_bound"][ROWS]]]
+    return _counted(scene), _list(map(_counted, np.transpose(at, (2, 0, 1))))
+
+
+def _counted(numbers):
+    return _list(f"({_dyadic(number)}, {_dyadic(bound / UNIT)})" for number, bound in numbers)
+
+
+def _dyadic(number):
+    mantissa, exponent = math.frexp(number)
+    return f"({int(mantissa * 2**53)}, {exponent - 53})"
 
 
 def _list(places):

@@ -15,11 +15,9 @@ BIBLIOGRAPHY = PROJECT.bibliography
 if not BIBLIOGRAPHY.is_file():
     BIBLIOGRAPHY = Path(__file__).parents[1] / "references.bib"  # where the wheel has it
 NOT_RECHECKED = "not re-checked"  # here: a library is not installed
-EXACT = ("proved", "by definition")  # every claim has a certificate, and the claims are all of the words
-CERTIFIED = (*EXACT, "refuted", "argued", "certified", "cited")
+CERTIFIED = ("proved", "refuted", "certified")
 STANDING = (*CERTIFIED, "measured")
-ENOUGH: dict[str, tuple[str, ...]] = dict.fromkeys(EXACT, EXACT)
-ENOUGH |= {"argued": (*EXACT, "argued"), "refuted": (*EXACT, "argued"), "certified": CERTIFIED}
+ENOUGH: dict[str, tuple[str, ...]] = {"proved": ("proved",), "refuted": ("proved",), "certified": CERTIFIED}
 """{grade: those that it may rest on}, of others any that is STANDING"""
 
 
@@ -35,9 +33,7 @@ class Examination:
     mutants_killed: int = 0
     mutants: int = 0
     claims: int = 0
-    by_definition: list = field(default_factory=list)  # claims that read 0 = 0
-    argued: list = field(default_factory=list)  # clauses that no claim says
-    reached: str = ""  # by measurement or citation; else the checkers' verdict stands
+    reached: str = ""  # by measurement; else the checkers' verdict stands
 
     def __post_init__(self):
         self.record = self.record or {"id": self.id, "expected": self.expected, "uses": sorted(self.uses)}
@@ -47,10 +43,6 @@ class Examination:
         """The grade on this theorem's own evidence; `final_grades` adds what it rests on."""
         if self.problems:
             return "failed"
-        if self.argued or (self.claims and self.expected == "argued"):  # by its words, or by what it rests on
-            return "argued"
-        if self.by_definition and len(self.by_definition) == self.claims:
-            return "by definition"
         if self.reached or not self.claims:  # without a claim nothing is proved
             return self.reached or "failed"
         return "refuted" if self.expected == "refuted" else "proved"
@@ -60,11 +52,9 @@ class Examination:
         self.record |= {"pinned": [pin.name for pin in theorem.pinned]} if theorem.pinned else {}
         self.problems += recorded.why_not_pinned(theorem)
         lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]
-        if theorem.source:
-            self.record["source"] = theorem.source
         if lemmas:
             self.record["cited_lemmas"] = [{"relation": lemma.text, "source": lemma.source} for lemma in lemmas]
-        keys = {theorem.source, *(lemma.source for lemma in lemmas)} - {""}
+        keys = {lemma.source for lemma in lemmas}
         text = BIBLIOGRAPHY.read_text(encoding="utf-8") if BIBLIOGRAPHY.is_file() else ""
         entries = set(re.findall(r"^@\w+\{([^,\s]+)", text, re.MULTILINE))
         self.problems += [f"the bibliography has no {key}" for key in sorted(keys - entries)]
@@ -92,29 +82,24 @@ def final_grades(evidences: Iterable[dict]) -> dict[str, tuple[str, str]]:
 
 
 def given_cited(evidences: Iterable[dict], in_coq: Collection[str] = ()) -> dict[str, list[str]]:
-    """Return {id: the sources whose lemmas or hypotheses it rests on, directly or through what it uses}.
+    """Return {id: the sources whose lemmas it rests on, directly or through what it uses}.
 
-    in_coq: the theorems whose claims Coq has proved in this run, from no lemma and no other theorem; of the analysis
-    among a theorem's hypotheses it has proved nothing.
+    in_coq: the theorems whose claims Coq has proved in this run, from no lemma and no other theorem.
     """
     by_id = {e["id"]: e for e in evidences}
 
     @cache
-    def sources(id, lemmas):
-        record, lemmas = by_id.get(id, {"uses": ()}), lemmas and id not in in_coq
-        direct = {lemma["source"] for lemma in record.get("cited_lemmas", ()) if lemmas}
-        if record.get("source") and record.get("grade") != "cited":
-            direct.add(record["source"])
-        return direct.union(*(sources(use, lemmas) for use in record["uses"]))
+    def sources(id):
+        record = {} if id in in_coq else by_id.get(id, {})
+        direct = {lemma["source"] for lemma in record.get("cited_lemmas", ())}
+        return direct.union(*map(sources, record.get("uses", ())))
 
-    return {id: sorted(sources(id, True)) for id in by_id}
+    return {id: sorted(sources(id)) for id in by_id}
 
 
-def grade_line(grade: str, sources: Sequence[str], bibliography_key: str = "") -> str:
-    """Return how a grade reads: "proved", "proved, given Dekker1971", "cited: Blinn1978", …"""
-    if grade in ("proved", "argued", "refuted") and sources:
-        return f"{grade}, given {', '.join(sources)}"
-    return f"cited: {bibliography_key}" if grade == "cited" else grade
+def grade_line(grade: str, sources: Sequence[str]) -> str:
+    """Return how a grade reads: "proved", "proved, given Dekker1971", …"""
+    return f"{grade}, given {', '.join(sources)}" if grade in ("proved", "refuted") and sources else grade
 
 
 def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict]:
@@ -126,7 +111,7 @@ def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict
     entries = []
     for entry in sorted(evidences, key=lambda e: e["id"]):
         grade, reason = grades[entry["id"]]
-        line = grade_line(grade, sources[entry["id"]], entry.get("source", ""))
+        line = grade_line(grade, sources[entry["id"]])
         more = {"reason": reason} if reason else {}
         entries.append(entry | more | {"grade": grade, "grade_line": line, "given_cited": sources[entry["id"]]})
     return entries

@@ -4,7 +4,6 @@ proved     Coq's record has every statement that is pinned, as it was read, and 
            measured beside holds
 certified  everything is an enclosure, over whole ranges, of what the theorem's words state, and rejects false variants
 measured   every measurement holds on its samples, and rejects its false variants
-cited      the source is in the bibliography
 
 A measurement is a function in a module of the project's package of them:
 
@@ -239,16 +238,14 @@ def library_for(theorem_id: str) -> str | None:
 
 
 def examine(theorem: Theorem, theorems: Theorems) -> Examination:
-    """Return the Examination of a theorem without claims: measured, or else cited."""
+    """Return the Examination of a theorem without claims."""
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.problems += incomplete(theorem, theorems)
     examination.check_sources(theorem)
     evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
     examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]
-    examination.reached, examination.argued = "cited", [clause.text for clause in theorem.argued]
-    if theorem.pinned or theorem.rounded:
-        examination.reached = "proved"
-    elif theorem.expected != "cited":
+    examination.reached = "proved"
+    if not (theorem.pinned or theorem.rounded):
         enclosed = [one for one, *_ in evidence if isinstance(one, Enclosure)]
         examination.reached = "certified" if evidence and len(enclosed) == len(evidence) else "measured"
         missing = unnamed(theorem.words, [name for one in enclosed for name in one.over])

@@ -4,17 +4,16 @@
                    Coq's record has every statement that is pinned, as it was read, and
                    every claim that cites a lemma,
                    no sample at 50 digits contradicts one,
+                   no relation that one shows reads 0 = 0 once translated,
                    every side condition behaves as stated at its edge,
                    every mutant is refuted, and
                    every theorem that it uses is proved
-    argued         as proved, but a clause of its words is said by no claim
-    by definition  as proved, but every claim reads 0 = 0 once translated
     refuted        the kernel accepts an exact counterexample, and 50 digits agree
     failed         anything else
 
 Nothing raises a grade by hand. A run also gives every certificate to the second checker (`verify.test_theorems`).
 
-Theorems that are certified, measured or cited have no claims: `verify.checkers.measurements`. That module and the
+Theorems that are certified or measured have no claims: `verify.checkers.measurements`. That module and the
 search are imported where a theorem needs them: no grade of what is proved rests on either.
 """
 
@@ -39,7 +38,7 @@ from verify.checkers.counterexamples import FAILURES, counterexample, flint
 from verify.checkers.grades import Examination
 
 POINTS, LONG_POINTS, SEARCHED = 32, 2000, 4000
-HINTS = ("name", "squares", "ranges", "cited", "example")  # of a claim: what its search and its samples use
+HINTS = ("name", "squares", "ranges", "cited")  # of a claim: what its search and its samples use
 ANGLE_DIGITS = 1000  # twice the longest number: to the kernel sin(3.14159…) may be 0, if nothing else tells
 
 
@@ -85,7 +84,7 @@ def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: in
 
 
 def _check_certificates(examination, theorem, theorems, prove, anew):
-    examination.claims, examination.argued = len(theorem.claims), [clause.text for clause in theorem.argued]
+    examination.claims = len(theorem.claims)
     try:
         claims = evidence(theorem, theorems, prove) if anew else stored(theorem, theorems)
     except Stale as error:
@@ -99,20 +98,13 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
     except NotFound as error:
         examination.problems.append(str(error))
         return
-    nothing = {claim.name: by_definition(claim, theorems) for claim in theorem.claims}
-    examination.by_definition = [
-        c.name for c in theorem.claims if len(nothing[c.name]) == len(getattr(c, "shows", "-"))
-    ]
+    for claim in theorem.claims:
+        examination.problems += [f"{claim.name}: {idle} says nothing" for idle in by_definition(claim, theorems)]
     for claim, cases in claims:
         examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     shown = [statement for _, cases in claims for statement, *_ in cases]
     hypotheses = sum(step["step"] == "assume" for statement in shown for step in statement.get("steps", ()))
-    examination.record |= {
-        "statements": len(shown),
-        "by_definition": {name: relations for name, relations in nothing.items() if relations},
-        "argued": examination.argued,
-        "hypotheses": hypotheses,
-    }
+    examination.record |= {"statements": len(shown), "hypotheses": hypotheses}
 
 
 def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:

@@ -60,9 +60,9 @@ def test_a_mutant_that_holds_fails_the_theorem():
 RUNS = [  # of each theorem its id, its own grade, its grade in the run, and what it uses
     [("a", "failed", "failed"), ("b", "proved", "failed", "a"), ("c", "proved", "failed", "b")],
     [("c", "proved", "failed", "not run"), ("d", "certified", "failed", "e"), ("e", "measured", "measured")],
-    [("a", "cited", "cited"), ("b", "proved", "failed", "a"), ("c", "measured", "measured", "a")],
-    [("a", "argued", "argued"), ("b", "by definition", "failed", "a"), ("c", "refuted", "refuted", "a")],
-    [("a", "by definition", "by definition"), ("b", "proved", "proved", "a")],
+    [("a", "certified", "certified"), ("b", "proved", "failed", "a"), ("c", "measured", "measured", "a")],
+    [("a", "refuted", "refuted"), ("b", "proved", "failed", "a"), ("c", "certified", "certified", "a")],
+    [("a", "proved", "proved"), ("b", "refuted", "refuted", "a"), ("c", "refuted", "failed", "b")],
     [("a", NOT_RECHECKED, NOT_RECHECKED), ("b", "measured", NOT_RECHECKED, "a"), ("c", "failed", "failed", "a")],
 ]
 

@@ -48,7 +48,6 @@ SYMBOLS = [
             {"lines": Program("p", (x, HIDDEN), {y: x})},
             {"cited": CitedLemma(x <= 10, "Dekker1971", ABOVE)},
             {"ranges": {HIDDEN: (0, 1)}},
-            {"example": {HIDDEN: 1}},
             {"shows": equation(Symbol("q", extended_real=True), 0)},
         )
     ),
@@ -59,7 +58,6 @@ SYMBOLS = [
     ),
     (Separation("of another name", line(y, x + 1), y, (x, Symbol("x"))), "has no"),
     (Separation("hidden", Program("p", (x, HIDDEN), {y: x + 1}), y, HIDDEN), "plain real"),
-    (STATE.but(ranges={HIDDEN: (0, 1)}), "plain real"),
 ]
 """[(a claim, why it has no statement)]: a symbol is real, nothing more, and has a name of its own."""
 

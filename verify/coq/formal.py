@@ -113,7 +113,7 @@ def is_formal(theorem: Theorem, accepted: dict | None) -> bool:
     """
     claims = (*theorem.claims, *theorem.rounded)
     names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
-    if theorem.argued or not (names or theorem.pinned) or why_not_pinned(theorem):
+    if not (names or theorem.pinned) or why_not_pinned(theorem):
         return False
     return names <= set(accepted["claims"] if accepted else ())
 

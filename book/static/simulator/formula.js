@@ -29,15 +29,19 @@ function formula_of(text, { ku, kv }) {
     const args = parts.filter((part) => typeof part !== "number");
     const [value = NaN] = parts.filter((part) => typeof part === "number");
     const in_parts = args.reduce((sum, part) => sum + part.operations, 0);
-    const is_whole = op === "power" && value % 1 === 0; // which is printed as a product
-    const operations = is_whole
-      ? Math.abs(value) * (1 + in_parts)
-      : in_parts + (FUNCTIONS.includes(op) ? OF_A_FUNCTION : 1);
+    const operations =
+      value % 1 === 0 && op === "power" // which is printed as a product
+        ? Math.abs(value) * (1 + in_parts)
+        : in_parts + (FUNCTIONS.includes(op) ? OF_A_FUNCTION : 1);
     if (!nodes.has(key)) nodes.set(key, { id: nodes.size, op, args, value, operations, part: made_at });
     return /** @type {FormulaNode} */ (nodes.get(key));
   }
   /** @param {number} value */
-  const number = (value) => node("number", value);
+  function number(value) {
+    if (value !== 0 && !(Math.abs(Math.log2(Math.abs(value))) <= MOST_BITS))
+      throw refused("a number is from 2**-256 to 2**256", made_at);
+    return node("number", value);
+  }
   /** @param {FormulaNode} a @param {number} value */
   const is = (a, value) => a.op === "number" && a.value === value;
   const [ZERO, ONE, PI] = [number(0), number(1), node("pi")];
@@ -285,10 +289,9 @@ function formula_of(text, { ku, kv }) {
   function read_one() {
     const part = here();
     if (part.digits !== undefined) {
-      const value = Number(part.digits);
-      if (value && Math.abs(Math.log2(value)) > MOST_BITS) throw refused("a number is from 2**-256 to 2**256");
       next++;
-      return number(value);
+      made_at = part;
+      return number(Number(part.digits));
     }
     if (taken("(")) {
       const a = read(null);
