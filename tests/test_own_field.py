@@ -129,7 +129,8 @@ AS_WRITTEN = [
     "sin(20*pi*sqrt((u - 1/2)^2 + (v - 1/2)^2 + 1e-3))", "2^(-8*(v - 1/2)^2)", "1/(1 + 10*sin(4*pi*u)^2)",
     "sin(2*pi*(3*u + 2*v) + 0.7) + sin(2*pi*(5*u - 4*v) + 2.1)/2 + sin(2*pi*(9*u + 7*v) + 4.2)/3",
     "sin(4*pi*u) if v < 1/3 else where(v > 2/3, v, clip(3*v, 1/2, 3/2))", "sin(8*pi*(u + sin(4*pi*v)/10))",
-    "abs(abs(sin(4*pi*u)) - 1/2)", "max(0, 1 - 20*((4*u % 1 - 1/2)^2 + (4*v % 1 - 1/2)^2))",
+    "abs(abs(sin(4*pi*u)) - 1/2)", "sinh(sin(4*pi*u))/cosh(2*v)",
+    "max(0, 1 - 20*((4*u % 1 - 1/2)^2 + (4*v % 1 - 1/2)^2))",
 ]  # fmt: skip
 NOT_DRAWN = {
     "sin(8*u)": "it is 0 at u = 0 and 0.989 at u = 1, .*: let u stand in sines and cosines of 2",
@@ -164,6 +165,7 @@ def test_sympy_says_it_as_a_text_does(how):
     written = sin(pi * k * x) + Mod(y, Rational(1, 4)) * tanh(0.1 * y) + 2 ** (k * y) + exp(1) * frac(2 * y + 1e-16)
     text = "sin(pi*k_u*u) + v % (1/4)*tanh(v/10) + 2**(k_u*v) + E*frac(2*v + 1e-16)"
     assert HeightField("sum", written) == HeightField("sum", text)
+    assert HeightField("turn", "(1 + v)π*cos(2 πu)") == HeightField("turn", "(1 + v)*pi*cos(2*pi*u)")
 
 
 HOSTILE = [

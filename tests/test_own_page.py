@@ -54,7 +54,7 @@ def test_a_typed_field_is_the_renderers(tab):
 
 
 REFUSED = (
-    *("sinh(u)", "u +", "(u", "u)", "u**v", "u**99.5", "x", "log(v-2)", "sqrt(u-1)", "u if v else u", "u if u < v"),
+    *("asinh(u)", "u +", "(u", "u)", "u**v", "u**99.5", "x", "log(v-2)", "sqrt(u-1)", "u if v else u", "u if u < v"),
     *("max()", "sinpi(u, v)", "u v", "a.b", "'u'", "sinpi", "(u < v)*v", "(u < v) & v", "u < v & v < 1", "not u < v"),
     *(
         "1/cospi(u)",
@@ -78,6 +78,7 @@ READ = (
     *("fract(8*u)", "step(0.5, v)*u", "smoothstep(0.2, 0.8, v)", "clamp(3*v, 0.5, 1.5)", "mix(u, v, sin(8*pi*u))"),
     *("min(v, max(0.2, min(0.8, u)))", "pow(v, 2.5)", "ln(1+v)", "log(2+u, 2)", "sqrt((v - 1/2)^2)", "atan2pi(v,1+u)"),
     *("1/cos(pi*u/4)", "1 if u < 1/3 else v if u < 2/3 else v^2", "sqrt(2 - u*u)", "max(u, v, 1/2)", "sin(u,)^3"),
+    *("sin(4π(u + v))", "cos(2 π u)/cosh(sinh(v))"),
 )  # fmt: skip
 
 

@@ -57,6 +57,7 @@ _COMPARISONS = {ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, 
 _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/%^()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)([eE][+-]?\d\d?)?")
 _SIGNS = str.maketrans({"π": "pi", "−": "-", "·": "*", "×": "*", "²": "**2", "³": "**3"})  # as people type them
+_PRODUCTS_OF_PI = re.compile(r"(?<=[\w)])\s*(?=π)|(?<=π)\s*(?=[\w(])")  # 2πu
 _HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)"
 _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
@@ -66,7 +67,7 @@ class _Reader:
 
     def __init__(self, text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable]):
         self.text, self.names, self.calls = (
-            text.translate(_SIGNS),
+            _PRODUCTS_OF_PI.sub("*", text).translate(_SIGNS),
             {**names, "pi": pi, "E": S.Exp1},
             {**_PLAIN, **calls},
         )

@@ -130,6 +130,8 @@ function formula_of(text, { ku, kv }) {
     "arctan 1": "atan(x)",
     "tan 1": "sin(x)/cos(x)",
     "tanh 1": "1 - 2/(exp(2*x) + 1)",
+    "sinh 1": "(exp(x) - exp(-x))/2",
+    "cosh 1": "(exp(x) + exp(-x))/2",
     "frac 1": "x % 1",
     "fract 1": "x % 1",
     "ceil 1": "-floor(-x)",

@@ -89,7 +89,7 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
     text
       .replace(/\b(np|numpy|math|sp|sympy)\./g, "")
       .replaceAll("−", "-")
-      .replace(/[·×]/g, "*")
+      .replace(/[·×]|(?<=[\wπ)])\s*(?=π)|(?<=π)\s*(?=[\w(])/g, "*")
       .replaceAll("π", "pi")
       .replace(/[²³]/g, (sign) => `**${"²³".indexOf(sign) + 2}`);
   /** @type {Parameter} */
