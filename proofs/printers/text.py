@@ -88,7 +88,8 @@ class _Reader:
             self.text = re.sub(r"\b(np|numpy|math|sp|sympy)\.", "", self.text).replace("^", "**")
             tree = ast.parse(self.text, mode="eval")
         except _BROKEN as error:
-            place = f" from {self.text[error.offset - 1 :][:20]!r} on" if getattr(error, "offset", 0) else ""
+            offset = getattr(error, "offset", None)
+            place = f" from {self.text[offset - 1 :][:20]!r} on" if offset else ""
             raise self.refused(f"it is no formula{place}: {_HINT}") from None
         return self.read(tree.body, 0)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 from sympy import (
     Add,
@@ -67,7 +68,7 @@ SPELLED = {
     Pow: lambda base, power: base**power if power.is_Rational else exp(power * log(base)),
 }
 """{function of SymPy: the same by those that have kernels}"""
-_CALLS = {made.__name__: spelled for made, spelled in SPELLED.items()}
+_CALLS: dict[str, Any] = {made.__name__: spelled for made, spelled in SPELLED.items()}
 _CALLS |= {"pow": SPELLED[Pow], "ceil": SPELLED[ceiling], "arctan": SPELLED[atan], "mod": text.remainder}
 _CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": _clip, "clamp": _clip, "fract": SPELLED[frac]}
 _CALLS |= {"ln": log, "mix": lambda a, b, share: a + (b - a) * share}
