@@ -53,7 +53,7 @@ def _smoothstep(low, high, x):
     return share**2 * (3 - 2 * share)
 
 
-SPELLED = {
+SPELLED: dict[Any, Any] = {
     sin: lambda angle: sinpi(_turns(angle)),
     cos: lambda angle: cospi(_turns(angle)),
     tan: lambda angle: sinpi(_turns(angle)) / cospi(_turns(angle)),
@@ -68,7 +68,7 @@ SPELLED = {
     Pow: lambda base, power: base**power if power.is_Rational else exp(power * log(base)),
 }
 """{function of SymPy: the same by those that have kernels}"""
-_CALLS: dict[str, Any] = {made.__name__: spelled for made, spelled in SPELLED.items()}
+_CALLS = {made.__name__: spelled for made, spelled in SPELLED.items()}
 _CALLS |= {"pow": SPELLED[Pow], "ceil": SPELLED[ceiling], "arctan": SPELLED[atan], "mod": text.remainder}
 _CALLS |= {"round": lambda x: floor(x + Rational(1, 2)), "clip": _clip, "clamp": _clip, "fract": SPELLED[frac]}
 _CALLS |= {"ln": log, "mix": lambda a, b, share: a + (b - a) * share}
