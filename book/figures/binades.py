@@ -15,7 +15,7 @@ from verify.accuracy.binades import dies
 
 COLUMNS = ((1e-16, 5e-17), (2e-17, 1e-17), (3e-18, 1e-18))  # one above the other: so they stay on a phone
 STEPS = tuple(step for column in COLUMNS for step in column)
-RASTER, CROP = 336, (28, 4, 280, 280)  # sphere A and a little around it
+RASTER, CROP = 312, (26, 4, 260, 260)  # sphere A and a little around it
 RIM = np.arccos(SCENE.radius / SCENE.eye) / np.pi  # v of the last circle that the eye sees
 NAMES = {  # by step: the binades of u where none is lost yet, then where h_u, h_v are 0; at which (u, v)
     1e-16: {
