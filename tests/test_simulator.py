@@ -104,6 +104,8 @@ def test_a_box_takes_what_the_page_prints_and_says_what_it_refuses(tab):
         assert f"ε = {text} is not allowed: a number from 1e-18 to 0.1" in type_into(tab, "eps", text)
         assert tab.get_attribute("[data-parameter=eps] input[type=text]", "aria-invalid") == "true"
     assert "write the decimal comma as a point" in type_into(tab, "eps", "0,01")
+    for place in ("0,0,0", "5,5,-10", "1e9,0,0"):
+        assert "outside both spheres" in type_into(tab, "lamp", place)
     assert state(tab) == before
 
 

@@ -5,7 +5,7 @@ import json
 import math
 import random
 import re
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from itertools import chain
 
 import numpy as np
@@ -95,6 +95,9 @@ def test_the_page_and_its_workers_paint_the_renderers_pictures(tab, size):
     assert [readout(tab, name) for name in ("max", "rms")] == pytest.approx([end.value for end in ends], rel=5e-3)
     paint(tab, wanted.replace("1e2", "log"))
     assert_array_equal(painted(tab, "difference"), difference_logarithmic(apart))
+    for bump, against in (("surface", "surface"), ("chart", "exact")):  # each is drawn anew after the other
+        paint(tab, f"{wanted}&against={against}")
+        assert_array_equal(painted(tab, "symbolic"), image_view(render(replace(scene, bump=bump), size, size)))
 
 
 def test_the_views_are_the_renderers(tab):

@@ -172,7 +172,7 @@ function simulator_states(root, { fields, models, scene, record, by: numbers }, 
   function read(name, text) {
     const value = parameters[name].read(text);
     if (parameters[name].holds(value)) return value;
-    const comma = /\d,\d/.test(text) && "write the decimal comma as a point";
+    const comma = text.split(",").length === 2 && "write the decimal comma as a point";
     throw refused(name, text.slice(0, 40), comma || undefined);
   }
 

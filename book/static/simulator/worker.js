@@ -66,8 +66,7 @@ function simulator_worker(post) {
       state.ku,
       state.kv,
       state.beta,
-      method.name,
-      method.eps ?? 0
+      ...Object.values(method)
     ];
     if (kept[name]?.key === key.join()) return;
     delete kept[name]; // half drawn, it is neither
