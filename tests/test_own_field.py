@@ -191,7 +191,7 @@ def test_a_formula_that_no_text_says_is_drawn_and_not_written(tmp_path):
     assert "as SymPy evaluates it" in rejection(scene.as_record)
     with numpy_draws():
         render(scene, 4, 4).save(tmp_path / "a.npz")
-    assert "(0 records)" in rejection(record.read, tmp_path / "a.npz")
+    assert "(0 records;" in rejection(record.read, tmp_path / "a.npz")
 
 
 NO_FIELDS = {

@@ -81,7 +81,7 @@ GRADIENT = {
 }
 OUT = "a .png; - for one in a pipe; a .tif; a .npz with every buffer; a .npy (float64), of any size, drawn in bands"
 OF_IMAGE: dict[str, Option] = {
-    "--again": {"metavar": "FILE", "help": "draw what a .png or .npz of this program shows, of the same raster"},
+    "--again": {"metavar": "FILE", "help": "draw the picture that a .png or .npz has a record of, of the same raster"},
     "--out": {"required": True, "metavar": "FILE", "help": OUT},
     "--bounds": {"metavar": "FILE", "help": "write how far off each colour is at most, and what is open, to a .npz"},
     "--linear": NAME | {"help": "float32 or float64: linear light in such numbers, in a .tif, and not sRGB bytes"},
@@ -155,11 +155,15 @@ def scene_of(options: Namespace) -> Scene:
         raise not_allowed("field-parameter", parameters, "each name once")
     name = f"own_{hashlib.sha256(options.field_expression.encode()).hexdigest()[:6]}"
     try:
-        return replace(scene, **values, field=field_from_record({"name": name} | record))
+        scene = replace(scene, **values, field=field_from_record({"name": name} | record))
     except ValueError as error:  # in the words of Python, and by a name that nobody gave
         told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
         told = re.sub("^(field.)?parameters?", "field-parameter", told)
         raise ValueError(re.sub("^(expression|field = --field-expression)", "field-expression", told)) from None
+    unused = [name for name in record["parameters"] if not re.search(rf"\b{name}\b", options.field_expression)]
+    if unused:
+        raise not_allowed("field-parameter", unused, "names that the formula has")
+    return scene
 
 
 def size_of(options: Namespace, size: int) -> tuple[int, int]:

@@ -46,7 +46,7 @@ def read(path: str | Path) -> tuple[Shot, str, str]:
             raise ValueError("it is no picture of this program: neither a .png nor a .npz")
         texts = _of_png(path) if Path(path).suffix.lower() == ".png" else _of_npz(path)
         if len(texts) != 1:
-            raise ValueError(f"{len(texts)} records")
+            raise ValueError(f"{len(texts)} records; a picture has one, a map of slopes or of a difference has none")
         (text,) = texts
         if len(text) > LARGEST:
             raise ValueError(f"a text of more than {LARGEST} bytes")
