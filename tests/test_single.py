@@ -157,7 +157,9 @@ def test_certificates_are_checked_and_kept_files_come_out_under_their_own_names(
     go(tab, tab.evaluate("document.querySelector('.checker[data-all]').closest('section[id]').id"))
     tab.locator(".checker[data-all] button").click()
     count = len(list(FOLDER.glob("*.json")))
-    expect(tab.locator(".checker[data-all] .check-verdict")).to_contain_text(f"{count} of {count} theorems")
+    expect(tab.locator(".checker[data-all] .check-verdict")).to_contain_text(
+        f"{count} of {count} theorems", timeout=120_000
+    )
 
 
 def test_dark_mode_has_the_dark_pictures_of_the_site(tab, site):
