@@ -77,7 +77,7 @@ ORDERS = (0, 1), (1, 0)
 @pytest.mark.parametrize("beta", [1e-3, -1e-5])
 @pytest.mark.parametrize("row, column", [(20, 20), (12, 40), (40, 31)])
 def test_the_surfaces_bump_is_the_displaced_surfaces_but_for_one_term(row, column, beta):
-    """What it lacks is β h/R N, of first order in β, so the normal is off by β h/R times what the bump moves it."""
+    """The term β h/R N is left out: the normal is off by β h/R times as far as the bump moves it."""
     scene = Scene(field="sine", radius=2.0, eye=7.0, ball=False, beta=beta, bump="surface")
     record = pixel(scene, 64, 64, column, row)
     true, smooth = displaced_normal(scene, record.theta, record.phi), np.array(record.point) / scene.radius

@@ -74,7 +74,7 @@ def test_pictures_are_near_their_words(read):
 
 
 def test_a_caption_holds_where_pictures_stand_below_one_another(read):
-    """As they do on a phone, those that are cut into panels."""
+    """The panels of a figure stand so on a phone: its caption may not speak of left and right."""
     texts = [
         text.get_text() for article, _ in read.values() for text in article.select("figure:has(.panel) .caption-text")
     ]

@@ -63,7 +63,7 @@ def binades() -> Drawing:
             curve(ax, *line, "white", label=f"edge {number}", linewidth=0.8, linestyle=(0, (2, 3)))
         for words, at in NAMES[step].items():
             (column,), (row,) = place(frame, *np.array(at)[:, None])
-            ax.text(column, row, words, color="white", ha="center", va="center", fontsize=11, path_effects=HALO)
+            ax.text(column, row, words, color="white", ha="center", va="center", fontsize=10, path_effects=HALO)
         pixel_text(fig, x, y + 16, rf"$\varepsilon = {digits}\cdot 10^{{-{int(power)}}}$")
         frames.append(frame)
         numbers[name] = lost(step)
