@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from mpmath import iv
 from numpy.testing import assert_allclose, assert_array_equal
-from sympy import Abs, Max, Min, Piecewise, Rational, atan, floor, log, sign, sqrt
+from sympy import Abs, Max, Min, Piecewise, Rational, atan, floor, log, sign, simplify, sqrt
 
 from proofs.engine.functions import FUNCTIONS
-from proofs.engine.half_turns import atan2pi, cospi, sinpi
+from proofs.engine.half_turns import atan2pi, cospi, ordinary, sinpi
 from proofs.engine.program import Program
 from proofs.engine.registry import by_name
 from proofs.engine.vectors import real
@@ -30,7 +30,7 @@ from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
 from verify.accuracy.creases import crease_point, crease_rates
-from verify.accuracy.step_terms import ROOM, bounds_of, factors_of, slope_terms, truncation_bound
+from verify.accuracy.step_terms import ROOM, RULES, bounds_of, factors_of, slope_terms
 from verify.evaluate import Reference
 from verify.evaluate.balls import Balls
 
@@ -71,6 +71,12 @@ def test_a_function_is_one_by_all_its_names(function):
         values = enclosure(expression, {symbol: iv.mpf(at[symbol.name]) for symbol in (u, v)})
         assert kernel in values + iv.mpf([-1e-15, 1e-15]) and (function.made is sign or float(values.delta) < 1e-12)
         assert parse_expression(expression_text(expression)) == expression
+
+
+def test_a_function_of_half_turns_has_the_slopes_of_its_like():
+    for function, of in ((sinpi, (u,)), (cospi, (u,)), (atan2pi, (u, v))):
+        for symbol in of:
+            assert simplify(ordinary(function(*of).diff(symbol)) - ordinary(function(*of)).diff(symbol)) == 0
 
 
 def test_the_last_of_three_values_is_for_all_else():
@@ -222,11 +228,16 @@ def test_a_representable_step_moves_no_argument_within_a_binade(field):
         assert errors_and_terms(field, (*at, step))[1][:, 1].any()
 
 
-def test_the_bounds_are_sharp():
-    """Reach the bound, up to the next term of its series, by a small step where the slope is steepest."""
-    for k in (1.0, 8.0, 64.0):
-        error = np.pi * k * (1 - np.sinc(1e-2))
-        assert 0.999 < error / truncation_bound(1e-2 / k, k) < 1
+@every_method
+@pytest.mark.parametrize("k", [2.0, 8.0, 64.0])
+def test_the_bounds_are_sharp(k, method):
+    """Reach the bound, up to the next term of its series, by a small step where the derivative is the largest."""
+    u, eps = 0.3 + np.linspace(0, 1 / k, 2001), 1e-2 / k
+    (errors, _), _ = errors_and_terms(HEIGHT_FIELDS["sine"], (u, 1 / 8, k, 4.0, eps), method)
+    assert 0.999 < errors.max() / RULES[method].smooth(eps, k) < 1
+
+
+def test_the_bound_near_the_best_step_is_as_it_was():
     assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.56e-7, rel=1e-2)
 
 
