@@ -59,15 +59,7 @@ function simulator_worker(post) {
    */
   function* draw_anew(name, state, stage) {
     const method = module.methods_of(state)[name];
-    const key = [
-      kept.around.version,
-      state.field,
-      state.h,
-      state.ku,
-      state.kv,
-      state.beta,
-      ...Object.values(method)
-    ];
+    const key = [kept.around.version, state.field, state.h, state.ku, state.kv, state.beta, ...Object.values(method)];
     if (kept[name]?.key === key.join()) return;
     delete kept[name]; // half drawn, it is neither
     const { wide, high } = stage.raster;
