@@ -51,7 +51,7 @@ class Chapter:
         """Rename, link, and put pictures in; listings last, when it is known which of their lines are wanted."""
         for page in self.pages:
             rename(page, self.names)
-            for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
+            for part in filter(None, (page.article, page.contents, page.neighbours)):
                 relink(part, page.name, self.names, self.pack)
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
             inline_pictures(self.site, page)
@@ -126,15 +126,11 @@ def wrapped(chapter: Chapter, page: Page) -> Tag:
 def put_pages(chapter: Chapter) -> None:
     shell = chapter.shell
     inside, contents = shell.select_one(".bd-article-container"), shell.select_one("#pst-page-toc-nav")
-    menu = shell.select_one(".dropdown-download-buttons ul")
     for page in chapter.pages:
         inside.append(wrapped(chapter, page))
-        for part in filter(None, (page.contents, *page.downloads)):
-            part["data-of"] = page.name  # it is shown with this page only
         if page.contents:
+            page.contents["data-of"] = page.name  # it is shown with this page only
             contents.append(page.contents)
-        for item in reversed(page.downloads):
-            menu.insert(0, item)
 
 
 def put_head(chapter: Chapter) -> None:
