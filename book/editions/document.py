@@ -13,9 +13,7 @@ from book.editions.pages import SHELL, Page, make_small, parsed, read_pages, tar
 from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
-# A file that is read from a disk has nothing to search with.
 SHARED = "shared.js"  # which the file's own script needs; all others are marked data-moves, and are not printed
-LEFT_OUT = {"searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
     "worker-src blob:; img-src data: blob:; font-src data:; connect-src 'none'; form-action 'none'; "
@@ -78,16 +76,14 @@ class Chapter:
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
         link["href"], link["download"] = address, f"{file.name}.gz"
 
-    def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
+    def loads(self, kind: str) -> list[tuple[Path, Tag]]:
         """Return the files that pages load as <link> or <script>, each once: its file and its element.
 
         Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """
         pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
         tags = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
-        for path, tag in tags.items():
-            if Path(path).name not in LEFT_OUT:
-                yield self.site / path, tag
+        return [(self.site / path, tag) for path, tag in tags.items()]
 
     def scripts(self, deferred: bool) -> Iterator[Tag]:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
