@@ -32,12 +32,6 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-def test_shapes_and_types():
-    frame = render(DEFAULT, 30, 20)
-    assert frame.rgb.shape == (20, 30, 3)
-    assert [getattr(frame, name).dtype for name in PLANES] == ["float64", "uint8", "bool", "float64", "bool"]
-
-
 def with_parts(scene, parts, names):
     """Return a scene with some of the parts that are given by name."""
     values = {name: parts[name] for name in names}

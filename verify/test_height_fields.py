@@ -237,10 +237,6 @@ def test_the_bounds_are_sharp(k, method):
     assert 0.999 < errors.max() / RULES[method].smooth(eps, k) < 1
 
 
-def test_the_bound_near_the_best_step_is_as_it_was():
-    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.56e-7, rel=1e-2)
-
-
 @np.errstate(all="ignore")
 def test_the_creases_are_where_the_factors_are_zero():
     """Meridians and a parallel: on the image, and back on the chart, the factor is zero there."""
