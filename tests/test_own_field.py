@@ -190,7 +190,6 @@ NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy, or its text": lambda: HeightField("none", None),
     "expression = array([[0.],        [0.]]) is not allowed": lambda: HeightField("image", np.zeros((2, 1))),
     "field = 'deep' is not allowed: a formula that is": lambda: HeightField("deep", "tanh(" * 29 + "v" + ")" * 29),
-    "it has w, and a field no symbols but u, v, k_u, k_v": lambda: HeightField("free", u * Symbol("w")),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
@@ -200,10 +199,8 @@ NO_FIELDS = {
         Scene(field=HeightField("moving", "max(0, sin(8*pi*u) - a)", a=0.5)), 8, 8, derivatives=["a"]
     ),
     "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
-    "parameter = 'A' is not allowed": lambda: HeightField("x", "v", A=1),
     "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
     "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
-    "number that no float64": lambda: HeightField("vanishing", v / 10**400),
 }
 """{how it is said: what is made}, beside the files of tests/test_again.py."""
 
@@ -221,7 +218,7 @@ def test_a_profile_is_plotted_from_end_to_end():
 
 def test_a_field_is_kept_by_its_formula():
     """A name is a label, whatever was drawn by it or refused; one of the chapter's is the chapter's."""
-    rejection(HeightField, "label", v / 10**400)
+    assert "number that no float64" in rejection(HeightField, "label", v / 10**400)
     labels = ("label", 2), ("label", 4), ("label", 2), ("another", 4)
     scenes = [Scene(field=HeightField(name, exp(v) * sinpi(rate * u))) for name, rate in labels]
     first, edited, again, renamed = (render(scene, 8, 8).rgb.tobytes() for scene in scenes)
