@@ -7,7 +7,6 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from verify.evidence.sources import ROOT
-from verify.measurements.pole import POINTS
 
 BOOK = ROOT / "book"
 PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
@@ -60,11 +59,6 @@ def texts_of(path):
 def test_an_extreme_is_of_something(path):
     faults = {s: objections(s) for text in texts_of(path) for s in extremes(text)}
     assert {s: wrong for s, wrong in faults.items() if wrong} == {}
-
-
-def test_a_measured_theorem_says_so_too():
-    (theorem,) = (theorem for theorem in all_theorems().values() if theorem.expected == "measured")
-    assert f"of {POINTS} points" in " ".join((theorem.words, *theorem.hypotheses))
 
 
 OF_WHAT = ["of what?"]

@@ -25,7 +25,7 @@ from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import h, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
-from renderer import central, kernels, operations
+from renderer import kernels, operations
 from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
@@ -203,17 +203,6 @@ def test_no_difference_is_further_off_than_its_bound(field, method):
     larger = terms[np.where(slopes[0] > slopes[1], 0, 1), :, np.arange(20_000)]
     assert_array_equal(leading, np.where(larger.any(axis=1), larger.argmax(axis=1) + 1, 0))
     assert_array_equal(bound, np.max(slopes, axis=0))
-
-
-@every_field
-@np.errstate(all="ignore")
-def test_a_representable_step_moves_no_argument_within_a_binade(field):
-    """So its error is below a bound without that part, which holds for hardly any other step."""
-    at = *np.random.default_rng(6).uniform(0.52, 0.98, (2, 2000)), 8.0, 4.0
-    for step in (1e-3, 1e-7, 1e-11):
-        _, terms = errors_and_terms(field, (*at, central(step, representable=True).eps))
-        assert not terms[:, 1].any()
-        assert errors_and_terms(field, (*at, step))[1][:, 1].any()
 
 
 @every_method
