@@ -33,8 +33,8 @@ from renderer.machines import native, numpy_rows
 from renderer.machines.forms import COLORS, flat
 from renderer.picture import stage
 from tests.strategies import methods, rasters, scenes
-from verify.coq.recorded_pixel import WANTS, recorded
-from verify.test_bounds import of_any
+from verify.coq.recorded_pixel import WANTS
+from verify.test_bounds import RECORDING, of_any
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -135,9 +135,6 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert (part.derivatives[by] == slopes[by][5:12, 3:43]).all()
         assert all((other.derivatives[by] == slopes[by]).all() for other in (ours, alone))
         assert alone.work["slopes"][by] == np.count_nonzero(on)
-
-
-RECORDING = recorded()
 
 
 def done(name, *numbers):
