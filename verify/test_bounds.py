@@ -229,6 +229,7 @@ def of_any(shot, known_powers):
     return chosen, lights
 
 
+RECORDING = recorded()
 WAYS = exact("general"), central(1e-3)
 MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for method in WAYS]
 """Scenes without the highlight, whose power has no rule."""
@@ -238,17 +239,17 @@ MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for met
 @pytest.mark.parametrize("scene, method", [(Scene(), exact()), *MATT])
 def test_the_rules_allow_what_a_pixel_needs(scene, method):
     """By the recorded program. The picture's bounds are no less, but for a last bit: none of its variables is exact."""
-    frame, recording = render(scene, 24, 24, method, bounds=True), recorded()
-    shot, known_powers = frame.shot, scene == Scene()
+    frame, known_powers = render(scene, 24, 24, method, bounds=True), scene == Scene()
+    shot = frame.shot
     job, (chosen, lights) = input_bounds(shot, 24), of_any(shot, known_powers)
     x, y = shot.raster.image_points(scene)
     points = Enclosed(x, job["x_bound"], True), Enclosed(y[:, None], job["y_bound"][:, None], True)
     chosen = enclosed_numbers(chosen, of_form(SCENE_FORM, job["scene_bounds"]), shot.want.shader.rounded)
     rest = map(Enclosed, map(np.asarray, itertools.chain(lights.ravel(), repeat(0.0))))
     zeros = repeat(Enclosed(np.asarray(0.0)), 2)
-    values, known = bounded(recording.lines, itertools.chain(points, zeros, flat(chosen), rest))
+    values, known = bounded(RECORDING.lines, itertools.chain(points, zeros, flat(chosen), rest))
     for number, name in enumerate(COLORS):
-        place = recording.outputs[name][len(WANTS) * len(lights) + 2 * known_powers]
+        place = RECORDING.outputs[name][len(WANTS) * len(lights) + 2 * known_powers]
         assert known[place].all()
         assert (values[place].value == frame.planes[number]).all()
         assert (values[place].bound <= frame.bounds[..., number] * (1.0 + 2.0**-50)).all()
