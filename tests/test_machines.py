@@ -30,11 +30,12 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
-from renderer.machines.forms import COLORS, flat
+from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
+from renderer.scene.scene import BUMPS
+from renderer.shader.numbers import SCENE_FORM, numbers_of
 from tests.strategies import methods, rasters, scenes
-from verify.coq.recorded_pixel import WANTS
-from verify.test_bounds import RECORDING, of_any
+from verify.coq.recorded_pixel import ANY, WANTS, recorded
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -137,6 +138,9 @@ def test_slopes_change_no_bit_and_are_the_same(name):
         assert alone.work["slopes"][by] == np.count_nonzero(on)
 
 
+RECORDING = recorded()
+
+
 def done(name, *numbers):
     """Return the result of a recorded operation."""
     if name == "product_error":
@@ -160,6 +164,15 @@ def run(inputs):
         number = done(kind, *given) if given else next(inputs) if kind == "input" else float.fromhex(text)
         numbers.append(np.asarray(number, np.float64))
     return numbers
+
+
+def of_any(shot, known_powers):
+    """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
+    numbers, lights = numbers_of(shot)
+    chosen = of_form(SCENE_FORM, map(np.asarray, numbers))
+    chosen.way = ANY.ways.index((shot.scene.field, "general" if known_powers else shot.way))
+    chosen.bump, chosen.model = BUMPS.index(shot.scene.bump), ANY.lights.index(shot.want.lights[0])
+    return chosen, lights
 
 
 @given(scenes(), rasters(), methods)
