@@ -101,9 +101,10 @@ OVER_POINTS = (
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
-    *(kernels.sinpi, kernels.cospi, kernels.exp, kernels.log, kernels.atan2pi),
     *(kernel_of(method) for method in HEIGHT_EVALUATIONS for kernel_of in (points_of, slopes_of)),
 )
+OF_VECTORS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "exp", "log")}
+OF_VECTORS["atan2pi"] = lambda tangent: kernels.atan2pi(tangent, 1.0)
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
@@ -179,13 +180,13 @@ def data() -> dict:
 
 def script(
     words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
-    painters: Mapping[str, Callable] = PAINTERS,
+    painters: Mapping[str, Callable] = PAINTERS, of_vectors: Mapping[str, Callable] = {},
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
 
     The module draws what is wanted and has the functions; of each, "kernels" says how many numbers it takes and gives.
     """
-    module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
+    module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters, of_vectors)
     kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
     text, holder = json.dumps({"kernels": kernels_in} | beside, separators=(",", ":")), place.partition(".")[0]
     return (
@@ -199,4 +200,4 @@ def script(
 def source() -> str:
     """Return the text of the script that the page loads."""
     words = "the renderer's shader and kernels, and the numbers beside them"
-    return script(words, "Simulator.data", "Simulator.program", WANTS, OVER_POINTS, data())
+    return script(words, "Simulator.data", "Simulator.program", WANTS, OVER_POINTS, data(), PAINTERS, OF_VECTORS)

@@ -21,7 +21,8 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {{ field: string, h?: string, ku: number, kv: number, beta: number, model: string, ball: number,
  *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
  *   the first light is
- * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
+ * @typedef {(arguments_at: number) => void} Compiled
+ * @typedef {(run: Compiled, columns: [taken: number, made: number], ...inputs: (number | Float64Array)[]) => Float64Array[]} OverPoints
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number, ambient: Vector, albedo_a: Vector, kd: number }} SceneData
@@ -57,8 +58,8 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // simulator/formula.js
 /**
- * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart, out?: Float64Array }}
- *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text; out: what it is at some points
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart }}
+ *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text
  * @typedef {{ word: string, at: number, digits?: string, name?: string, sign?: string, whole?: FormulaPart }} FormulaPart
  * @typedef {ReturnType<typeof own_field>} OwnField
  */

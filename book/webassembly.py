@@ -14,6 +14,7 @@ from book.painting_code import PAINTERS, emit_painter
 from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.points_code import emit_points
+from renderer.machines.traced import FLOAT, Tracer, Value
 
 LANES = 2
 TRIPLE = "wasm32-unknown-unknown"
@@ -23,13 +24,17 @@ CUSTOM, IMPORT, EXPORT, CODE, DATA = 0, 2, 7, 10, 11
 
 
 def compiled_module(
-    wants: Mapping[str, Any], kernels: Mapping[str, Callable], painters: Mapping[str, Callable] = PAINTERS
+    wants: Mapping[str, Any],
+    kernels: Mapping[str, Callable],
+    painters: Mapping[str, Callable] = PAINTERS,
+    of_vectors: Mapping[str, Callable] = {},
 ) -> tuple[bytes, dict[str, int]]:
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
     wants: {name: want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
     {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
-    (`book.painting_code`). The module imports `env.__linear_memory`.
+    (`book.painting_code`). of_vectors: {name: kernel of one number}, each a function of a vector, for code that is
+    compiled in the page. The module imports `env.__linear_memory`.
     """
     module = ir.Module()
     module.triple = TRIPLE
@@ -38,10 +43,22 @@ def compiled_module(
     outputs = {name: emit_points(module, name, kernel, LANES) for name, kernel in kernels.items()}
     for name, painter in painters.items():
         emit_painter(module, name, painter)
+    for name, kernel in of_vectors.items():
+        tracer = _Vectors(module, name)
+        tracer.builder.ret(kernel(Value(tracer, tracer.function.args[0])).vector)
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     target = llvm.Target.from_triple(TRIPLE).create_target_machine(features=FEATURES, opt=2, reloc="static")
-    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters]), outputs
+    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters, *of_vectors]), outputs
+
+
+class _Vectors(Tracer):
+    """A machine that emits a function of one vector, which returns another; no loop is around it."""
+
+    def __init__(self, module, name):
+        self.module, self.lanes, self.number, self.vector = module, LANES, FLOAT, ir.VectorType(FLOAT, LANES)
+        self.function = ir.Function(module, ir.FunctionType(self.vector, [self.vector]), name)
+        self.builder = ir.IRBuilder(self.function.append_basic_block())
 
 
 def exported(program: bytes, names: Sequence[str]) -> bytes:

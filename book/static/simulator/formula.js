@@ -377,27 +377,42 @@ function formula_of(text, { ku, kv }) {
     return product(number(0.5), sum(sum(a_by, b_by), op === "max" ? steep : product(number(-1), steep)));
   }
 
+  /** All nodes that these need, each after its parts. @param {FormulaNode[]} wanted */
+  function nodes_of(wanted) {
+    /** @type {Set<FormulaNode>} */
+    const needed = new Set();
+    /** @param {FormulaNode} of */
+    function visit(of) {
+      if (needed.has(of)) return;
+      of.args.forEach(visit);
+      needed.add(of);
+    }
+    wanted.forEach(visit);
+    return [...needed];
+  }
+
   if (text.length > LONGEST) throw refused(`at most ${LONGEST} letters`, END);
   const height = read();
   if (here() !== END) throw refused(`here the formula could end: ${HINT}`);
   if (2 * height.operations > MOST_OPERATIONS) throw refused("there are too many operations, slopes included");
   /** @type {FormulaNode[]} */
   const switches = []; // where one of these is 0 there may be a crease
-  for (const { op, args } of [...nodes.values()]) {
+  for (const { op, args } of nodes_of([height])) {
     if (["abs", "sign", "below"].includes(op)) switches.push(args[0]);
     if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
-  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches, refused };
+  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches, nodes_of, refused };
 }
 
 /**
- * A field made of a text, at its wave numbers, or an Error where it is not finite. What it computes has no proved bound.
+ * A field made of a text, at its wave numbers, or an Error where it is not finite: compiled for this page, on the module's
+ * memory and with its functions. What it computes has no proved bound.
  * @param {{ h?: string, ku: number, kv: number }} state
- * @param {KernelOver} kernel_over
+ * @param {WebAssembly.Imports} imports
+ * @param {OverPoints} over_points
  */
-function own_field({ h = "", ku, kv }, kernel_over) {
-  const CHUNK = 512;
+function own_field({ h = "", ku, kv }, imports, over_points) {
   const GRID = 65;
   const SEAM = 1e-9;
   const LARGEST = 2 ** 1000;
@@ -413,63 +428,72 @@ function own_field({ h = "", ku, kv }, kernel_over) {
     sinpi: (a) => Math.sin(Math.PI * a),
     cospi: (a) => Math.cos(Math.PI * a)
   };
-  const { height, gradient, switches, refused } = formula_of(h, { ku, kv });
+  // WebAssembly's types and operations of vectors, and the local variables of a function.
+  const [I32, V128] = [0x7f, 0x7b];
+  const [LT, GT, LE, NE, AND, SELECT, MINUS, DIVIDED, ROOT] = [0x49, 0x4a, 0x4b, 0x48, 0x4e, 0x52, 0xf1, 0xf3, 0xef];
+  /** @type {Record<string, number>} */
+  const VECTORS = { sum: 0xf0, product: 0xf2, max: 0xf5, min: 0xf4, abs: 0xec, floor: 0x75 };
+  const KERNELS = ["sinpi", "cospi", "exp", "log", "atan2pi"];
+  const [AT_POINT, SCRATCH, FIRST] = [1, 2, 3];
+  const { height, gradient, switches, nodes_of, refused } = formula_of(h, { ku, kv });
 
-  /** @param {FormulaNode[]} wanted all that they need, each after its parts */
-  function in_order(wanted) {
-    /** @type {Set<FormulaNode>} */
-    const needed = new Set();
+  /** A number in WebAssembly's spelling, LEB128. @param {number} number @returns {number[]} */
+  const leb = (number) => (number < 128 ? [number] : [(number & 127) | 128, ...leb(number >> 7)]);
+  /** @param {number[]} bytes */
+  const sized = (bytes) => [...leb(bytes.length), ...bytes];
+  /** @param {string} text */
+  const name = (text) => sized([...new TextEncoder().encode(text)]);
+  /** @param {number} kind @param {number[][]} items */
+  const section = (kind, items) => [kind, ...sized([...leb(items.length), ...items.flat()])];
+  /** @param {number} operation of vectors */
+  const vector = (operation) => [0xfd, ...leb(operation)];
+  /** @param {number} value */
+  const constant = (value) => [0x44, ...new Uint8Array(Float64Array.of(value).buffer), ...vector(0x14)];
+  /** The address of a point's numbers in the array of this argument. @param {number} argument */
+  const address = (argument) => [0x20, 0, 0x28, 2, ...leb(8 * argument), 0x20, AT_POINT, 0x6a];
+
+  const TIMES = vector(VECTORS.product);
+
+  /** What computes a node of those that local variables have. @param {FormulaNode} of @param {(of: FormulaNode) => number[]} local */
+  function code_of({ op, args, value }, local) {
+    const [a, b, c] = args.map(local);
+    /** @param {number} comparison of a and 0 */
+    const holds = (comparison) => [...a, ...constant(0), ...vector(comparison)];
+    /** @param {number} comparison */
+    const one_where = (comparison) => [...holds(comparison), ...constant(1), ...vector(AND)];
+    if (op === "u" || op === "v") return [...address(op === "u" ? 1 : 2), ...vector(0), 3, 0];
+    if (op === "number" || op === "pi") return constant(op === "pi" ? Math.PI : value);
+    if (op === "below") return one_where(value ? LE : LT);
+    if (op === "sign") return [...one_where(GT), ...one_where(LT), ...vector(MINUS)];
+    if (op === "choice") return [...b, ...c, ...holds(NE), ...vector(SELECT)];
+    if (op in VECTORS) return [...a, ...(b ?? []), ...vector(VECTORS[op])];
+    if (op !== "power") return [...a, 0x10, KERNELS.indexOf(op)];
+    const size = Math.abs(value);
+    const roots = size % 1 ? 2 * size : size; // the power of the square root, or of a
+    if (roots % 1)
+      return [...a, 0x10, KERNELS.indexOf("log"), ...constant(value), ...TIMES, 0x10, KERNELS.indexOf("exp")];
+    const base = roots === size ? a : [...a, ...vector(ROOT)];
+    const squares = [...roots.toString(2).slice(1)].flatMap((bit) => [
+      ...[0x22, SCRATCH, 0x20, SCRATCH, ...TIMES],
+      ...(bit === "1" ? [...base, ...TIMES] : [])
+    ]);
+    return value < 0 ? [...constant(1), ...base, ...squares, ...vector(DIVIDED)] : [...base, ...squares];
+  }
+
+  /** A function over points, two at a time: of the address of int64 numbers, how many points, then addresses of u, of v, and for each node. @param {FormulaNode[]} wanted */
+  function body_of(wanted) {
+    const order = nodes_of(wanted);
+    const places = new Map(order.map((of, n) => [of, leb(FIRST + n)]));
     /** @param {FormulaNode} of */
-    function visit(of) {
-      if (needed.has(of)) return;
-      of.args.forEach(visit);
-      needed.add(of);
-    }
-    wanted.forEach(visit);
-    return [...needed];
-  }
-
-  /** Compute a node of so many points into its own array. @param {FormulaNode} of @param {number} count @param {Record<string, Float64Array>} at */
-  function compute(of, count, at) {
-    const { op, args, value } = of;
-    if (op in at) {
-      of.out = at[op];
-      return;
-    }
-    const [a, b, c] = args.map((part) => /** @type {Float64Array} */ (part.out));
-    if (["sinpi", "cospi", "exp", "log", "atan2pi"].includes(op)) {
-      [of.out] = kernel_over(op, a.subarray(0, count), Number(op === "atan2pi"));
-      return;
-    }
-    of.out ??= new Float64Array(CHUNK);
-    const { out } = of;
-    if (op === "number") out.fill(value);
-    else if (op === "pi") out.fill(Math.PI);
-    else if (op === "sum") for (let i = 0; i < count; i++) out[i] = a[i] + b[i];
-    else if (op === "product") for (let i = 0; i < count; i++) out[i] = a[i] * b[i];
-    else if (op === "below") for (let i = 0; i < count; i++) out[i] = Number(a[i] < 0 || (value && a[i] === 0));
-    else if (op === "choice") for (let i = 0; i < count; i++) out[i] = a[i] ? b[i] : c[i];
-    else if (value === 2) for (let i = 0; i < count; i++) out[i] = a[i] * a[i];
-    else if (value === -1) for (let i = 0; i < count; i++) out[i] = 1 / a[i];
-    else if (Math.abs(value) === 0.5) for (let i = 0; i < count; i++) out[i] = Math.sqrt(value < 0 ? 1 / a[i] : a[i]);
-    else for (let i = 0, at = AT[op]; i < count; i++) out[i] = at(a[i], b ? b[i] : value);
-  }
-
-  /** Return a function of points, u and v, that computes nodes there. @param {FormulaNode[]} wanted */
-  function over(wanted) {
-    const order = in_order(wanted);
-    /** @param {Float64Array} u @param {Float64Array} v */
-    return (u, v) => {
-      const made = wanted.map(() => new Float64Array(u.length));
-      for (let start = 0; start < u.length; start += CHUNK) {
-        const count = Math.min(CHUNK, u.length - start);
-        const at = { u: u.subarray(start, start + count), v: v.subarray(start, start + count) };
-        for (const of of order) compute(of, count, at);
-        for (const [n, { out }] of wanted.entries())
-          made[n].set(/** @type {Float64Array} */ (out).subarray(0, count), start);
-      }
-      return made;
-    };
+    const local = (of) => [0x20, .../** @type {number[]} */ (places.get(of))];
+    return sized([
+      ...[2, 1, I32, ...leb(1 + order.length), V128],
+      ...[0x03, 0x40],
+      ...order.flatMap((of) => [...code_of(of, local), 0x21, .../** @type {number[]} */ (places.get(of))]),
+      ...wanted.flatMap((of, n) => [...address(3 + n), ...local(of), ...vector(0x0b), 3, 0]),
+      ...[0x20, AT_POINT, 0x41, 16, 0x6a, 0x22, AT_POINT, 0x20, 0, 0x28, 2, 0, 0x41, 8, 0x6c, 0x49],
+      ...[0x0d, 0, 0x0b, 0x0b]
+    ]);
   }
 
   /** @type {Map<FormulaNode, number[]>} */
@@ -497,10 +521,39 @@ function own_field({ h = "", ku, kv }, kernel_over) {
   }
 
   [height, ...gradient].forEach(range);
-  const height_over = over([height]);
+  const wanted = Object.entries({ height: [height], gradient, switches });
+  const linked = KERNELS.map((kernel) => [...name("env"), ...name(kernel), 0, 0]);
+  const program = [
+    ...[0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
+    ...section(1, [
+      [0x60, 1, V128, 1, V128],
+      [0x60, 1, I32, 0]
+    ]),
+    ...section(2, [...linked, [...name("env"), ...name("__linear_memory"), 2, 0, 1]]),
+    ...section(
+      3,
+      wanted.map(() => [1])
+    ),
+    ...section(
+      7,
+      wanted.map(([key], n) => [...name(key), 0, linked.length + n])
+    ),
+    ...section(
+      10,
+      wanted.map(([, nodes]) => body_of(nodes))
+    )
+  ];
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(program)), imports);
+  const made = Object.fromEntries(
+    wanted.map(([key, { length }]) => [
+      key,
+      (/** @type {Float64Array} */ u, /** @type {Float64Array} */ v) =>
+        over_points(/** @type {any} */ (exports[key]), [2, length], u, v)
+    ])
+  );
   const u = float64s(2 * GRID, (n) => Number(n >= GRID));
   const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
-  const [here] = height_over(u, v);
+  const [here] = made.height(u, v);
   const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
-  return { height: height_over, gradient: over(gradient), switches: over(switches), has_seam };
+  return { height: made.height, gradient: made.gradient, switches: made.switches, has_seam };
 }
