@@ -16,7 +16,7 @@ from PIL import ImageColor
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
 from book.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
-from book.webassembly import LANES, compiled_module
+from book.webassembly import LANES, compiled_module, emitted
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, kernels
@@ -26,6 +26,7 @@ from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEB
 from renderer.machines.drawing_code import arguments
 from renderer.machines.forms import flat
 from renderer.machines.points_code import inputs_of
+from renderer.operations import where
 from renderer.picture.views import DIVERGING
 from renderer.scene.raster import Raster
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of
@@ -103,8 +104,14 @@ OVER_POINTS = (
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
     *(kernel_of(method) for method in HEIGHT_EVALUATIONS for kernel_of in (points_of, slopes_of)),
 )
-OF_VECTORS = {name: getattr(kernels, name) for name in ("sinpi", "cospi", "exp", "log")}
-OF_VECTORS["atan2pi"] = lambda tangent: kernels.atan2pi(tangent, 1.0)
+OF_VECTORS = {
+    **{name: (1, getattr(kernels, name)) for name in ("sinpi", "cospi", "exp", "log", "sign")},
+    "atan2pi": (1, lambda tangent: kernels.atan2pi(tangent, 1.0)),
+    "below": (1, lambda number: where(number < 0.0, 1.0, 0.0)),
+    "at_most": (1, lambda number: where(number <= 0.0, 1.0, 0.0)),
+    "choice": (3, lambda condition, one, other: where(condition > 0.0, one, other)),
+}
+"""What the reader's own field calls in the page: {name: (of how many numbers, kernel)}."""
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
@@ -171,6 +178,7 @@ def data() -> dict:
         "counts": len(WORK),
         "lanes": LANES,
         "painting": PAINTING,
+        "emitted": emitted(OF_VECTORS),
         "numbers": NUMBERS,
         "tables": _tables(),
         "terms": TERMS,
@@ -180,7 +188,7 @@ def data() -> dict:
 
 def script(
     words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
-    painters: Mapping[str, Callable] = PAINTERS, of_vectors: Mapping[str, Callable] = {},
+    painters: Mapping[str, Callable] = PAINTERS, of_vectors: Mapping[str, tuple[int, Callable]] = {},
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
 

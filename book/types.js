@@ -22,6 +22,7 @@ var /** @type {SimulatorParts} */ Simulator,
  *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
  *   the first light is
  * @typedef {(arguments_at: number) => void} Compiled
+ * @typedef {{ head: number[], codes: Record<string, number[]>, functions: number }} Emitted what code is made of that a page emits: the bytes it begins with, those of each operation, and how many functions it imports
  * @typedef {(run: Compiled, columns: [taken: number, made: number], ...inputs: (number | Float64Array)[]) => Float64Array[]} OverPoints
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
@@ -32,7 +33,7 @@ var /** @type {SimulatorParts} */ Simulator,
  *   offsets: Record<string, number>, light_size: number, shadows: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, sloped: number, creases: number }>, by: Record<string, string>, sloped: string[],
  *   models: Record<string, { index: number, power: number }>, arguments: string[],
- *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
+ *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables, emitted: Emitted,
  *   terms: string[], term_colours: string[], scene_bounds?: number[],
  *   record: { gradient: object, scene: object } }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory

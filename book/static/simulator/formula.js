@@ -44,7 +44,7 @@ function formula_of(text, { ku, kv }) {
   }
   /** @param {FormulaNode} a @param {number} value */
   const is = (a, value) => a.op === "number" && a.value === value;
-  const [ZERO, ONE, PI] = [number(0), number(1), node("pi")];
+  const [ZERO, ONE, PI] = [number(0), number(1), node("pi", Math.PI)];
 
   /** @param {FormulaNode} a @param {FormulaNode} b */
   function sum(a, b) {
@@ -152,8 +152,8 @@ function formula_of(text, { ku, kv }) {
   };
   /** @type {Record<string, FormulaNode>} */
   const NAMES = {
-    u: node("u"),
-    v: node("v"),
+    u: node("u", 1), // which argument it is
+    v: node("v", 2),
     k_u: number(ku),
     k_v: number(kv),
     ku: number(ku),
@@ -377,17 +377,12 @@ function formula_of(text, { ku, kv }) {
     return product(number(0.5), sum(sum(a_by, b_by), op === "max" ? steep : product(number(-1), steep)));
   }
 
-  /** All nodes that these need, each after its parts. @param {FormulaNode[]} wanted */
-  function nodes_of(wanted) {
-    /** @type {Set<FormulaNode>} */
-    const needed = new Set();
-    /** @param {FormulaNode} of */
-    function visit(of) {
-      if (needed.has(of)) return;
-      of.args.forEach(visit);
-      needed.add(of);
+  /** All nodes that these need, each after its parts. @param {FormulaNode[]} wanted @param {Set<FormulaNode>} needed so far */
+  function nodes_of(wanted, needed = new Set()) {
+    for (const each of wanted) {
+      if (!needed.has(each)) nodes_of(each.args, needed);
+      needed.add(each);
     }
-    wanted.forEach(visit);
     return [...needed];
   }
 
@@ -402,114 +397,41 @@ function formula_of(text, { ku, kv }) {
     if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
-  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches, nodes_of, refused };
+  const gradient = [slope(height, "u"), slope(height, "v")];
+  return { height, gradient, switches, count: nodes.size, nodes_of, refused };
 }
 
 /**
  * A field made of a text, at its wave numbers, or an Error where it is not finite: compiled for this page, on the module's
  * memory and with its functions. What it computes has no proved bound.
  * @param {{ h?: string, ku: number, kv: number }} state
+ * @param {Emitted} emitted
  * @param {WebAssembly.Imports} imports
  * @param {OverPoints} over_points
  */
-function own_field({ h = "", ku, kv }, imports, over_points) {
+function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over_points) {
   const GRID = 65;
   const SEAM = 1e-9;
   const LARGEST = 2 ** 1000;
   const ADVICE = "keep what it divides by off 0, and what it takes a root or log of above, as in sqrt(x**2 + 1e-4)";
-  const { abs, sign, max, min, floor, exp, log } = Math;
-  /** What an operation makes of numbers, the second its own where it has one part. @type {Record<string, (a: number, b: number) => number>} */
+  /** What an operation makes of numbers, the second its own where it has one part. @type {any} */
   const AT = {
-    ...{ abs, sign, max, min, floor, exp, log },
-    sum: (a, b) => a + b,
-    product: (a, b) => a * b,
-    power: (a, n) => a ** n,
-    atan2pi: (a) => Math.atan(a) / Math.PI,
-    sinpi: (a) => Math.sin(Math.PI * a),
-    cospi: (a) => Math.cos(Math.PI * a)
+    __proto__: Math,
+    sum: (/** @type {number} */ a, /** @type {number} */ b) => a + b,
+    product: (/** @type {number} */ a, /** @type {number} */ b) => a * b,
+    power: Math.pow,
+    atan2pi: (/** @type {number} */ a) => Math.atan(a) / Math.PI,
+    sinpi: (/** @type {number} */ a) => Math.sin(Math.PI * a),
+    cospi: (/** @type {number} */ a) => Math.cos(Math.PI * a)
   };
-  // WebAssembly's types and operations of vectors, and the local variables of a function.
-  const [I32, V128] = [0x7f, 0x7b];
-  const [LT, GT, LE, NE, AND, SELECT, MINUS, DIVIDED, ROOT] = [0x49, 0x4a, 0x4b, 0x48, 0x4e, 0x52, 0xf1, 0xf3, 0xef];
-  /** @type {Record<string, number>} */
-  const VECTORS = { sum: 0xf0, product: 0xf2, max: 0xf5, min: 0xf4, abs: 0xec, floor: 0x75 };
-  const KERNELS = ["sinpi", "cospi", "exp", "log", "atan2pi"];
-  const [AT_POINT, SCRATCH, FIRST] = [1, 2, 3];
-  const { height, gradient, switches, nodes_of, refused } = formula_of(h, { ku, kv });
-
-  /** A number in WebAssembly's spelling, LEB128. @param {number} number @returns {number[]} */
-  const leb = (number) => (number < 128 ? [number] : [(number & 127) | 128, ...leb(number >> 7)]);
-  /** @param {number[]} bytes */
-  const sized = (bytes) => [...leb(bytes.length), ...bytes];
-  /** @param {string} text */
-  const name = (text) => sized([...new TextEncoder().encode(text)]);
-  /** @param {number} kind @param {number[][]} items */
-  const section = (kind, items) => [kind, ...sized([...leb(items.length), ...items.flat()])];
-  /** @param {number} operation of vectors */
-  const vector = (operation) => [0xfd, ...leb(operation)];
-  /** @param {number} value */
-  const constant = (value) => [0x44, ...new Uint8Array(Float64Array.of(value).buffer), ...vector(0x14)];
-  /** The address of a point's numbers in the array of this argument. @param {number} argument */
-  const address = (argument) => [0x20, 0, 0x28, 2, ...leb(8 * argument), 0x20, AT_POINT, 0x6a];
-
-  const TIMES = vector(VECTORS.product);
-
-  /** What computes a node of those that local variables have. @param {FormulaNode} of @param {(of: FormulaNode) => number[]} local */
-  function code_of({ op, args, value }, local) {
-    const [a, b, c] = args.map(local);
-    /** @param {number} comparison of a and 0 */
-    const holds = (comparison) => [...a, ...constant(0), ...vector(comparison)];
-    /** @param {number} comparison */
-    const one_where = (comparison) => [...holds(comparison), ...constant(1), ...vector(AND)];
-    if (op === "u" || op === "v") return [...address(op === "u" ? 1 : 2), ...vector(0), 3, 0];
-    if (op === "number" || op === "pi") return constant(op === "pi" ? Math.PI : value);
-    if (op === "below") return one_where(value ? LE : LT);
-    if (op === "sign") return [...one_where(GT), ...one_where(LT), ...vector(MINUS)];
-    if (op === "choice") return [...b, ...c, ...holds(NE), ...vector(SELECT)];
-    if (op in VECTORS) return [...a, ...(b ?? []), ...vector(VECTORS[op])];
-    if (op !== "power") return [...a, 0x10, KERNELS.indexOf(op)];
-    const size = Math.abs(value);
-    const roots = size % 1 ? 2 * size : size; // the power of the square root, or of a
-    if (roots % 1)
-      return [...a, 0x10, KERNELS.indexOf("log"), ...constant(value), ...TIMES, 0x10, KERNELS.indexOf("exp")];
-    const base = roots === size ? a : [...a, ...vector(ROOT)];
-    const squares = [...roots.toString(2).slice(1)].flatMap((bit) => [
-      ...[0x22, SCRATCH, 0x20, SCRATCH, ...TIMES],
-      ...(bit === "1" ? [...base, ...TIMES] : [])
-    ]);
-    return value < 0 ? [...constant(1), ...base, ...squares, ...vector(DIVIDED)] : [...base, ...squares];
-  }
-
-  /** A function over points, two at a time: of the address of int64 numbers, how many points, then addresses of u, of v, and for each node. @param {FormulaNode[]} wanted */
-  function body_of(wanted) {
-    const order = nodes_of(wanted);
-    const places = new Map(order.map((of, n) => [of, leb(FIRST + n)]));
-    /** @param {FormulaNode} of */
-    const local = (of) => [0x20, .../** @type {number[]} */ (places.get(of))];
-    return sized([
-      ...[2, 1, I32, ...leb(1 + order.length), V128],
-      ...[0x03, 0x40],
-      ...order.flatMap((of) => [...code_of(of, local), 0x21, .../** @type {number[]} */ (places.get(of))]),
-      ...wanted.flatMap((of, n) => [...address(3 + n), ...local(of), ...vector(0x0b), 3, 0]),
-      ...[0x20, AT_POINT, 0x41, 16, 0x6a, 0x22, AT_POINT, 0x20, 0, 0x28, 2, 0, 0x41, 8, 0x6c, 0x49],
-      ...[0x0d, 0, 0x0b, 0x0b]
-    ]);
-  }
+  const { height, gradient, switches, count, nodes_of, refused } = formula_of(h, { ku, kv });
 
   /** @type {Map<FormulaNode, number[]>} */
-  const ranges = new Map();
-  /** Between what numbers a node lies on the chart; throw where it is not shown to be finite. @param {FormulaNode} of @returns {number[]} */
-  function range(of) {
-    const known = ranges.get(of) ?? ends_of(of);
-    ranges.set(of, known);
-    if (known.every((end) => Math.abs(end) < LARGEST)) return known;
-    throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, of.part);
-  }
+  const ranges = new Map(); // between what numbers a node lies on the chart
   /** @param {FormulaNode} of */
   function ends_of({ op, args, value }) {
-    const [a, b] = args.map(range).slice(op === "choice" ? 1 : 0);
-    if (op === "number") return [value, value];
-    if (op === "pi") return [Math.PI, Math.PI];
+    const [a, b] = args.map((part) => /** @type {number[]} */ (ranges.get(part))).slice(op === "choice" ? 1 : 0);
+    if (op === "number" || op === "pi") return [value, value];
     if (op === "u" || op === "v" || op === "below") return [0, 1];
     if (op === "sign") return [-1, 1];
     const [low, high] = a;
@@ -517,43 +439,68 @@ function own_field({ h = "", ku, kv }, imports, over_points) {
     if ((op === "abs" || op === "power") && low < 0 && high > 0) ends.push(AT[op](0, value));
     for (const [sign, at] of Object.entries({ sinpi: [0.5, -0.5], cospi: [0, 1] }[op] ?? []))
       if (at + 2 * Math.ceil((low - at) / 2) <= high) ends.push(sign === "0" ? 1 : -1);
-    return ends.some(Number.isNaN) ? [NaN] : [min(...ends), max(...ends)];
+    return ends.some(Number.isNaN) ? [NaN] : [Math.min(...ends), Math.max(...ends)];
+  }
+  for (const each of nodes_of([height, ...gradient])) {
+    const ends = ends_of(each);
+    if (!ends.every((end) => Math.abs(end) < LARGEST))
+      throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, each.part);
+    ranges.set(each, ends);
   }
 
-  [height, ...gradient].forEach(range);
-  const wanted = Object.entries({ height: [height], gradient, switches });
-  const linked = KERNELS.map((kernel) => [...name("env"), ...name(kernel), 0, 0]);
+  /** A number in WebAssembly's spelling, LEB128. @param {number} number @returns {number[]} */
+  const leb = (number) => (number < 128 ? [number] : [(number & 127) | 128, ...leb(number >> 7)]);
+  /** @param {number[]} bytes */
+  const sized = (bytes) => [...leb(bytes.length), ...bytes];
+  /** @param {number} value */
+  const constant = (value) => [0x44, ...new Uint8Array(Float64Array.of(value).buffer), ...codes.everywhere];
+  /** Where the points' numbers are in the array of this argument. @param {number} argument */
+  const address = (argument) => [0x20, 0, 0x28, 2, ...leb(8 * argument), 0x20, 1, 0x6a];
+  /** A node's local variable, after the function's argument and how far the points are. @param {FormulaNode} of */
+  const place = ({ id }) => leb(2 + id);
+  /** @param {FormulaNode} of */
+  const local = (of) => [0x20, ...place(of)];
+
+  /** What computes a node of its parts. @param {FormulaNode} of */
+  function code_of({ op, args, value }) {
+    const parts = args.flatMap(local);
+    if (op === "number" || op === "pi") return constant(value);
+    if (op === "u" || op === "v") return [...address(value), ...codes.load];
+    if (op === "below" && value) return [...parts, ...codes.at_most];
+    if (op !== "power") return [...parts, ...codes[op]];
+    const size = Math.abs(value);
+    const code = [...parts];
+    if (size === 0.5) code.push(...codes.root);
+    else if (size % 1) code.push(...codes.log, ...constant(size), ...codes.product, ...codes.exp);
+    else for (let n = 1; n < size; n++) code.push(...parts, ...codes.product);
+    return value < 0 ? [...constant(1), ...code, ...codes.quotient] : code;
+  }
+
+  /** A function over points, two at a time: of the address of int64 numbers, how many points, then addresses of u, of v, and for each node. @param {FormulaNode[]} wanted */
+  const body_of = (wanted) =>
+    sized([
+      ...[2, 1, 0x7f, ...leb(count), 0x7b, 0x03, 0x40],
+      ...nodes_of(wanted).flatMap((each) => [...code_of(each), 0x21, ...place(each)]),
+      ...wanted.flatMap((each, n) => [...address(3 + n), ...local(each), ...codes.store]),
+      ...[0x20, 1, 0x41, 16, 0x6a, 0x22, 1, 0x20, 0, 0x28, 2, 0, 0x41, 8, 0x6c, 0x49, 0x0d, 0, 0x0b, 0x0b]
+    ]);
+  const wanted = [[height], gradient, switches];
+  const bodies = wanted.flatMap(body_of);
   const program = [
-    ...[0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
-    ...section(1, [
-      [0x60, 1, V128, 1, V128],
-      [0x60, 1, I32, 0]
-    ]),
-    ...section(2, [...linked, [...name("env"), ...name("__linear_memory"), 2, 0, 1]]),
-    ...section(
-      3,
-      wanted.map(() => [1])
-    ),
-    ...section(
-      7,
-      wanted.map(([key], n) => [...name(key), 0, linked.length + n])
-    ),
-    ...section(
-      10,
-      wanted.map(([, nodes]) => body_of(nodes))
-    )
+    ...head,
+    ...[3, 4, 3, 0, 0, 0], // three functions
+    ...[7, 13, 3, ...[0, 1, 2].flatMap((n) => [1, 0x30 + n, 0, functions + n])], // exported by their numbers
+    ...[10, ...sized([3, ...bodies])]
   ];
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(program)), imports);
-  const made = Object.fromEntries(
-    wanted.map(([key, { length }]) => [
-      key,
+  const [height_over, gradient_over, switches_over] = wanted.map(
+    ({ length }, n) =>
       (/** @type {Float64Array} */ u, /** @type {Float64Array} */ v) =>
-        over_points(/** @type {any} */ (exports[key]), [2, length], u, v)
-    ])
+        over_points(/** @type {any} */ (exports[n]), [2, length], u, v)
   );
   const u = float64s(2 * GRID, (n) => Number(n >= GRID));
   const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
-  const [here] = made.height(u, v);
+  const [here] = height_over(u, v);
   const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
-  return { height: made.height, gradient: made.gradient, switches: made.switches, has_seam };
+  return { height: height_over, gradient: gradient_over, switches: switches_over, has_seam };
 }

@@ -183,7 +183,7 @@ async function simulator_module(data, ...programs) {
   function own_of(state) {
     if (state.field !== "own") return null;
     const key = [state.h, state.ku, state.kv].join();
-    if (key !== made_of) own = own_field(state, imports, over_points);
+    if (key !== made_of) own = own_field(state, data.emitted, imports, over_points);
     made_of = key;
     return own;
   }
