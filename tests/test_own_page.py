@@ -78,7 +78,8 @@ READ = (
     *("fract(8*u)", "step(0.5, v)*u", "smoothstep(0.2, 0.8, v)", "clamp(3*v, 0.5, 1.5)", "mix(u, v, sin(8*pi*u))"),
     *("min(v, max(0.2, min(0.8, u)))", "pow(v, 2.5)", "ln(1+v)", "log(2+u, 2)", "sqrt((v - 1/2)^2)", "atan2pi(v,1+u)"),
     *("1/cos(pi*u/4)", "1 if u < 1/3 else v if u < 2/3 else v^2", "sqrt(2 - u*u)", "max(u, v, 1/2)", "sin(u,)^3"),
-    *("sin(4π(u + v))", "cos(2 π u)/cosh(sinh(v))"),
+    *("sin(4π(u + v))", "cos(2 π u)/cosh(sinh(v))", "(v + 1/2)^2.3/(1 + v)^7.6 + (1 + v)^-3*(2 - v)^-0.5"),
+    " + ".join(f"{n % 7 - 3}*sin(2*pi*({n}*u + {n}*v))" for n in range(1, 21)),
 )  # fmt: skip
 
 
@@ -109,7 +110,7 @@ def test_it_is_typed_and_an_error_loses_nothing(tab):
 
 
 def test_its_straddled_pixels_are_the_renderers(tab):
-    text = "abs(sin(8*pi*u))*v"
+    text = "abs(sin(8*pi*u))*v + 0*abs(sin(6*pi*v))"
     frame = render(Scene(field=HeightField("own", text)), 256, 256, central(0.01))
     paint(tab, f"#sim?field=own&h={quote(text, safe='()*')}&eps=0.01&size=256&view=straddle")
     assert ((painted(tab, "numeric") == 255).all(axis=2) == frame.straddling).all() and frame.straddling.any()

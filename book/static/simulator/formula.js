@@ -397,8 +397,8 @@ function formula_of(text, { ku, kv }) {
     if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
-  const gradient = [slope(height, "u"), slope(height, "v")];
-  return { height, gradient, switches, count: nodes.size, nodes_of, refused };
+  const wanted = [[height], [slope(height, "u"), slope(height, "v")], switches];
+  return { wanted, count: nodes.size, nodes_of, refused };
 }
 
 /**
@@ -424,7 +424,7 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
     sinpi: (/** @type {number} */ a) => Math.sin(Math.PI * a),
     cospi: (/** @type {number} */ a) => Math.cos(Math.PI * a)
   };
-  const { height, gradient, switches, count, nodes_of, refused } = formula_of(h, { ku, kv });
+  const { wanted, count, nodes_of, refused } = formula_of(h, { ku, kv });
 
   /** @type {Map<FormulaNode, number[]>} */
   const ranges = new Map(); // between what numbers a node lies on the chart
@@ -441,7 +441,7 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
       if (at + 2 * Math.ceil((low - at) / 2) <= high) ends.push(sign === "0" ? 1 : -1);
     return ends.some(Number.isNaN) ? [NaN] : [Math.min(...ends), Math.max(...ends)];
   }
-  for (const each of nodes_of([height, ...gradient])) {
+  for (const each of nodes_of(wanted.flat())) {
     const ends = ends_of(each);
     if (!ends.every((end) => Math.abs(end) < LARGEST))
       throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, each.part);
@@ -484,23 +484,21 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
       ...wanted.flatMap((each, n) => [...address(3 + n), ...local(each), ...codes.store]),
       ...[0x20, 1, 0x41, 16, 0x6a, 0x22, 1, 0x20, 0, 0x28, 2, 0, 0x41, 8, 0x6c, 0x49, 0x0d, 0, 0x0b, 0x0b]
     ]);
-  const wanted = [[height], gradient, switches];
-  const bodies = wanted.flatMap(body_of);
   const program = [
     ...head,
     ...[3, 4, 3, 0, 0, 0], // three functions
     ...[7, 13, 3, ...[0, 1, 2].flatMap((n) => [1, 0x30 + n, 0, functions + n])], // exported by their numbers
-    ...[10, ...sized([3, ...bodies])]
+    ...[10, ...sized([3, ...wanted.flatMap(body_of)])]
   ];
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(program)), imports);
-  const [height_over, gradient_over, switches_over] = wanted.map(
+  const [height, gradient, switches] = wanted.map(
     ({ length }, n) =>
       (/** @type {Float64Array} */ u, /** @type {Float64Array} */ v) =>
         over_points(/** @type {any} */ (exports[n]), [2, length], u, v)
   );
   const u = float64s(2 * GRID, (n) => Number(n >= GRID));
   const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
-  const [here] = height_over(u, v);
+  const [here] = height(u, v);
   const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
-  return { height: height_over, gradient: gradient_over, switches: switches_over, has_seam };
+  return { height, gradient, switches, has_seam };
 }

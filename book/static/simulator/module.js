@@ -51,7 +51,7 @@ async function simulator_module(data, ...programs) {
   };
   const PAGE = 2 ** 16;
   const CHUNK = 512;
-  const MOST_COLUMNS = 256; // of a kernel; of a formula's creases: each takes five of its operations
+  const MOST_COLUMNS = 512; // more than a kernel has, or a formula creases: each takes five of its operations
   let top = 64; // an address of 0 is none
 
   /** @param {number} bytes */
