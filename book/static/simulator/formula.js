@@ -15,7 +15,7 @@ function formula_of(text, { ku, kv }) {
   const MOST_BITS = 256; // of a number
   const [MOST_OPERATIONS, OF_A_FUNCTION] = [1000, 10];
   const FUNCTIONS = ["sinpi", "cospi", "exp", "log", "abs", "sign", "floor", "atan2pi"]; // of one number
-  const HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)";
+  const HINT = "write 2*u for 2u, 4*sin(u) for 4 sin(u), abs(u) for |u|, sin(u)**2, where(u < v, 1, 2)";
   const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/%^(),&|])|(\S))/giy;
   const CHOICES = ["abs", "sign", "max", "min", "piecewise", "where"]; // in small letters
   /** @type {Map<string, FormulaNode>} */
