@@ -38,7 +38,7 @@ var /** @type {SimulatorParts} */ Simulator,
  *   record: { gradient: object, scene: object } }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number],
- *   targets: Record<string, number> }} Stage
+ *   targets: Record<string, number>, points?: Float64Array[] }} Stage points: u and v on A's pixels, once they are asked for
  * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
  * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
  *   normal?: number[], gradient?: number[], slope?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,

@@ -439,7 +439,7 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
     if ((op === "abs" || op === "power") && low < 0 && high > 0) ends.push(AT[op](0, value));
     for (const [sign, at] of Object.entries({ sinpi: [0.5, -0.5], cospi: [0, 1] }[op] ?? []))
       if (at + 2 * Math.ceil((low - at) / 2) <= high) ends.push(sign === "0" ? 1 : -1);
-    return ends.some(Number.isNaN) ? [NaN] : [Math.min(...ends), Math.max(...ends)];
+    return [Math.min(...ends), Math.max(...ends)]; // NaN if one of them is
   }
   for (const each of nodes_of(wanted.flat())) {
     const ends = ends_of(each);
@@ -448,6 +448,8 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
     ranges.set(each, ends);
   }
 
+  // WebAssembly's codes: 0x20 gets a local variable, 0x21 sets it, 0x22 does both; 0x28 loads an int32, 0x41 and 0x44 are
+  // constants; 0x6a adds, 0x6c multiplies, 0x49 compares; 0x03 begins a loop, 0x0d goes back to it, 0x0b ends it.
   /** A number in WebAssembly's spelling, LEB128. @param {number} number @returns {number[]} */
   const leb = (number) => (number < 128 ? [number] : [(number & 127) | 128, ...leb(number >> 7)]);
   /** @param {number[]} bytes */
@@ -487,7 +489,7 @@ function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over
   const program = [
     ...head,
     ...[3, 4, 3, 0, 0, 0], // three functions
-    ...[7, 13, 3, ...[0, 1, 2].flatMap((n) => [1, 0x30 + n, 0, functions + n])], // exported by their numbers
+    ...[7, 13, 3, ...wanted.flatMap((_, n) => [1, 0x30 + n, 0, functions + n])], // exported by their numbers
     ...[10, ...sized([3, ...wanted.flatMap(body_of)])]
   ];
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(program)), imports);

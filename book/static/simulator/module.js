@@ -135,15 +135,15 @@ async function simulator_module(data, ...programs) {
     const [{ length } = { length: 1 }] = inputs.filter((input) => typeof input !== "number");
     const outputs = Array.from({ length: made }, () => new Float64Array(length));
     const addresses = columns_at.slice(0, taken + made);
+    const columns = addresses.map((address) => floats(address, CHUNK));
     for (let start = 0; start < length; start += CHUNK) {
       const count = Math.min(CHUNK, length - start);
-      const columns = addresses.map((address) => floats(address, count));
       for (const [n, input] of inputs.entries()) {
         if (typeof input === "number") columns[n].fill(input);
         else columns[n].set(input.subarray(start, start + count));
       }
       call(run, [count, ...addresses]);
-      for (const [n, output] of outputs.entries()) output.set(columns[taken + n], start);
+      for (const [n, output] of outputs.entries()) output.set(columns[taken + n].subarray(0, count), start);
     }
     return outputs;
   }
@@ -621,7 +621,7 @@ async function simulator_module(data, ...programs) {
   /** @param {Stage} stage */
   const angles_of = (stage, names = ANGLES) => names.map((name) => on_a(stage, stage.addresses[name]));
   /** @param {Stage} stage @returns {[Float64Array, Float64Array]} */
-  const points_of_a = (stage) => /** @type {any} */ (angles_of(stage, CHART));
+  const points_of_a = (stage) => /** @type {any} */ ((stage.points ??= angles_of(stage, CHART)));
 
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.
