@@ -31,15 +31,16 @@ READABLE = """() => {
 UNSEEN = """places => places.filter(place => {
     const { top, bottom, left, right } = document.querySelector(place).getBoundingClientRect();
     return top < 40 || bottom > innerHeight || left < 0 || right > innerWidth; })"""
-# Which views of slopes the menu cuts.
-CUT = """() => { const menu = document.querySelector('#sim-view'), copy = menu.cloneNode(true);
+# What a menu cuts of what is chosen, and of the views of slopes.
+CUT = """() => [...document.querySelectorAll('.sim-menus select')].flatMap(menu => {
+    const copy = menu.cloneNode(true);
     copy.style.cssText = 'position: absolute; width: auto';
     menu.after(copy);
-    const cut = [...menu.options].filter(option => option.value.startsWith('by_')).filter(option => {
+    const cut = [...menu.options].filter(o => o.selected || o.value.startsWith('by_')).filter(option => {
         copy.replaceChildren(option.cloneNode(true));
         return copy.offsetWidth > menu.offsetWidth; }).map(option => option.text);
     copy.remove();
-    return cut; }"""
+    return cut; })"""
 TYPED = {
     "1.21e−2": 1.21e-2, "10⁻⁸": 1e-8, "3 · 10⁻⁴": 3e-4, "2^-20": 2**-20, "1/16": 1 / 16, " 5 × 10^-3 ": 5e-3,
 }  # fmt: skip
