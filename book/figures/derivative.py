@@ -10,7 +10,7 @@ from renderer.picture.views import derivative_view, image_view
 
 SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 152, 512
 MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
-OF_MEAN = (*MAPS, "kd", "eye", "ball_center[0]", "radius")
+OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
 
 
 def _difference(name, step, side, scene=SCENE):
@@ -40,14 +40,17 @@ def derivative_maps() -> Drawing:
 
 @figure
 def derivative_edges() -> Drawing:
-    """The mean of the slopes as a share of the slope of the mean colour, by seven numbers; numbers only."""
-    frame = render(SCENE, MANY, MANY, derivatives=OF_MEAN)
+    """The mean of the slopes as a share of the slope of the mean colour, by seven numbers."""
+    frame = render(SCENE, MANY, MANY, derivatives=[*OF_MEAN])
     steps = [1e-2 if name in frame.moves_boundaries else 1e-4 for name in OF_MEAN]
     means = [_difference(name, step, MANY).mean() for name, step in zip(OF_MEAN, steps, strict=True)]
     shares = [slope.mean() / mean for slope, mean in zip(frame.derivatives.values(), means, strict=True)]
+    fig, ax = plot(height=3.2)
+    ax.barh([*OF_MEAN.values()], shares)
+    ax.set(xlabel="mean of the slopes, as a share of the slope of the mean", ylim=(len(shares) - 0.4, -0.6))
     creased = render(Scene(), MANY, MANY, derivatives=["ku"]).derivatives["ku"].mean()
     creased /= _difference("ku", 1e-2, MANY, Scene()).mean()
-    return Drawing(numbers=_by_name(shares) | {"side": MANY, "creased": creased})
+    return Drawing(fig, _by_name(shares) | {"side": MANY, "creased": creased}, {"shares": shares})
 
 
 @figure
