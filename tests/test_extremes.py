@@ -6,10 +6,8 @@ import tomllib
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from verify.accuracy.canvas import SIZE
-from verify.accuracy.differences import PER_DECADE
 from verify.evidence.sources import ROOT
-from verify.measurements.pole import POINTS
+from verify.measurements.accuracy import POINTS
 
 BOOK = ROOT / "book"
 PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
@@ -24,11 +22,7 @@ EVERY = re.compile(r"\bevery (?:pixel|point)\b")
 SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
 THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
 CERTAIN = ("proved", "certified")
-OF_A_THEOREM = {
-    "dark_difference": f"${SIZE}^2$",
-    "pole_accuracy": f"of {POINTS} points",
-    "difference_bounds": {40: "forty"}[PER_DECADE],
-}
+OF_A_THEOREM = {"pole_accuracy": f"of {POINTS} points"}
 """{theorem: how it says of what its extreme is one}"""
 
 

@@ -27,9 +27,8 @@ from renderer.scene.scene import BUMPS
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import SCENE_FORM, Shot, numbers_of
 from renderer.shader.rounded_inputs import input_bounds
-from verify.accuracy.pixels import BITS
 from verify.coq.recorded_pixel import ANY, COLUMNS, ROWS, WANTS, recorded
-from verify.enclosed_pixels import KINDS, errors, measure, wrong
+from verify.enclosed_pixels import BITS, KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
