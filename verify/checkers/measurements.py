@@ -211,29 +211,22 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
 
 
 @cache
-def _left_out():
-    """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
-    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
-    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
-        try:
-            importlib.import_module(f"{PROJECT.measurements}.{module}")
-        except ImportError as error:
-            if not (library := lacking(error)):
-                raise
-            text = (folder / f"{module}.py").read_text(encoding="utf-8")
-            needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
-    return needs
+def library_needed() -> str | None:
+    """Import every module of measurements; return the library for want of which that cannot be done here, or None."""
+    try:
+        for module in pkgutil.iter_modules([str(PROJECT.folder(PROJECT.measurements))]):
+            importlib.import_module(f"{PROJECT.measurements}.{module.name}")
+    except ImportError as error:
+        if library := lacking(error):
+            return library
+        raise
+    return None
 
 
 def measurements() -> dict[str, list[tuple[Callable, dict]]]:
     """Return all that is registered, of every module of measurements that can be imported here."""
-    _left_out()
+    library_needed()
     return REGISTERED
-
-
-def library_for(theorem_id: str) -> str | None:
-    """Return the library without which a theorem cannot be measured here, or None if it can."""
-    return _left_out().get(theorem_id)
 
 
 def examine(theorem: Theorem, theorems: Theorems) -> Examination:

@@ -19,7 +19,7 @@ from proofs.formulas.symbols import h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
 from renderer import kernels
 from verify.evaluate.arrays import Inputs, in_float64, with_bounds
-from verify.evaluate.programs import algebraic_gradient, naive_gradient
+from verify.evaluate.programs import algebraic_gradient, naive
 from verify.stability.sweep import Sweep, measured
 
 EYE, RADIUS = 4.0, 1.0
@@ -40,7 +40,7 @@ def tangent_vector(field: str, form: str) -> Program:
 @lru_cache
 def _seed_program(field):
     outputs = (h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
-    return chain("seed_g", seed_normal, seed_chart, naive_gradient(HEIGHT_FIELDS[field]), seed_frame, outputs=outputs)
+    return chain("seed_g", seed_normal, seed_chart, naive(gradient(HEIGHT_FIELDS[field])), seed_frame, outputs=outputs)
 
 
 def seed_tangent_vector(field: str, inputs: Inputs, fallback: bool = True) -> dict[str, np.ndarray]:
