@@ -125,7 +125,7 @@ def jax(_: None) -> Callable:
 def compiled(program: Program) -> Callable:
     """Return a program as a compiled loop over points: a function of arrays, or numbers, for its inputs in order.
 
-    The wave numbers are constants of its code. One thread, no fast-math.
+    The wave numbers are constants of its code; no fast-math.
     """
     inputs = sorted(program.inputs, key=lambda s: s.name in WAVES)  # those that only a name gives come last
     ordered = Program(program.name, inputs, program.definitions, program.outputs)
