@@ -37,7 +37,7 @@ def calls(side: int) -> int:
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def on_numpy(scene: Scene, width: int, height: int, threads: int = 1) -> Frame:
+def on_numpy(scene: Scene, width: int, height: int, threads: int) -> Frame:
     """Return a frame as NumPy draws it, where there is no LLVM."""
     with patch.object(picture, "machine", lambda: numpy_rows):
         return render(scene, width, height, threads=threads)
