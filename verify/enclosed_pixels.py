@@ -36,6 +36,7 @@ def random_scene(random: np.random.Generator) -> Scene:
         radius = 10.0 ** random.uniform(-2, 2)
         center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
         positions = random.normal(size=(random.integers(0, 6), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
+        colors = [None if random.uniform() < 0.1 else tuple(random.uniform(0, 1, 3)) for _ in positions]
         try:
             return Scene(
                 radius=radius,
@@ -44,7 +45,7 @@ def random_scene(random: np.random.Generator) -> Scene:
                 floor=bool(random.uniform() < 0.9),
                 ball_radius=radius * 10.0 ** random.uniform(-2, 1),
                 ball_center=center,
-                lights=tuple(Light(tuple(p), None if random.uniform() < 0.1 else (1, 1, 1)) for p in positions),
+                lights=tuple(map(Light, map(tuple, positions), colors)),
             )
         except ValueError:
             continue  # B around the eye, or a light inside a body
@@ -103,11 +104,9 @@ def random_picture(seed: int) -> Frame:
         2.0 ** random.uniform(6, 20, 2),
     ]
     ku, kv = (float(k) for k in waves[seed % 4])
-    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
     method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
     scene = replace(
         scene,
-        lights=tuple(lights),
         field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
         model=list(LIGHT_MODELS)[seed // 3 % len(LIGHT_MODELS)],
         shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
