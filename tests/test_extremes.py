@@ -7,7 +7,6 @@ import pytest
 
 from proofs.engine.theorem import all_theorems
 from verify.evidence.sources import ROOT
-from verify.measurements.accuracy import POINTS
 
 BOOK = ROOT / "book"
 PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
@@ -22,8 +21,6 @@ EVERY = re.compile(r"\bevery (?:pixel|point)\b")
 SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
 THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
 CERTAIN = ("proved", "certified")
-OF_A_THEOREM = {"pole_accuracy": f"of {POINTS} points"}
-"""{theorem: how it says of what its extreme is one}"""
 
 
 def sentences(text):
@@ -62,13 +59,6 @@ def texts_of(path):
 def test_an_extreme_is_of_something(path):
     faults = {s: objections(s) for text in texts_of(path) for s in extremes(text)}
     assert {s: wrong for s, wrong in faults.items() if wrong} == {}
-
-
-def test_a_measured_theorem_says_so_too():
-    for theorem in all_theorems().values():
-        words = " ".join((theorem.words, *theorem.hypotheses))
-        if theorem.expected == "measured" and EXTREME.search(theorem.words):
-            assert OF_A_THEOREM[theorem.id] in words, theorem.id
 
 
 OF_WHAT = ["of what?"]
