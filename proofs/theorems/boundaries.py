@@ -119,10 +119,9 @@ attached_shadow = Theorem(
     r"Where $N\cdot\omega > 0$, also $N'\cdot\omega > 0$.",
     claims=_in_light,
     refuted_at={**at("3/4"), towards: ("-12/13", 0, "5/13")},
-    steps={r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$": r"$\beta g = (3/4, 0, 0)$"},
+    steps={r"$N' = (3, 0, 4)/5$, $N'\cdot\omega = -16/65$": (r"$\beta g = (3/4, 0, 0)$", "unit_length")},
     mutants=(
         variant("true at β = 0", _in_light, given=(_in_light.given, zero(beta))),
         variant("true where β g·ω ≥ 0", _in_light, given=(_in_light.given, beta * dot(g, towards) >= 0)),
     ),
-    uses="unit_length",
 )

@@ -9,14 +9,14 @@ import sys
 from collections.abc import Iterator
 
 from proofs.engine.stored import NotFound, Stale, stored
-from proofs.engine.theorem import Theorem, Theorems, all_theorems
+from proofs.engine.theorem import Theorem, all_theorems
 from renderer.generate.__main__ import PRINTED
 
 
-def why_stale(theorem: Theorem, theorems: Theorems) -> str | None:
+def why_stale(theorem: Theorem) -> str | None:
     """Return why a theorem's claims are not those of its stored certificates, or None."""
     try:
-        stored(theorem, theorems)
+        stored(theorem)
     except (Stale, NotFound) as error:
         return str(error)
     return None
@@ -27,8 +27,7 @@ def problems() -> Iterator[str]:
     for path, source_of in PRINTED.items():
         if path.read_text(encoding="utf-8") != source_of():
             yield f"{path.name}: not what is printed now"
-    theorems = all_theorems()
-    yield from filter(None, (why_stale(theorem, theorems) for theorem in theorems.values() if theorem.claims))
+    yield from filter(None, (why_stale(theorem) for theorem in all_theorems().values() if theorem.claims))
 
 
 if __name__ == "__main__":
