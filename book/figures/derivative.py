@@ -10,7 +10,7 @@ from renderer.picture.views import derivative_view, image_view
 
 SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 152, 512
 MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
-OF_MEAN = MAPS | {"kd": "by $k_d$", "eye": "by the eye's height", "ball_center[0]": "by B's x", "radius": "by $R$"}
+OF_MEAN = (*MAPS, "kd", "eye", "ball_center[0]", "radius")
 
 
 def _difference(name, step, side, scene=SCENE):
@@ -40,17 +40,14 @@ def derivative_maps() -> Drawing:
 
 @figure
 def derivative_edges() -> Drawing:
-    """The mean of the slopes as a share of the slope of the mean colour, by seven numbers."""
-    frame = render(SCENE, MANY, MANY, derivatives=[*OF_MEAN])
+    """The mean of the slopes as a share of the slope of the mean colour, by seven numbers; numbers only."""
+    frame = render(SCENE, MANY, MANY, derivatives=OF_MEAN)
     steps = [1e-2 if name in frame.moves_boundaries else 1e-4 for name in OF_MEAN]
     means = [_difference(name, step, MANY).mean() for name, step in zip(OF_MEAN, steps, strict=True)]
     shares = [slope.mean() / mean for slope, mean in zip(frame.derivatives.values(), means, strict=True)]
-    fig, ax = plot(height=3.2)
-    ax.barh([*OF_MEAN.values()], shares)
-    ax.set(xlabel="mean of the slopes, as a share of the slope of the mean", ylim=(len(shares) - 0.4, -0.6))
     creased = render(Scene(), MANY, MANY, derivatives=["ku"]).derivatives["ku"].mean()
     creased /= _difference("ku", 1e-2, MANY, Scene()).mean()
-    return Drawing(fig, _by_name(shares) | {"side": MANY, "creased": creased}, {"shares": shares})
+    return Drawing(numbers=_by_name(shares) | {"side": MANY, "creased": creased})
 
 
 @figure
@@ -67,25 +64,23 @@ def derivative_u_curve() -> Drawing:
     curve(ax, steps, bound, "bound", label="exact slope")
     label_curve(ax, steps, bound, 1e-3, "largest bound of\nthe exact slope", "bound", "below")
     decades(ax, 2, 2, xlabel="step of β", ylabel="error of a difference of pictures")
-    numbers = {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0], "median": medians.min()}
+    numbers = {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0]}
     return Drawing(fig, numbers | {"side": len(exact_slope)})
 
 
 @figure
 def derivative_fit() -> Drawing:
-    """Scenes found again by β and k_u from ten starts, with noise, and from afar; numbers only."""
+    """Scenes found again by β and k_u from ten starts, and from afar; numbers only."""
     names, random, target = ("beta", "ku"), np.random.default_rng(52), render(SCENE, 64, 64, exact("general")).rgb
 
-    def found(share, waves, picture=target):
+    def found(share, waves):
         start = {"beta": SCENE.beta * (1 + share), "ku": SCENE.ku + waves}
-        return fit(SCENE.with_numbers(start), picture, names)
+        return fit(SCENE.with_numbers(start), target, names)
 
     near = [found(0.2 * share, 0.25 * waves) for share, waves in random.uniform(-1, 1, (10, 2)).tolist()]
-    noisy, far = found(0.1, 0.2, target + random.normal(0, 1e-3, target.shape)), found(-0.7, -5)
     off = [abs(each.scene.number(name) - SCENE.number(name)) for each in near for name in names]
-    numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": far.scene.ku}
-    numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors, "side": len(target)}
-    return Drawing(numbers=numbers | {"noisy": {name: noisy.scene.number(name) for name in names}})
+    numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": found(-0.7, -5).scene.ku}
+    return Drawing(numbers=numbers | {"most": max(each.pictures for each in near), "side": len(target)})
 
 
 @figure

@@ -18,7 +18,6 @@ from verify.evaluate.arrays import in_balls, in_float64
 from verify.evaluate.programs import naive
 
 POINTS, SEED, PER_DECADE, WINDOW = 16, 3, 20, 5
-WAVE_NUMBERS = (1, 2, 4, 8, 16, 32, 64, 128, 256, 512)
 SINE = HEIGHT_FIELDS["sine"]
 _best_step = function_of(step_bounds.best_step)
 
