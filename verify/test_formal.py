@@ -325,14 +325,14 @@ def test_a_theorem_whose_pin_or_claim_of_float64_is_not_what_coq_proved_fails_an
         (Pinned("binades__half", recorded.digest(text)), "binades__half has no point"),
     ):
         theorem = Theorem("binades", "", {"At a tie.": pin})
-        examination = proof_checker.examine(theorem, {})
+        examination = proof_checker.examine(theorem)
         assert examination.grade == ("failed" if why else "proved")
         assert all(problem.startswith(why) for problem in examination.problems)
         assert formal.is_formal(theorem, None) == (not why)
     of_float64 = all_theorems()["colour_accuracy"]
     for claims, grade in ((accepted[of_float64.id]["claims"], "proved"), ([], "failed")):
         accepted[of_float64.id] = {"claims": claims}
-        assert proof_checker.examine(of_float64, all_theorems()).grade == grade
+        assert proof_checker.examine(of_float64).grade == grade
     with pytest.raises(ValueError, match="pins what is another theorem's: binades__tie"):
         Theorem("pole", "", {"At a tie.": Pinned("binades__tie", "")})
 

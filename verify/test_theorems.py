@@ -42,7 +42,7 @@ def test_theorem(theorem_id, record_evidence, pytestconfig):
         record_evidence(left_out | {"reason": reason}, "–")
         pytest.skip(reason)
     points = proof_checker.LONG_POINTS if pytestconfig.getoption("--long") else proof_checker.POINTS
-    examination = proof_checker.examine(theorem, THEOREMS, pytestconfig.getoption("search"), points)
+    examination = proof_checker.examine(theorem, pytestconfig.getoption("search"), points)
     reason = {"reason": examination.problems[0].splitlines()[0]} if examination.problems else {}
     record_evidence(examination.record | reason | {"killed": f"{examination.mutants_killed}/{examination.mutants}"})
     assert examination.grade == theorem.expected, "\n".join([f"{theorem.id}: {theorem.title}", *examination.problems])

@@ -29,7 +29,7 @@ def measured(monkeypatch):
     def examined(function, false, **changes):
         monkeypatch.setitem(REGISTERED, SOME.id, [])
         measures(SOME.id, false)(function)
-        return examine(replace(SOME, **changes), {})
+        return examine(replace(SOME, **changes))
 
     return examined
 
@@ -70,7 +70,7 @@ def test_what_a_measurement_says_of_itself_does_not_count(changes, measured):
 
 
 def test_without_a_measurement_nothing_is_measured():
-    assert proof_checker.examine(SOME, {}).grade == "failed"
+    assert proof_checker.examine(SOME).grade == "failed"
     with pytest.raises(ValueError, match="false variant"):
         measures(SOME.id, false={})
 

@@ -14,11 +14,10 @@ from proofs.engine.theorem import all_theorems
 
 def problems() -> Iterator[str]:
     """Yield why the claims of a theorem are not those of its stored certificates, for each of which that is so."""
-    theorems = all_theorems()
-    for theorem in theorems.values():
+    for theorem in all_theorems().values():
         try:
             if theorem.claims:
-                stored(theorem, theorems)
+                stored(theorem)
         except (Stale, NotFound) as error:
             yield str(error)
 
