@@ -209,6 +209,8 @@ NO_FIELDS = {
     ),
     "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
     "parameter = 'A' is not allowed": lambda: HeightField("x", "v", A=1),
+    "parameter = 'b' is not allowed: one that the formula has: a": lambda: HeightField("x", "a*v", a=1, b=1),
+    "parameter = 'c' is not allowed: one that the formula has: none": lambda: HeightField("x", v, c=1),
     "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
     "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
     "number that no float64": lambda: HeightField("vanishing", v / 10**400),
