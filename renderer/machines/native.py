@@ -5,6 +5,7 @@
 
 import ctypes
 import hashlib
+from array import array
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -20,9 +21,11 @@ from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import arguments, emit
 from renderer.machines.points_code import emit_points
 from renderer.machines.traced import FLOAT
+from renderer.threads import run_bands
 
 NAME = "llvm"
 POINTS = 8  # go through a kernel's code at a time
+GROUPS = 2**12  # of them, on a thread
 
 
 @cache
@@ -105,9 +108,15 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     tail = np.zeros((len(given) + outputs, POINTS))  # the last points, as many as go through the code
     for row, each in zip(tail, given, strict=False):
         row[:rest] = each[len(each) - min(rest, len(each)) :]
-    for arrays, count in (([*given, *results], points - rest), (tail, rest)):
-        arguments = (ctypes.c_int64 * (1 + len(arrays)))(count, *(array.ctypes.data for array in arrays))
-        code(ctypes.addressof(arguments))
+    for arrays, groups in (([*given, *results], points // POINTS), (tail, 1)):
+        places = [(each.ctypes.data, 8 * POINTS * (each.size > POINTS)) for each in arrays]
+
+        def part(band, places=places):
+            count = POINTS * (band.stop - band.start)
+            arguments = array("q", [count, *(place + step * band.start for place, step in places)])
+            code(arguments.buffer_info()[0])
+
+        run_bands(part, groups, GROUPS, None)
     results[:, points - rest :] = tail[len(given) :, :rest]
     return [*results]
 
