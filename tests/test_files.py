@@ -16,6 +16,8 @@ from PIL import Image
 from renderer import Scene, central, pixel, render, whole_files
 from renderer.command_line.verbs import main
 from renderer.files import pictures as files
+from renderer.files.record import text_of
+from renderer.machines import numpy_rows
 from renderer.picture import views
 from renderer.whole_files import whole_file
 from tests.folders import contents
@@ -61,6 +63,8 @@ def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
     picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)
     written = files.png_of(picture, "told", threads=1)
     assert files.png_of(picture, "told", threads=5) == written
+    monkeypatch.setattr(files, "machine", lambda: numpy_rows)
+    assert files.png_of(picture, "told") == written
     with Image.open(BytesIO(written)) as read:
         assert read.info["symbolic-rendering"] == "told"
         np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)
@@ -68,7 +72,9 @@ def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
 
 def test_a_png_is_hardly_larger_than_by_level_six():
     """Than rows of differences to the row above, searched as zlib does where nobody says how."""
-    picture = views.image_view(render(Scene(), 512, 512))
+    frame = render(Scene(), 512, 512)
+    picture = frame.srgb
+    assert frame.to_png() == files.png_of(picture, text_of(frame.shot))
     rows = np.diff(picture.reshape(512, -1), axis=0, prepend=np.uint8(0))
     assert len(files.png_of(picture)) < 1.15 * len(zlib.compress(rows, 6))
 

@@ -14,6 +14,9 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 
 from renderer.checks import check_choice, extra, not_allowed
+from renderer.files.srgb import FEW, to_bytes
+from renderer.machines import machine, numpy_rows
+from renderer.operations import where
 from renderer.threads import run_bands
 from renderer.whole_files import whole_file, write_whole
 
@@ -26,6 +29,7 @@ TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
 PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
+BYTES = 64  # that are filtered together
 BAND = 2**19  # bytes that are filtered and deflated, or stored, at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
@@ -33,26 +37,26 @@ LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as 
 FAIR = 0.87  # a slower way has to be shorter than this share of a quicker one
 
 
-def _filter(image, start, lines):
-    """Write rows of a picture as a PNG has them by Paeth's filter, which guesses a byte from three neighbours.
+def _paeth(left, up, corner, here):
+    """Return a byte less Paeth's guess: of its pixel's neighbours that which is nearest to left + up - corner."""
+    to_left, to_up, to_corner = abs(up - corner), abs(left - corner), abs(left + up - corner - corner)
+    guess = where((to_left <= to_up) & (to_left <= to_corner), left, where(to_up <= to_corner, up, corner))
+    return where(here < guess, here - guess + 256, here - guess)
 
-    They are its pixel's at the left, above, and above that at the left. The guess is that of the first two which is
-    farther from the third, or the third itself where it lies well between them.
-    """
+
+def _filter(image, start, lines):
+    """Write rows of a picture as a PNG has them by Paeth's filter. Above the first row, and before it, there are 0."""
     rows, channels, width = len(lines), image.shape[2], image.shape[1] * image.shape[2]
-    padded = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
-    image_rows = image[max(0, start - 1) : start + rows].reshape(-1)
-    padded[-image_rows.size :] = image_rows
-    left, up, corner = padded[width:-channels], padded[channels:-width], padded[: -width - channels]
-    high, low = np.maximum(left, up), np.minimum(left, up)
-    guess = np.minimum(np.maximum(corner, low), high)
-    rise, fall = np.subtract(high, guess, out=high), np.subtract(guess, low, out=low)
-    to_high, to_low = (rise >> 1 >= fall).view(np.uint8), (fall >> 1 >= rise).view(np.uint8)
-    rest = np.subtract(padded[channels + width :], guess, out=guess)
-    rest -= np.multiply(rise, to_high, out=to_high)
-    rest += np.multiply(fall, to_low, out=to_low)
-    lines[:, 0], lines[:, 1:] = PAETH, rest.reshape(rows, width)
-    of_first = padded[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
+    size = -(-rows * width // BYTES) * BYTES
+    padded = np.zeros(channels + width + size, np.uint8)
+    image_rows = image[max(0, start - 1) : start + rows]
+    image_rows = (image_rows if image.dtype == np.uint8 else to_bytes(image_rows, 1)).reshape(-1)
+    end = channels + (rows + 1) * width
+    padded[end - image_rows.size : end] = image_rows
+    parts = (padded[first : first + size] for first in (width, channels, 0, channels + width))
+    rest = (numpy_rows if size < FEW else machine()).over_bytes(_paeth, *parts)
+    lines[:, 0], lines[:, 1:] = PAETH, rest[: rows * width].reshape(rows, width)
+    of_first = padded[channels:end].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
     np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
 
 
@@ -69,11 +73,13 @@ def _way(lines):
     Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
     """
     middle = lines.size // 2
-    for size in (LOOK, SAMPLE):
+
+    def share(way, size=SAMPLE):
         sample = lines.reshape(-1)[middle : middle + size]
-        runs, search = (len(_deflate(sample, way)) / len(sample) for way in (RUNS, QUICK))
-        if runs > 0.5:  # noise
-            break
+        return len(_deflate(sample, way)) / len(sample)
+
+    runs = share(RUNS)
+    search = share(QUICK, LOOK if runs > 0.5 else SAMPLE)  # noise is above
     if search < runs / 4:
         return DEEP
     if min(runs, search) > FAIR:
@@ -88,7 +94,7 @@ def _chunk(kind, data):
 def _parts(image, text, threads=None):
     """Return the bytes of a PNG, part by part."""
     height, width, channels = image.shape
-    rows = max(1, BAND // (width * channels))
+    rows = -(-height // max(1, round(height * width * channels / BAND)))
     lines = np.empty((height, 1 + width * channels), np.uint8)
 
     def band(part):
@@ -108,7 +114,8 @@ def _parts(image, text, threads=None):
 def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> bytes:
     """Return a uint8 picture, (height, width, 1, 3 or 4), as the bytes of an sRGB PNG, pixel for pixel.
 
-    text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes are the same.
+    One of float64 is linear light. text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes
+    are the same.
     """
     return b"".join(_parts(image, text, threads))
 
@@ -144,7 +151,7 @@ def _in_order(part):
 
 
 def _store(path, info, array):
-    """Write an array to its place in a zip by bands: what `ZipFile.open` writes is copied whole, and its sum takes long."""
+    """Write an array to its place in a zip by bands: `ZipFile.open` would copy it whole, and its sum takes long."""
     header, rows = _npy_header(array.dtype.str, array.shape), max(1, BAND // (array[:1].nbytes or 1))
     with open(path, "r+b") as file:
         file.seek(info.header_offset + len(info.FileHeader()))

@@ -7,7 +7,7 @@ import ctypes
 import hashlib
 from array import array
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +19,13 @@ from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options
 
 from renderer.machines import Job, compiling, kept_code
 from renderer.machines.drawing_code import arguments, emit
-from renderer.machines.points_code import emit_points
-from renderer.machines.traced import FLOAT
+from renderer.machines.points_code import emit_levels, emit_points
+from renderer.machines.traced import BYTE, FLOAT
 from renderer.threads import run_bands
 
 NAME = "llvm"
 POINTS = 8  # go through a kernel's code at a time
+BYTES = 16
 GROUPS = 2**12  # of them, on a thread
 
 
@@ -80,11 +81,11 @@ def _object_code(text, target):
     return code
 
 
-def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function of one address that emit_into(module, name, *arguments) emits; the owner of its memory)."""
+def machine_code(emit_into: Callable, *given: Any, **named: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+    """Return (the function of one address that emit_into(module, name, …) emits; the owner of its memory)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
-    emit_into(module, name, *arguments)
+    emit_into(module, name, *given, **named)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
@@ -119,6 +120,31 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
         run_bands(part, groups, GROUPS, None)
     results[:, points - rest :] = tail[len(given) :, :rest]
     return [*results]
+
+
+_levels_code = cache(partial(machine_code, emit_levels))
+
+
+def write_levels(numbers: np.ndarray, begins: np.ndarray, level_at: np.ndarray, levels: np.ndarray) -> None:
+    """Write the levels of numbers, (rows, columns, channels), as `numpy_rows.write_levels` does."""
+    with compiling:
+        code, _ = _levels_code(len(level_at) - 1)
+    places = (each.ctypes.data for each in (numbers, begins, level_at, levels))
+    arguments = array("q", [*places, *numbers.shape, *numbers.strides])
+    code(arguments.buffer_info()[0])
+
+
+_bytes_code = cache(partial(machine_code, emit_points, lanes=BYTES, number=ir.FloatType(), kind=BYTE))
+
+
+def over_bytes(kernel: Callable, *inputs: np.ndarray) -> np.ndarray:
+    """Return what a kernel gives of bytes, as bytes; inputs: contiguous, a multiple of BYTES long."""
+    with compiling:
+        code, _ = _bytes_code(kernel)
+    result = np.empty_like(inputs[0])
+    arguments = array("q", [len(result), *(each.ctypes.data for each in (*inputs, result))])
+    code(arguments.buffer_info()[0])
+    return result
 
 
 @cache

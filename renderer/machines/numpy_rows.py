@@ -107,3 +107,18 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
     result, points = kernel(*inputs), np.broadcast(*inputs).size
     return [np.broadcast_to(each, points) for each in (result if isinstance(result, tuple) else (result,))]
+
+
+def write_levels(numbers: np.ndarray, begins: np.ndarray, level_at: np.ndarray, levels: np.ndarray) -> None:
+    """Write the levels of numbers: in cells, equal parts of [0, 1], which have `level_at` where they begin.
+
+    A level, from 1 on, holds from a number on, of `begins`; of no cell two begin inside.
+    """
+    inside = np.fmin(np.fmax(numbers, 0.0), 1.0)  # NaN is 0
+    level = level_at[(inside * (len(level_at) - 1)).astype(np.intp)]
+    levels[...] = level + (numbers >= begins[level])
+
+
+def over_bytes(kernel: Callable, *inputs: np.ndarray) -> np.ndarray:
+    """Return what a kernel gives of bytes, as bytes."""
+    return kernel(*(each.astype(np.int16) for each in inputs)).astype(np.uint8)

@@ -156,7 +156,7 @@ class Frame:
 
     def to_png(self) -> bytes:
         """Return the PNG that `save` writes."""
-        return pictures.png_of(self.srgb, self._record())
+        return pictures.png_of(self.rgb, self._record())
 
     _repr_png_ = to_png  # which a notebook shows
 
@@ -179,7 +179,7 @@ class Frame:
         pictures.check_linear(linear, path)
         match path.suffix.lower():
             case ".png":
-                pictures.write_png(path, self.srgb, self._record())
+                pictures.write_png(path, self.rgb, self._record())
             case ".npz":
                 arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.data_on_a, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())

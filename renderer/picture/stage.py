@@ -120,7 +120,12 @@ class Stage:
         return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
-        self, shot: Shot, threads: int | None, planes: Job, before: Callable[[slice], None] | None = None, **changes: Any
+        self,
+        shot: Shot,
+        threads: int | None,
+        planes: Job,
+        before: Callable[[slice], None] | None = None,
+        **changes: Any,
     ) -> np.ndarray:
         """Draw a shot's want (`renderer.shader.numbers.Want`), with some changes, into planes, by bands.
 
