@@ -153,6 +153,13 @@ def compiled(want: Any, lanes: int) -> tuple[Callable[[int], None], llvm.Executi
     return machine_code(emit, want, lanes)
 
 
+@cache
+def _layout(want):
+    """Return ({name of an argument: its place}, counts of nothing)."""
+    names = arguments(want.shader.planes)
+    return {name: place for place, name in enumerate(names)}, array("q", [0] * len(want.shader.counted))
+
+
 def drawer(
     want: Any, job: Job, lanes: int | None = None, code: Callable[[int], None] | None = None
 ) -> Callable[[slice], list[int]]:
@@ -163,17 +170,19 @@ def drawer(
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    addresses = {name: array.__array_interface__["data"][0] for name, array in job.items()}  # sooner than by `ctypes`
-    addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
-    names, kinds = arguments(want.shader.planes), len(want.shader.counted)
-    shared = [addresses.get(name, 0) for name in names]
-    first, last, counts = (names.index(name) for name in ("first_row", "last_row", "counts"))
+    places, counted = _layout(want)
+    shared = array("q", bytes(8 * len(places)))
+    shared[places["pitch"]], shared[places["light_count"]] = len(job["x"]), len(job["lights"])
+    for name, memory in job.items():
+        if memory.size:
+            shared[places[name]] = ctypes.addressof(ctypes.c_char.from_buffer(memory))  # the soonest way
+    first, last, counts = (places[name] for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):
-        arguments, counted = (ctypes.c_int64 * len(shared))(*shared), (ctypes.c_int64 * kinds)()
-        arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, ctypes.addressof(counted)
-        code(ctypes.addressof(arguments))
-        return list(counted)
+        arguments, counts_here = shared[:], counted[:]
+        arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, counts_here.buffer_info()[0]
+        code(arguments.buffer_info()[0])
+        return counts_here.tolist()
 
     draw.alive = job  # type: ignore[attr-defined]  # whose addresses it has
     return draw
