@@ -32,8 +32,8 @@ KEYWORD = b"symbolic-rendering"
 BYTES = 64  # that are filtered together
 BAND = 2**19  # bytes that are filtered and deflated, or stored, at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
-STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
-LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
+QUICK, SEARCH, DEEP = ({"level": level} for level in (3, 5, 7))
+SAMPLE = 2**15  # bytes of a band that are tried: as far back as repeats are searched for
 FAIR = 0.87  # a slower way has to be shorter than this share of a quicker one
 
 
@@ -70,20 +70,12 @@ def _way(lines):
     """Return how a band is deflated, as a sample of it says.
 
     Paeth's filter leaves so little that runs alone are nearly as short as the result of a quick search, in less time.
-    Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
+    Where it finds less, a longer search is worth its time.
     """
-    middle = lines.size // 2
-
-    def share(way, size=SAMPLE):
-        sample = lines.reshape(-1)[middle : middle + size]
-        return len(_deflate(sample, way)) / len(sample)
-
-    runs = share(RUNS)
-    search = share(QUICK, LOOK if runs > 0.5 else SAMPLE)  # noise is above
+    sample = lines.reshape(-1)[lines.size // 2 :][:SAMPLE]
+    runs, search = (len(_deflate(sample, way)) for way in (RUNS, QUICK))
     if search < runs / 4:
         return DEEP
-    if min(runs, search) > FAIR:
-        return STORED
     return RUNS if runs * FAIR < search else SEARCH
 
 

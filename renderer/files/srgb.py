@@ -44,7 +44,8 @@ def to_bytes(rgb: np.ndarray, threads: int | None = None) -> np.ndarray:
     write_levels = (numpy_rows if rgb.size < FEW else machine()).write_levels
 
     def band(rows):
-        write_levels(linear[rows], *tables(), into[rows])
+        for channel in range(linear.shape[-1]):
+            write_levels(linear[rows, :, channel], *tables(), into[rows, :, channel])
 
     run_bands(band, len(linear), max(1, AT_ONCE * len(linear) // max(1, linear.size)), threads)
     return encoded

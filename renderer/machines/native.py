@@ -17,7 +17,7 @@ import llvmlite.ir as ir
 import numpy as np
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
-from renderer.machines import Job, compiling, kept_code
+from renderer.machines import Job, compiling, kept_code, numpy_rows
 from renderer.machines.drawing_code import arguments, emit
 from renderer.machines.points_code import emit_levels, emit_points
 from renderer.machines.traced import BYTE, FLOAT
@@ -105,20 +105,18 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     with compiling:
         code, outputs, _ = _points_code(kernel, tuple(n for n, each in enumerate(inputs) if np.size(each) == 1))
     given, points = [np.ascontiguousarray(each) for each in inputs], np.broadcast(*inputs).size
-    results, rest = np.empty((outputs, points)), points % POINTS
-    tail = np.zeros((len(given) + outputs, POINTS))  # the last points, as many as go through the code
-    for row, each in zip(tail, given, strict=False):
-        row[:rest] = each[len(each) - min(rest, len(each)) :]
-    for arrays, groups in (([*given, *results], points // POINTS), (tail, 1)):
-        places = [(each.ctypes.data, 8 * POINTS * (each.size > POINTS)) for each in arrays]
+    results, together = np.empty((outputs, points)), points - points % POINTS
+    places = [(each.ctypes.data, each.itemsize * (each.size > 1)) for each in (*given, *results)]
 
-        def part(band, places=places):
-            count = POINTS * (band.stop - band.start)
-            arguments = array("q", [count, *(place + step * band.start for place, step in places)])
-            code(arguments.buffer_info()[0])
+    def part(band):
+        first, end = (POINTS * group for group in (band.start, band.stop))
+        arguments = array("q", [end - first, *(place + step * first for place, step in places)])
+        code(arguments.buffer_info()[0])
 
-        run_bands(part, groups, GROUPS, None)
-    results[:, points - rest :] = tail[len(given) :, :rest]
+    run_bands(part, together // POINTS, GROUPS, None)
+    if together < points:
+        rest = (each[together:] if each.size > 1 else each for each in given)
+        results[:, together:] = numpy_rows.over_points(kernel, *rest)
     return [*results]
 
 
@@ -126,11 +124,11 @@ _levels_code = cache(partial(machine_code, emit_levels))
 
 
 def write_levels(numbers: np.ndarray, begins: np.ndarray, level_at: np.ndarray, levels: np.ndarray) -> None:
-    """Write the levels of numbers, (rows, columns, channels), as `numpy_rows.write_levels` does."""
+    """Write the levels of numbers, (rows, columns), as `numpy_rows.write_levels` does."""
     with compiling:
         code, _ = _levels_code(len(level_at) - 1)
-    places = (each.ctypes.data for each in (numbers, begins, level_at, levels))
-    arguments = array("q", [*places, *numbers.shape, *numbers.strides])
+    places = (each.ctypes.data for each in (numbers, levels, begins, level_at))
+    arguments = array("q", [*places, *numbers.shape, *numbers.strides, *levels.strides])
     code(arguments.buffer_info()[0])
 
 

@@ -9,10 +9,11 @@ from collections.abc import Callable, Collection
 import llvmlite.ir as ir
 
 from renderer.machines.traced import BYTE, FLOAT, WHOLE, Tracer
-from renderer.operations import where
+from renderer.operations import maximum, minimum
 
-LEVELS = ("numbers", "begins", "level_at", "levels", "rows", "columns", "channels", "row", "column", "channel")
-"""The names of the arguments of `emit_levels`: addresses, an array's shape, and its steps in bytes."""
+LEVELS = ("numbers", "levels", "begins", "level_at", "rows", "columns",
+          "numbers_row", "numbers_column", "levels_row", "levels_column")  # fmt: skip
+"""The names of the arguments of `emit_levels`: addresses, a shape, and steps in bytes."""
 
 
 def inputs_of(kernel: Callable) -> tuple[str, ...]:
@@ -50,18 +51,16 @@ def emit_levels(module: ir.Module, name: str, cells: int) -> None:
     """Emit the function `name` that is `numpy_rows.write_levels`, its one parameter the address of LEVELS."""
     tracer = Tracer(module, name, 1, LEVELS)
     builder, given = tracer.builder, tracer.arguments
-    loops = (tracer.loop(WHOLE(0), given[count]) for count in ("rows", "channels", "columns"))
-    with next(loops) as row, next(loops) as channel, next(loops) as column:
-        address = given["numbers"]
-        for step, times in zip(LEVELS[-3:], (row, column, channel), strict=True):
-            address = builder.add(address, builder.mul(given[step], times))
-        number = tracer.load(address, WHOLE(0))
-        cell = tracer.integer(where(number > 0.0, where(number < 1.0, number, 1.0), 0.0) * cells)
-        level = builder.zext(builder.load(tracer.place(given["level_at"], cell, BYTE)), WHOLE)
-        reached = number >= tracer.load(given["begins"], level)
-        at = builder.add(
-            builder.mul(builder.add(builder.mul(row, given["columns"]), column), given["channels"]), channel
-        )
-        level = builder.trunc(builder.add(level, builder.zext(reached.vector, WHOLE)), BYTE)
-        builder.store(level, tracer.place(given["levels"], at, BYTE))
+    with tracer.loop(WHOLE(0), given["rows"]) as row, tracer.loop(WHOLE(0), given["columns"]) as column:
+
+        def place(array):
+            steps = builder.mul(row, given[f"{array}_row"]), builder.mul(column, given[f"{array}_column"])
+            return builder.add(given[array], builder.add(*steps))
+
+        number = tracer.load(place("numbers"), WHOLE(0))
+        cell = tracer.integer(minimum(1.0, maximum(0.0, number)) * cells)  # of NaN, the first
+        level = builder.load(tracer.place(given["level_at"], cell, BYTE))
+        reached = number >= tracer.load(given["begins"], builder.zext(level, WHOLE))
+        level = builder.add(level, builder.zext(reached.vector, BYTE))
+        builder.store(level, tracer.place(place("levels"), WHOLE(0), BYTE))
     builder.ret_void()
