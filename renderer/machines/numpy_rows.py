@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
-from renderer.machines.enclosing_machine import enclosed_group
 from renderer.machines.forms import Shader, Step, of_form
 from renderer.operations import Mask, Number
 
@@ -94,6 +93,8 @@ def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
         machine, block = Rows(shader, job["lights"]), Block(job, rows)
         group = shader.group(machine, scene, want, block)
         if want.bounds:
+            from renderer.machines.enclosing_machine import enclosed_group  # what most pictures never need to import
+
             of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]
             group = enclosed_group(group, of_form(shader.scene, job["scene_bounds"]), *of_pixels)
         shader.around(group).draw()
