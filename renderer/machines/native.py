@@ -173,7 +173,7 @@ def drawer(
     shared[places["pitch"]], shared[places["light_count"]] = len(job["x"]), len(job["lights"])
     for name, memory in job.items():
         if memory.size:
-            shared[places[name]] = ctypes.addressof(ctypes.c_char.from_buffer(memory))  # the soonest way
+            shared[places[name]] = ctypes.addressof(ctypes.c_char.from_buffer(memory))  # type: ignore[arg-type]
     first, last, counts = (places[name] for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):
