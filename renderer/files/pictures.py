@@ -142,13 +142,15 @@ def _in_order(part):
     return numbers
 
 
-def _store(path, info, array):
+def _store(path, info, header, array):
     """Write an array to its place in a zip by bands: `ZipFile.open` would copy it whole, and its sum takes long."""
-    header, rows = _npy_header(array.dtype.str, array.shape), max(1, BAND // (array[:1].nbytes or 1))
+    rows = max(1, BAND // (array[:1].nbytes or 1))
     with open(path, "r+b") as file:
         file.seek(info.header_offset + len(info.FileHeader()))
-        for part in (header, *(array[start : start + rows] for start in range(0, len(array), rows))):
-            data = part if part is header else _in_order(part).data
+        file.write(header)
+        info.CRC = zlib.crc32(header)
+        for start in range(0, len(array), rows):
+            data = _in_order(array[start : start + rows]).data
             file.write(data)
             info.CRC = zlib.crc32(data, info.CRC)
         file.seek(info.header_offset)
@@ -160,19 +162,17 @@ def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
 
     They are stored, side by side: packed, they would take a hundred times as long as a picture takes to draw.
     """
-    planes = [np.asarray(array) for array in arrays.values()]
+    members = []
     with whole_file(path) as name, ZipFile(name, "w") as zipped:
-        for member, array in zip(arrays, planes, strict=True):
-            info = ZipInfo(f"{member}.npy")
-            info.file_size = info.compress_size = len(_npy_header(array.dtype.str, array.shape)) + array.nbytes
+        for member, array in arrays.items():
+            info, header = ZipInfo(f"{member}.npy"), _npy_header(array.dtype.str, array.shape)
+            members.append((info, header, array))
+            info.file_size = info.compress_size = len(header) + array.nbytes
             info.CRC, info.header_offset, info.external_attr = 0, zipped.start_dir, 0o600 << 16
             zipped.start_dir += len(info.FileHeader()) + info.file_size
             zipped.filelist.append(info)
 
-        def store(part):
-            _store(name, zipped.filelist[part.start], planes[part.start])
-
-        run_bands(store, len(planes), 1, None)
+        run_bands(lambda part: _store(name, *members[part.start]), len(members), 1, None)
         for member in filter(texts.get, texts):
             zipped.writestr(f"{member}.json", texts[member])
 
