@@ -16,7 +16,6 @@ from PIL import Image
 from renderer import Scene, central, pixel, render, whole_files
 from renderer.command_line.verbs import main
 from renderer.files import pictures as files
-from renderer.files.record import text_of
 from renderer.machines import numpy_rows
 from renderer.picture import views
 from renderer.whole_files import whole_file
@@ -68,15 +67,6 @@ def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
     with Image.open(BytesIO(written)) as read:
         assert read.info["symbolic-rendering"] == "told"
         np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)
-
-
-def test_a_png_is_hardly_larger_than_by_level_six():
-    """Than rows of differences to the row above, searched as zlib does where nobody says how."""
-    frame = render(Scene(), 512, 512)
-    picture = frame.srgb
-    assert frame.to_png() == files.png_of(picture, text_of(frame.shot))
-    rows = np.diff(picture.reshape(512, -1), axis=0, prepend=np.uint8(0))
-    assert len(files.png_of(picture)) < 1.15 * len(zlib.compress(rows, 6))
 
 
 def test_a_frame_is_an_array_and_says_what_it_is():
