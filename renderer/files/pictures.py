@@ -8,6 +8,7 @@ import struct
 from collections.abc import Iterable
 from io import BytesIO
 from pathlib import Path
+from threading import Lock
 from typing import Any
 from zipfile import ZipFile, ZipInfo
 
@@ -142,7 +143,7 @@ def _in_order(part):
     return numbers
 
 
-def _store(path, info, header, array):
+def _store(path, alone, info, header, array):
     """Write an array to its place in a zip by bands: `ZipFile.open` would copy it whole, and its sum takes long."""
     rows = max(1, BAND // (array[:1].nbytes or 1))
     with open(path, "r+b") as file:
@@ -151,7 +152,8 @@ def _store(path, info, header, array):
         info.CRC = zlib.crc32(header)
         for start in range(0, len(array), rows):
             data = _in_order(array[start : start + rows]).data
-            file.write(data)
+            with alone:  # threads that write to one file at once would wait in the system, at work
+                file.write(data)
             info.CRC = zlib.crc32(data, info.CRC)
         file.seek(info.header_offset)
         file.write(info.FileHeader())
@@ -162,7 +164,7 @@ def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
 
     They are stored, side by side: packed, they would take a hundred times as long as a picture takes to draw.
     """
-    members = []
+    members, alone = [], Lock()
     with whole_file(path) as name, ZipFile(name, "w") as zipped:
         for member, array in arrays.items():
             info, header = ZipInfo(f"{member}.npy"), _npy_header(array.dtype.str, array.shape)
@@ -172,7 +174,7 @@ def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
             zipped.start_dir += len(info.FileHeader()) + info.file_size
             zipped.filelist.append(info)
 
-        run_bands(lambda part: _store(name, *members[part.start]), len(members), 1, None)
+        run_bands(lambda part: _store(name, alone, *members[part.start]), len(members), 1, None)
         for member in filter(texts.get, texts):
             zipped.writestr(f"{member}.json", texts[member])
 
