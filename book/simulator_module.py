@@ -140,7 +140,7 @@ def _colours(rows):
 def _tables():
     """Return what a painter reads, by name: cells of numbers, and where each level begins; palettes."""
     return {
-        "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0].tolist()},
+        "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0][:-1].tolist()},
         "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),

@@ -199,6 +199,7 @@ NO_FIELDS = {
         Scene(field=HeightField("moving", "max(0, sin(8*pi*u) - a)", a=0.5)), 8, 8, derivatives=["a"]
     ),
     "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
+    "parameter = 'b' is not allowed: one that the formula has: a": lambda: HeightField("x", "a*v", a=1, b=1),
     "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
     "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
 }

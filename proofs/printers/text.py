@@ -66,11 +66,8 @@ class _Reader:
     """A reader of one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable]):
-        self.text, self.names, self.calls = (
-            _PRODUCTS_OF_PI.sub("*", text).translate(_SIGNS),
-            {**names, "pi": pi, "E": S.Exp1},
-            {**_PLAIN, **calls},
-        )
+        self.text = _PRODUCTS_OF_PI.sub("*", text).translate(_SIGNS)
+        self.names, self.calls = {**names, "pi": pi, "E": S.Exp1}, {**_PLAIN, **calls}
         self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:
