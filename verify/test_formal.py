@@ -359,14 +359,20 @@ def test_another_number_in_words_is_found(id, number, other):
 def test_a_theorem_whose_pin_or_claim_of_float64_is_not_what_coq_proved_fails_and_is_not_formal(monkeypatch):
     accepted = json.loads(formal.RECORD.read_text("utf-8"))["theorems"]
     text = recorded.in_full("binades__tie", accepted)
-    accepted["binades"]["statements"] |= {"binades__bare": text, "binades__half": text, "binades__half__false": text}
+    added = dict.fromkeys((f"binades__{name}" for name in ("bare", "idle", "empty", "half", "void")), text)
+    added |= {"binades__idle__false": "~ False", "binades__empty__false": text, "binades__half__false": f"~ ({text})"}
+    added |= {"binades__void__false": f"~ ({text})", "binades__void__point": "True"}
+    accepted["binades"]["statements"] |= added
     monkeypatch.setattr(recorded, "record", lambda: accepted)
     for pin, why in (
         (Pinned("binades__tie", recorded.digest(text)), ""),
         (Pinned("binades__tie", recorded.digest(text.replace("2 ^ 52", "2 ^ 51"))), "Coq proves another binades__tie"),
         (Pinned("binades__none", recorded.digest(text)), "binades__none is not in Coq's record"),
         (Pinned("binades__bare", recorded.digest(text)), "binades__bare has no false variant"),
+        (Pinned("binades__idle", recorded.digest(text)), "binades__idle has no false variant"),
+        (Pinned("binades__empty", recorded.digest(text)), "binades__empty has no false variant"),
         (Pinned("binades__half", recorded.digest(text)), "binades__half has no point"),
+        (Pinned("binades__void", recorded.digest(text)), "binades__void has no point"),
     ):
         theorem = Theorem("binades", "", {"At a tie.": pin})
         examination = proof_checker.examine(theorem, {})
