@@ -59,8 +59,8 @@ def digest(text: str) -> str:
 def why_not_pinned(theorem: Theorem) -> list[str]:
     """Return why Coq's record does not bear a theorem out.
 
-    Of what it pins: another text, none, no false variant refuted, of its own names, no point that exists. Of its claims those of float64, which Coq
-    alone proves, and those that cite a lemma, have to be proved there.
+    Of what it pins: another text, none, no false variant refuted, of its own names, no point that exists. Of its
+    claims those of float64, which Coq alone proves, and those that cite a lemma, have to be proved there.
     """
     accepted, problems = record(), []
     for claim in (*theorem.rounded, *(claim for claim in theorem.claims if claim.cited)):
