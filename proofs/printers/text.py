@@ -58,7 +58,7 @@ _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/%^()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)([eE][+-]?\d\d?)?")
 _SIGNS = str.maketrans({"π": "pi", "−": "-", "·": "*", "×": "*", "²": "**2", "³": "**3"})  # as people type them
 _PRODUCTS_OF_PI = re.compile(r"(?<=[\w)])\s*(?=π)|(?<=π)\s*(?=[\w(])")  # 2πu
-_HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)"
+_HINT = "write 2*u for 2u, 4*sin(u) for 4 sin(u), abs(u) for |u|, sin(u)**2, where(u < v, 1, 2)"
 _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
 
