@@ -202,6 +202,10 @@ claims = [Claim("written", relation) for relation in relations]
     proofs.theorems.run_all()
     for claim in sys.modules.pop("proofs.theorems.written").claims:
         test_what_does_not_follow_is_not_proved(claim, POSITIVE)
+    for program in ("cos('print(1)')", "x.subs(x, 'print(1)')", "[*map(Abs, ['print(1)'])]"):  # no text is run
+        (tmp_path / "written.py").write_text(f"from proofs.theorems.language import *\n{program}")
+        with pytest.raises(TypeError, match="NoneType"):
+            proofs.theorems.run_all()
 
 
 HONEST = """from sympy import cos, pi
@@ -237,6 +241,13 @@ PROGRAMS = [
     "def f():\n    global x",
     "HEIGHT_FIELDS |= {'sine': ridges}",
     "[open for _ in range(3)]",
+    "from proofs.engine.claim import sympify",
+    "from proofs.engine.claim import put",
+    "from proofs.theorems import import_module",
+    "from proofs.formulas.ranges import operator",
+    "x._assumptions._tell('positive', True)",
+    "HEIGHT_FIELDS.PERIODIC.insert(0, x)",
+    "(x for x in ()).gi_frame.f_builtins",
 ]
 
 

@@ -140,6 +140,24 @@ def test_what_is_enclosed_is_what_the_words_state(words, grade, measured):
     assert examination.grade == grade
 
 
+STATED = {
+    "sine_of_half_turns": {"ku": ((0, 0.25 + 2**-30),)},
+    "algebraic_gradient_accuracy": {
+        "R/e": ((1e-6, 1 - 1e-9),),
+        r"\rho/\rho_s": ((0, math.sqrt(0.9)),),
+        **dict.fromkeys(("k_u", "k_v"), ((-64, 64),)),
+    },
+    "pole_accuracy": 2 * 200,
+}
+
+
+@pytest.mark.parametrize("id", STATED)
+def test_no_range_and_no_sample_is_narrower_than_the_words_state(id):
+    ((function, _),) = measurements()[id]
+    evidence = function()
+    assert getattr(evidence, "over", evidence.samples) == STATED[id]
+
+
 def test_what_rests_on_a_cited_lemma_says_so():
     """Coq's proof needs no lemma, and no other theorem."""
     lemma = {"relation": "x >= sin(x)", "source": "Blinn1978"}
