@@ -42,6 +42,12 @@ def cards(html_of):
 # The cards of the site
 
 
+def test_each_statement_of_coqs_leads_to_its_proof_and_goals(cards, html_of):
+    links = [link["href"].split(".html#") for card in cards.values() for link in card.select(".site-only a")]
+    pages = {page: parsed(html_of(page)) for page, _ in links}
+    assert len(links) > len(THEOREMS) and all(pages[page].find(id=name).pre.text for page, name in links)
+
+
 def test_every_card_says_what_its_checked_object_says(cards, proofs):
     assert cards.keys() == THEOREMS.keys()
     chapter, lemmas = count(1), count(1)

@@ -20,7 +20,7 @@ from renderer.whole_files import write_whole
 from verify import conftest
 from verify.checkers import proof_checker
 from verify.checkers.measurements import measurements
-from verify.coq import formal, recorded, survey, vernacular
+from verify.coq import formal, goals, recorded, survey, vernacular
 from verify.evidence.sources import ROOT
 
 needs_coq = pytest.mark.skipif(
@@ -451,3 +451,25 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
     named = re.findall(r"(\d+)\.(\d+)\\mu", words)
     assert len(named) == 2
     assert all(f" <= {int(integer + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for integer, digits in named)
+
+
+SMALL = "Lemma small (n : nat) : n = n.\nProof.\n  intros. (* A comment. *) reflexivity.\nQed.\n"
+
+
+@needs_coq
+def test_each_sentence_has_the_goals_that_it_leaves(written, tmp_path, monkeypatch):
+    written(Small=SMALL)
+    monkeypatch.setattr(goals, "RECORD", tmp_path / "goals")
+    monkeypatch.setattr(goals, "record", goals.record.__wrapped__)
+    goals.write(tmp_path, ["Small"], ())
+    left = {SMALL[start:end]: text for start, end, text in goals.steps_of(tmp_path / "Small.v")}
+    assert [*left] == ["Lemma small (n : nat) : n = n.", "Proof.", "intros.", "reflexivity.", "Qed."]
+    assert left["intros."].split("=====")[0].split() == ["1", "goal", "n", ":", "nat"]
+    assert [*left.values()][3:] == ["No more goals.", ""]
+    written(Small=SMALL.replace("intros", "intro"))
+    assert goals.steps_of(tmp_path / "Small.v") == []
+
+
+def test_goals_are_recorded_of_every_proof_as_it_is():
+    for path in formal.FOLDER.glob("*.v"):
+        assert path.stem in formal.GIVEN or goals.steps_of(path), f"{path.name}: python -m verify.coq records its goals"

@@ -52,12 +52,14 @@ def target(page: str, address: str) -> tuple[str, str] | None:
 
 
 def read_page(site: Path, name: str) -> Page:
-    """Read one page. A listing is large, and nothing but its article is wanted, without colours."""
+    """Read one page, without what the site alone has. Of a listing, which is large, the bare article is wanted."""
     text = (site / f"{name}.html").read_text(encoding="utf-8")
     if name.startswith("source/"):
         return Page(name, parsed(COLORED.sub(r"\1", ARTICLE.search(text)[0])).article, None, None, {})
     soup = parsed(text)
     article = soup.find("article", class_="bd-article")
+    for part in article.select(".site-only"):
+        part.decompose()
     contents = soup.select_one("#pst-page-toc-nav > ul")
     loading = soup.select("link[rel=stylesheet][href], script[src]")
     loads = {target(name, tag.get("src") or tag["href"])[0]: tag for tag in loading}

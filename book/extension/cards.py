@@ -33,6 +33,7 @@ from book.extension.elements import TEMPLATES, Filled, Nodes, directive, filled,
 from book.extension.evidence import count, evidence_line, killed
 from book.extension.listings import DOWNLOADS, listing_address
 from book.extension.printed_claims import point, rows
+from book.extension.proof_pages import places
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from proofs.engine.project import HOME, PROJECT
 from verify.coq.recorded import in_full
@@ -64,6 +65,11 @@ def coq(name: str, statement: str) -> Markup:
     """Return a statement of Coq's, its keywords coloured."""
     words = str(escape(f"Theorem {name} :\n{indent(statement, '  ')}."))  # put into a Markup, a tag would be escaped
     return Markup(KEYWORDS.sub(r'<span class="k">\1</span>', words))
+
+
+def proof_address(name: str) -> str:
+    """Return the address of a theorem of Coq's among the pages of the proofs."""
+    return f"{listing_address(places()[name])}#{name}"
 
 
 def beside(formally: dict) -> tuple[dict[str, str], int, int]:
@@ -122,8 +128,9 @@ def all_theorems(here: SphinxDirective) -> Nodes:
     return parts
 
 
+CALLED = (axioms, beside, certificate, coq, count, evidence_line, in_full, killed, kind, proof_address)
 TEMPLATES.globals.update(
-    {f.__name__: f for f in (axioms, beside, certificate, coq, count, evidence_line, in_full, killed, kind)},
+    {function.__name__: function for function in CALLED},
     BEFORE=BEFORE,
     CHECK="pytest verify" if PROJECT.root == HOME else "pytest -p verify.conftest --noconftest --pyargs verify",
     DOWNLOADS=DOWNLOADS,

@@ -24,6 +24,7 @@ from sphinx.util.parallel import ParallelTasks, SerialTasks
 from book.assembly import report, stamps
 from book.assembly.contents import page_files
 from book.extension.elements import Nodes, directive, on, role
+from book.extension.proof_pages import proof_body, proof_files
 from book.extension.theorems import certificate, module_and_line, proofs_of
 from proofs.engine.project import PROJECT
 from proofs.engine.standalone import standalone_script
@@ -55,7 +56,8 @@ def write_pages(app: Sphinx) -> tuple:
     """
     if app.builder.name != "html" or not hasattr(app, "chapter_proofs"):
         return ()
-    paths = [path for path in sorted(listed(app)) if not Path(app.outdir, listing_address(path)).is_file()]
+    wanted = sorted(listed(app).union(proof_files()))
+    paths = [path for path in wanted if not Path(app.outdir, listing_address(path)).is_file()]
     if not paths:
         return ()
     write_downloads(app)
@@ -70,8 +72,12 @@ def write_listings(app: Sphinx, paths: list[Path]) -> None:
     """Write sources as pages: lines with numbers, each with its own id."""
     for path in paths:
         name, text = path.relative_to(stamps.ROOT).as_posix(), path.read_text(encoding="utf-8")
-        listing = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
-        body = f'<h1>{name}</h1>\n<div class="highlight-python listing">{listing}</div>'
+        if path.suffix == ".v":
+            listing = f'<div class="proof">{proof_body(path)}</div>'
+        else:
+            lines = app.builder.highlighter.highlight_block(text, "python", lineanchors="L", linenos="inline")
+            listing = f'<div class="highlight-python listing">{lines}</div>'
+        body = f"<h1>{name}</h1>\n{listing}"
         context = {"title": name, "body": body, "parents": [], "html_theme_option": {}}
         app.builder.handle_page(f"source/{name}", context, "page.html")
 

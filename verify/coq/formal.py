@@ -1,4 +1,5 @@
-"""The formal proofs:  python -m verify.coq compiles `proofs/formal/` with Coq and records the theorems that it accepts.
+"""The formal proofs:  python -m verify.coq compiles `proofs/formal/` with Coq and records the theorems that it accepts,
+and the goals of each step.
 
 A claim x is proved by `Theorem x : Statements.x.`, where Statements.x is printed from it: Coq is asked in a process of
 its own, which loads compiled files only, whether x has that type, and for its axioms. Other theorems, ID__NAME, are
@@ -25,7 +26,7 @@ from proofs.engine.claim import Separation
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem
 from renderer.whole_files import write_whole
-from verify.coq import survey, vernacular
+from verify.coq import goals, survey, vernacular
 from verify.coq.recorded import FOLDER, RECORD, coq_hashes, record, why_not_pinned
 from verify.coq.survey import COQS_OWN, MACHINE_NUMBERS, Formalization, NotAccepted, Statements
 from verify.evidence.sources import ROOT, key
@@ -157,12 +158,12 @@ def check_again(folder: Path, names: list[str]) -> None:
     _asked(folder, "coqchk", "-silent", "-bytecode-compiler", "yes", *each, *COQC[-3:])
 
 
-def compile_files(*wanted: str, before: dict | None = None, again: bool = False) -> dict:
+def compile_files(*wanted: str, before: dict | None = None, again: bool = False, steps: bool = False) -> dict:
     """Compile files in a folder of their own and return what `record` returns; raises NotAccepted.
 
     before: a record. Coq takes long to list axioms, so it is then asked once for all theorems that by it rest on
     the same: each rests on no more than these. again: Coq's own checker, which has a kernel and no tactics, has
-    to accept each compiled file, too.
+    to accept each compiled file, too. steps: the goals of each step of the files by hand are recorded.
     """
     from tqdm import tqdm
 
@@ -186,6 +187,8 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False)
                 bar.update(len(layer))
         if again:
             check_again(folder, [*texts])
+        if steps:
+            goals.write(folder, by_hand, COQC[1:])
     return survey.read(named, definitions, asked, "".join(printed[1:]))
 
 
@@ -215,7 +218,7 @@ def main() -> None:
     elif changed := printed_otherwise():
         sys.exit(f"{', '.join(changed)}: not what python -m renderer.generate prints now")
     else:
-        table = compile_files(*asked.file, again=asked.coqchk)
+        table = compile_files(*asked.file, again=asked.coqchk, steps=not asked.file)
         if not asked.file:
             content = {"date": date.today().isoformat(), "sources": coq_hashes(), "theorems": table}
             text = json.dumps(content, indent=1, ensure_ascii=False)
