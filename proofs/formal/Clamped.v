@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Fields Claim Derivatives.
+From Formal Require Import Camera Preliminaries Formulas Fields Claim Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -68,7 +68,7 @@ Theorem clamped_difference__of_the_fields__false : ~ forall v k_v epsilon, 0 < e
 Proof.
   intro H. generalize (H 0 1 (1/2) ltac:(lra)). rewrite (proj2 (proj2 (clamped_difference__of_the_fields 0 0 0 1 (1/2)))), !clamped_is by lra.
     unfold_fields.
-  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, sin_PI,
+  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite half_sine, !Rmult_0_r, sin_0, sin_PI,
     Rmult_1_l, Rmult_0_r, Rabs_R1, Rabs_R0. lra.
 Qed.
 
@@ -226,6 +226,6 @@ Theorem clamped_difference_of_odd__of_the_fields__false : ~ forall u v k_u k_v e
 Proof.
   intro H. generalize (H (1/2) 0 1 1 (1/2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite (proj1 (proj2 (clamped_difference__of_the_fields
     (1/2) 0 1 1 (1/2)))), clamped_is by lra.
-  unfold_fields. rewrite Rplus_0_l, sine_of_a_right_angle, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by
+  unfold_fields. rewrite Rplus_0_l, half_sine, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by
     lra. apply Rlt_not_le. interval.
 Qed.

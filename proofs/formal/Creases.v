@@ -77,7 +77,7 @@ Proof.
   assert (Z : Rabs 0 < 1/2) by (rewrite Rabs_R0; lra). assert (B : 1/2 + Rabs 0 <= 1 / 1) by (rewrite Rabs_R0; lra).
   intro H. generalize (H (1/2) 1 0 (1/2) Z B) PI_RGT_0. rewrite (proj1 (straddling__of_the_difference 0 (1/2) 1 1 0 (1/2) 0 Z) Rlt_0_1 B (or_introl
     (ex_intro _ 1%Z eq_refl))).
-  rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
+  rewrite half_sine, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
 Qed.
 Lemma cosine_of_whole m : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
 Proof. apply Rsqr_eq. rewrite cos2, sine_of_whole. unfold Rsqr. ring. Qed.
@@ -106,7 +106,7 @@ Theorem straddling__of_the_slope__false : ~ forall v k_v d, 0 < Rabs d < 1 -> gr
   Rabs (sin (PI * (k_v * v))).
 Proof.
   assert (D : 0 < Rabs (- (1/4)) < 1 / 1) by (rewrite Rabs_left; lra). intro H. generalize (H (1/2) 1 (- (1/4)) ltac:(lra)).
-  rewrite (proj1 (straddling__of_the_slope 0 (1/2) 1 1 (- (1/4)) 0) Rlt_0_1 D), sign_eq_m1 by lra. rewrite sine_of_a_right_angle, Rabs_R1. apply
+  rewrite (proj1 (straddling__of_the_slope 0 (1/2) 1 1 (- (1/4)) 0) Rlt_0_1 D), sign_eq_m1 by lra. rewrite half_sine, Rabs_R1. apply
     Rlt_not_eq. interval.
 Qed.
 (* So the error beside the crease comes to pi k, slope less difference as the distance falls to 0. *)
@@ -133,7 +133,7 @@ Theorem straddling__error__false : ~ forall v k_v epsilon (k m : Z), 0 < epsilon
 Proof.
   intro H. assert (E : 0 < 1/2 < 1 / 1) by lra. generalize PI_RGT_0 (filterlim_locally_unique _ _ _ (H (1/2) 1 (1/2) 1%Z 0%Z E) (straddling__error
     (1/2) 1 (1/2) 1 0 ltac:(easy) E)).
-  rewrite sine_of_a_right_angle, Rabs_R1. lra.
+  rewrite half_sine, Rabs_R1. lra.
 Qed.
 
 (* Ridges beside its creases, and where they cross *)
@@ -184,7 +184,7 @@ Theorem ridges_on_creases__no_derivative (u v k_u k_v : R) (m : Z) :
 Proof. split; intros K S; [apply kink_loci__creased_in_u | apply kink_loci__creased_in_v]; try exact S; first [lra | exists m; field; lra]. Qed.
 (* The seed: ridges is differentiable. *)
 Theorem ridges_on_creases__no_derivative__false : ~ forall u v k_u k_v, ex_derive (fun u => height_ridges.h u v k_u k_v) u.
-Proof. intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra | apply H]. Qed.
+Proof. intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite half_sine; lra | apply H]. Qed.
 
 (* Where creases cross, ridges is differentiable in both coordinates together, and its derivative is 0. *)
 Theorem ridges_at_crossings__differentiable (k_u k_v : R) (m n : Z) : 0 < k_u -> 0 < k_v ->
@@ -212,7 +212,7 @@ Qed.
 (* Where one crease runs alone it is not. *)
 Theorem ridges_at_crossings__differentiable__false : ~ forall u v, differentiable_pt_lim (fun u v => height_ridges.h u v 1 1) u v 0 0.
 Proof.
-  intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra|]. exists (0 * 1 + 0 * 0). apply
+  intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite half_sine; lra|]. exists (0 * 1 + 0 * 0). apply
     is_derive_Reals.
   apply (derivable_pt_lim_comp_2d (fun u v => height_ridges.h u v 1 1) (fun u => u) (fun _ => 1/2)); [apply H | apply derivable_pt_lim_id | apply
     derivable_pt_lim_const].

@@ -12,9 +12,6 @@ Ltac unfold_fields :=
     gradient_ridges.h_u, gradient_ridges.h_v, gradient_sine.sin_u, gradient_sine.cos_u, gradient_sine.sin_v, gradient_sine.cos_v,
     gradient_ridges.sin_u, gradient_ridges.cos_u, gradient_ridges.sin_v, gradient_ridges.cos_v, gradient_rings.sin_v, gradient_rings.cos_v in *.
 
-Lemma sine_of_a_right_angle : sin (PI * (1 * (1/2))) = 1.
-Proof. replace (PI * (1 * (1/2))) with (PI / 2) by field. apply sin_PI2. Qed.
-
 (* The gradients *)
 
 Lemma is_derive_is (f : R -> R) (x a b : R) : is_derive f x a -> a = b -> is_derive f x b.
@@ -124,7 +121,7 @@ Proof.
   intro H. generalize (H 0 (1/2) 1 1 (1/2) ltac:(lra)). central_sine.lines.
   rewrite floor_of_a_fraction, (floor_is (-1)) by lra. replace (0 - 1/2 - -1) with (1/2) by field. replace (1/2 + 0 - 0) with (1/2) by ring.
     unfold_fields.
-  replace (PI * (1 * (0 - 1/2))) with (- (PI * (1 * (1/2)))) by field. rewrite Rplus_0_r, sin_neg, !sine_of_a_right_angle. lra.
+  replace (PI * (1 * (0 - 1/2))) with (- (PI * (1 * (1/2)))) by field. rewrite Rplus_0_r, sin_neg, !half_sine. lra.
 Qed.
 Theorem central_difference_of_sine__nothing_clamps__false : ~ forall v k_v epsilon, 0 < epsilon ->
   central_rings.h_v v k_v epsilon = (height_rings.h (epsilon + v) k_v - height_rings.h (v - epsilon) k_v) / (2 * epsilon).

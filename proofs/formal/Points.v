@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
-From Formal Require Import Formulas Fields Clamped Float.
+From Formal Require Import Camera Formulas Fields Clamped Float.
 Open Scope R_scope.
 
 Theorem elementary_functions__two_product__point : exists a b, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a
@@ -34,7 +34,7 @@ Proof. exists 1, (1/2). rewrite Rabs_pos_eq; lra. Qed.
 Theorem straddling__error__point : exists k epsilon, (0 < k)%Z /\ 0 < epsilon < 1 / IZR k.
 Proof. exists 1%Z, (1/2). split; [easy | lra]. Qed.
 Theorem ridges_on_creases__no_derivative__point : exists u k_u, 0 < k_u /\ sin (PI * (k_u * u)) <> 0.
-Proof. exists (1/2), 1. rewrite sine_of_a_right_angle. lra. Qed.
+Proof. exists (1/2), 1. rewrite half_sine. lra. Qed.
 Theorem ridges_at_crossings__differentiable__point : exists k_u k_v, 0 < k_u /\ 0 < k_v.
 Proof. exists 1, 1. lra. Qed.
 Theorem displaced_normal__any_field__point : exists (h : R -> R -> R) (u v phi h_u h_v : R), 0 < sin phi /\ is_derive (fun u => h u v) u h_u /\
