@@ -235,8 +235,7 @@ Theorem colour_accuracy__clip : Statements.colour_accuracy__clip.
 Proof. red. intros. unfold clip_float64.clipped, clip.clipped. apply no_error. Qed.
 
 (* Composed: from the frame, the gradient and the light to the colour, one light's share without another stage's input in between. *)
-Lemma clip_moves x y : Rabs (clip.clipped x - clip.clipped y) <= Rabs (x - y).
-Proof. unfold clip.clipped, Rabs, Rmin, Rmax. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra. Qed.
+
 (* A cosine that moves by e moves a light's share by at most i a k_d e. *)
 Lemma share_moves b i a kd ks p m n e : i >= 0 -> a >= 0 -> kd >= 0 -> Rabs (m - n) <= e -> Rabs (light_term.lit_red b i a kd ks m p -
   light_term.lit_red b i a kd ks n p) <= i * (a * kd * e).
@@ -258,7 +257,7 @@ Proof.
   { destruct (normal_near nx ny nz gx gy gz beta) as ([] & [] & []); try (unfold m2 in *; simpl; lra). destruct (towards_near px py pz lx ly lz) as
     ([] & [] & []); [unfold d2 in *; simpl; lra|].
     unfold mu', mu, light_direction_float64.mu, light_direction.mu. unfold unit53 in *. eapply Rle_trans; [sums | interval]. }
-  split; [exact M|]. change clip_float64.clipped with clip.clipped. at_most_by clip_moves. apply through with (light_term.lit_red b i
+  split; [exact M|]. change clip_float64.clipped with clip.clipped. at_most_by difference_bound_clip. apply through with (light_term.lit_red b i
     a kd ks mu' p); [apply share_within; try assumption; apply Rmax_l | apply share_moves; assumption].
 Qed.
 Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta, 1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx
