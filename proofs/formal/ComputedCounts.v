@@ -207,8 +207,24 @@ Definition nearest_constants (constants : Z -> Z -> R * R) := forall m e, snd (c
 Definition pair_in_reals (n : dyadic * dyadic) : R * R := (F2R (fst n), F2R (snd n)).
 Definition in_reals (n : kind * (dyadic * dyadic)) : kind * (R * R) := (fst n, pair_in_reals (snd n)).
 
-Ltac in_real_numbers := repeat rewrite ?sum_is, ?subtracted_is, ?product_is, ?whole_nearest_is, ?under_is, ?root_is, ?F2R_abs, ?F2R_plus, ?F2R_mult,
-  ?rounding_is, ?slack_is, ?least_dyadic_is, ?zero_is, ?one_is, ?count_is, ?two_to_is.
+Ltac in_real_numbers := repeat match goal with
+  | |- context [F2R (sum_near ?x ?y)] => rewrite (sum_is x y)
+  | |- context [F2R (subtracted_near ?x ?y)] => rewrite (subtracted_is x y)
+  | |- context [F2R (product_near_of ?x ?y)] => rewrite (product_is x y)
+  | |- context [F2R (whole_nearest ?x)] => rewrite (whole_nearest_is x)
+  | |- context [F2R (whole_under ?x)] => rewrite (under_is x)
+  | |- context [F2R (root_near ?x)] => rewrite (root_is x)
+  | |- context [F2R (Fabs ?x)] => rewrite (F2R_abs x)
+  | |- context [F2R (Fplus ?x ?y)] => rewrite (F2R_plus x y)
+  | |- context [F2R (Fmult ?x ?y)] => rewrite (F2R_mult x y)
+  | |- context [F2R rounding_dyadic] => rewrite rounding_is
+  | |- context [F2R slack_dyadic] => rewrite slack_is
+  | |- context [F2R least_dyadic] => rewrite least_dyadic_is
+  | |- context [F2R dyadic_zero] => rewrite zero_is
+  | |- context [F2R (two_to 0)] => rewrite one_is
+  | |- context [F2R (two_to 53)] => rewrite count_is
+  | |- context [F2R (two_to ?k)] => rewrite (two_to_is k)
+  end.
 Lemma at_most_is x y : no_more x y = if Rle_dec (F2R x) (F2R y) then true else false.
 Proof. unfold no_more. rewrite less_is. destruct Rlt_dec, Rle_dec; try reflexivity; lra. Qed.
 Lemma is_at_most x y : no_more x y = true -> F2R x <= F2R y.
